@@ -14,6 +14,9 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
                                  one process; two, each with its own pair; three, with a knot to be placed by what cameras
                                  see; two with swapped slaves (default fig3c)
   --lane auto|shm|frame|rpc      how connections travel: the fastest that fits, shared memory, frames, Cap'n Proto RPC (default auto)
+  --network auto|unix|tcp|tls|namespaces
+                                 what processes talk over: TLS between a network namespace for each process (auto, as root), TCP
+                                 on loopback (auto, as anybody else), Unix sockets with shared memory, or TLS on loopback
   --seconds N                    how long to run (default 10)
   --rate HZ                      cycles a second of the tasks that control an arm (default 1000); cameras and what looks at their
                                  images keep their periods, and connections the ages they permit

@@ -1,7 +1,9 @@
 #include "child_process.h"
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,9 +13,47 @@
 #include <cstdio>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 namespace demo {
 namespace {
+
+/// Two ends of a line by which parent and child wait for each other.
+struct Line {
+  explicit Line(const std::string& title) {
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0) return;
+    throw std::system_error(errno, std::generic_category(), "a line to " + title);
+  }
+  ~Line() {
+    for (const int end : ends) close(end);
+  }
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
+
+  void tell(int end) const { [[maybe_unused]] const ssize_t sent = write(ends[end], "", 1); }
+  /// False if the other end is gone.
+  bool hear(int end) {
+    close(std::exchange(ends[1 - end], -1));
+    char byte;
+    ssize_t count;
+    do count = read(ends[end], &byte, 1);
+    while (count < 0 && errno == EINTR);
+    return count == 1;
+  }
+
+  std::array<int, 2> ends{};
+};
+constexpr int kParent = 0, kChild = 1;
+
+/// Until the parent has laid its cable.
+void enterOwnNetwork(Line& line, const std::string& title) {
+  if (unshare(CLONE_NEWNET) != 0) {
+    std::fprintf(stderr, "%s gets no network namespace: %s\n", title.c_str(), std::strerror(errno));
+    _exit(127);
+  }
+  line.tell(kChild);
+  if (!line.hear(kChild)) _exit(1);
+}
 
 [[noreturn]] void becomeProgram(const ChildProcess::Start& start, int pipe, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -46,16 +86,30 @@ ChildProcess::ChildProcess(const Start& start) : title_(start.title) {
     throw std::system_error(errno, std::generic_category(), "a pipe for " + title_);
   }
   const pid_t parent = getpid();
+  Line line(title_);
   pid_ = fork();
-  if (pid_ == 0) becomeProgram(start, ends[1], parent);
+  if (pid_ == 0) {
+    if (start.connect) enterOwnNetwork(line, title_);
+    becomeProgram(start, ends[1], parent);
+  }
   const int error = errno;
   close(ends[1]);
   output_ = ends[0];
   fcntl(output_, F_SETFL, O_NONBLOCK);
   if (pid_ < 0) throw std::system_error(error, std::generic_category(), "starting " + title_);
+  if (!start.connect || !line.hear(kParent)) return;  // one that has ended is noticed later
+  try {
+    start.connect(pid_);
+  } catch (...) {
+    kill();
+    throw;
+  }
+  line.tell(kParent);
 }
 
-ChildProcess::~ChildProcess() {
+ChildProcess::~ChildProcess() { kill(); }
+
+void ChildProcess::kill() {
   if (running()) {
     signal(SIGKILL);
     waitpid(pid_, &status_, 0);
@@ -90,7 +144,7 @@ std::vector<std::string> ChildProcess::readLines() {
 }
 
 void ChildProcess::signal(int number) const {
-  if (running_) kill(pid_, number);
+  if (running_) ::kill(pid_, number);
 }
 
 bool ChildProcess::running() {

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,12 @@ class ChildProcess {
     std::vector<std::string> arguments;  ///< the program's path first
     std::filesystem::path directory;     ///< where it runs
     int reportsTo;                       ///< the child's file descriptor whose output is read here
+    /// If there is one, the child gets a network namespace of its own, and this is called with its
+    /// process id before its program begins.
+    std::function<void(pid_t)> connect;
   };
 
-  /// Throws std::system_error.
+  /// Throws std::system_error, and what Start::connect throws.
   explicit ChildProcess(const Start& start);
   /// Kills it if it still runs.
   ~ChildProcess();
@@ -42,6 +46,8 @@ class ChildProcess {
   std::string ending() const;
 
  private:
+  void kill();
+
   std::string title_;
   pid_t pid_ = -1;
   int output_ = -1;

@@ -35,8 +35,10 @@ int blockAndWatchSignals() {
 
 }  // namespace
 
-Crew::Crew(const Plan& plan, std::filesystem::path programs, std::filesystem::path folder)
+Crew::Crew(Plan& plan, Network& network, std::filesystem::path programs,
+           std::filesystem::path folder)
     : plan_(plan),
+      network_(network),
       programs_(std::move(programs)),
       folder_(std::move(folder)),
       signals_(blockAndWatchSignals()) {}
@@ -54,15 +56,22 @@ CrewResult Crew::run(Duration length, const Progress& progress) {
 }
 
 void Crew::startManager() {
-  manager_ = std::make_unique<ChildProcess>(ChildProcess::Start{
-      .title = "the global manager",
-      .arguments = {programs_ / "suture-manager", "--listen", plan_.deployment().manager()},
-      .directory = folder_,
-      .reportsTo = STDOUT_FILENO});
+  std::vector<std::string> arguments{programs_ / "suture-manager", "--listen",
+                                     plan_.deployment().manager()};
+  if (network_.needsKeys()) {
+    arguments.insert(arguments.end(), {"--keys", plan_.deployment().keys()});
+  }
+  manager_ = std::make_unique<ChildProcess>(ChildProcess::Start{.title = "the global manager",
+                                                                .arguments = std::move(arguments),
+                                                                .directory = folder_,
+                                                                .reportsTo = STDOUT_FILENO,
+                                                                .connect = {}});
   pumpUntil(suture::now() + kStartPatience, [this] { return over() || managerReady_; });
 }
 
 void Crew::startWorkstations() {
+  std::function<void(pid_t)> connect;
+  if (network_.hasNamespaces()) connect = [this](pid_t child) { network_.connect(child); };
   for (const suture::ProcessEntry& process : plan_.deployment().processes()) {
     workstations_.push_back(std::unique_ptr<Workstation>(new Workstation{
         .process = ChildProcess({.title = "process '" + process.name + "'",
@@ -70,7 +79,8 @@ void Crew::startWorkstations() {
                                                plan_.file(), "--process", process.name,
                                                "--report-fd", std::to_string(kReportDescriptor)},
                                  .directory = folder_,
-                                 .reportsTo = kReportDescriptor}),
+                                 .reportsTo = kReportDescriptor,
+                                 .connect = connect}),
         .report = {
             .process = process.name, .age = {}, .connections = {}, .tasks = {}, .devices = {}}}));
   }
@@ -168,7 +178,15 @@ void Crew::readOutputs() {
   for (const auto& one : workstations_) {
     for (const std::string& line : one->process.readLines()) handle(*one, line);
   }
-  if (manager_ != nullptr && !manager_->readLines().empty()) managerReady_ = true;
+  if (manager_ != nullptr) readManager();
+}
+
+/// Its first line ends with where it listens.
+void Crew::readManager() {
+  const auto lines = manager_->readLines();
+  if (lines.empty() || managerReady_) return;
+  plan_.setManager(lines.front().substr(lines.front().rfind(' ') + 1));
+  managerReady_ = true;
 }
 
 void Crew::handle(Workstation& workstation, const std::string& line) {

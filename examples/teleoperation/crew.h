@@ -30,7 +30,7 @@ class Crew {
   using Progress = std::function<void(suture::Duration ran, const std::vector<suture::Report>&)>;
 
   /// `programs`: the folder of the executables; `folder`: where they run and record.
-  Crew(const Plan& plan, std::filesystem::path programs, std::filesystem::path folder);
+  Crew(Plan& plan, Network& network, std::filesystem::path programs, std::filesystem::path folder);
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
@@ -57,6 +57,7 @@ class Crew {
   void pump(suture::Time until);
   void readSignals();
   void readOutputs();
+  void readManager();
   void handle(Workstation& workstation, const std::string& line);
   void noticeEnds();
   template <class Ended>
@@ -69,7 +70,8 @@ class Crew {
   std::vector<ChildProcess*> processes();
   std::vector<suture::Report> reports() const;
 
-  const Plan& plan_;
+  Plan& plan_;
+  Network& network_;
   const std::filesystem::path programs_, folder_;
   int signals_;
   std::unique_ptr<ChildProcess> manager_;

@@ -63,6 +63,14 @@ void declare(CLI::App& app, demo::Options& options) {
                  "even within a process")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "shm", "frame", "rpc"}));
+  app.add_option(
+         "--network", options.network,
+         "What processes talk over. auto: namespaces where they can be made (as root), else "
+         "tcp; unix with lane shm. unix: Unix sockets, so that lane auto is shared memory; "
+         "tcp, tls: on loopback; namespaces: TLS, each process in a network namespace of its "
+         "own, with a cable to a switch")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"auto", "unix", "tcp", "tls", "namespaces"}));
   app.add_option("--seconds", options.seconds, "How long to run")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 86400.0));
@@ -98,12 +106,13 @@ bool succeeds(const std::function<void()>& work) {
 
 int run(const demo::Options& options) {
   const RunFolder folder;
-  const demo::Plan plan(options, SUTURE_DEMO_TOPOLOGIES, folder.path());
+  demo::Network network(options.network, options.lane);
+  demo::Plan plan(options, network, SUTURE_DEMO_TOPOLOGIES, folder.path());
   if (!options.picture.empty()) demo::requireKnot(plan);
   // First, for from here on an interrupt ends in order.
-  demo::Crew crew(plan, fs::read_symlink("/proc/self/exe").parent_path(), folder.path());
+  demo::Crew crew(plan, network, fs::read_symlink("/proc/self/exe").parent_path(), folder.path());
   demo::Screen screen;
-  screen.begin(options, plan);
+  screen.begin(options, plan, network);
   const auto length =
       std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(options.seconds));
   auto watches = demo::watchAll(plan.followings());
@@ -112,8 +121,9 @@ int run(const demo::Options& options) {
   });
   const demo::Verdict verdict = demo::judgeRun(plan, result, watches);
   screen.end(result, verdict);
-  const bool wrote = options.json.empty() ||
-                     succeeds([&] { demo::writeResult(options.json, options, result, verdict); });
+  const bool wrote = options.json.empty() || succeeds([&] {
+                       demo::writeResult(options.json, options, network, result, verdict);
+                     });
   const bool drew = options.picture.empty() ||
                     succeeds([&] { demo::drawKnot(options.picture, demo::requireKnot(plan)); });
   if (result.interrupted) return kInterrupted;

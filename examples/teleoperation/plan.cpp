@@ -1,6 +1,7 @@
 #include "plan.h"
 
 #include <suture/base/errors.h>
+#include <suture/deploy/keys_command.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,18 @@ void setRate(json& component, double rate) {
   component[period] = 1 / rate;
 }
 
-std::filesystem::path write(const Options& options, const std::filesystem::path& topologies,
+/// Makes keys for all processes of a system in the run's folder.
+void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
+  suture::KeysRequest request;
+  for (const json& process : system.at("processes"))
+    request.processes.push_back(process.at("name"));
+  request.out = folder / "keys";
+  suture::makeKeys(request);
+  system["keys"] = "keys";
+}
+
+std::filesystem::path write(const Options& options, const Network& network,
+                            const std::filesystem::path& topologies,
                             const std::filesystem::path& folder) {
   // Checked before it is changed, so that a message names the topology's own file and line.
   const suture::Deployment topology(
@@ -34,7 +46,8 @@ std::filesystem::path write(const Options& options, const std::filesystem::path&
   system.erase("$schema");
   system.erase("manager");
   if (system.at("processes").size() > 1 || options.lane != "auto") {
-    system["manager"] = "unix:" + (folder / "manager.sock").string();
+    system["manager"] = network.managerAddress(folder);
+    if (network.needsKeys()) makeKeys(system, folder);
   }
   for (json& process : system.at("processes")) {
     for (json& component : process.at("components")) setRate(component, options.rate);
@@ -83,13 +96,21 @@ std::vector<std::string> topologiesIn(const std::filesystem::path& folder) {
   return names;
 }
 
-Plan::Plan(const Options& options, const std::filesystem::path& topologies,
+Plan::Plan(const Options& options, const Network& network, const std::filesystem::path& topologies,
            const std::filesystem::path& folder)
-    : file_(write(options, topologies, folder)), deployment_(suture::JsonDocument::read(file_)) {
+    : file_(write(options, network, topologies, folder)),
+      deployment_(suture::JsonDocument::read(file_)) {
   findArms();
   findFollowings(folder);
   findKnot(folder);
-  findLanes();
+  findLanes(network.fastestLane());
+}
+
+void Plan::setManager(const std::string& address) {
+  json system = deployment_.document().value();
+  system["manager"] = address;
+  std::ofstream(file_) << system.dump(2) << '\n';
+  deployment_ = suture::Deployment(suture::JsonDocument::read(file_));
 }
 
 void Plan::findArms() {
@@ -132,9 +153,10 @@ const ComponentEntry* Plan::componentOfClass(const std::string& name) const {
   return nullptr;
 }
 
-void Plan::findLanes() {
+void Plan::findLanes(const char* fastestLane) {
   for (const ConnectionEntry& connection : deployment_.connections()) {
-    const char* const fastest = connection.from.process == connection.to.process ? "local" : "shm";
+    const bool within = connection.from.process == connection.to.process;
+    const char* const fastest = within ? "local" : fastestLane;
     const bool forced = connection.lane != suture::Lane::Auto;
     lanes_[connection.from.toString() + " -> " + connection.to.toString()] =
         forced ? toString(connection.lane) : fastest;

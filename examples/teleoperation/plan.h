@@ -10,11 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "network.h"
+
 namespace demo {
 
 struct Options {
   std::string topology = "fig3c";
   std::string lane = "auto";
+  std::string network = "auto";  // as Network takes it
   double seconds = 10;
   double rate = 1000;   // Hz, of the tasks that control an arm
   std::string json;     // "": not wanted
@@ -37,19 +40,22 @@ struct KnotPlacing {
   Eigen::Vector3d target, approach;  ///< m; a direction
 };
 
-/// The topology's deployment file with the run's rate, lane and manager, written into the run's
-/// folder. The rate is that of each task whose period the topology's file states as 1 ms: such a
-/// file states the period of each task that is to follow the rate, and all others keep theirs.
+/// The topology's deployment file with the run's rate, lane, manager and keys, written into the
+/// run's folder. The rate is that of each task whose period the topology's file states as 1 ms:
+/// such a file states the period of each task that is to follow the rate, and all others keep
+/// theirs.
 class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
   /// lacks what the run is judged by.
-  Plan(const Options& options, const std::filesystem::path& topologies,
+  Plan(const Options& options, const Network& network, const std::filesystem::path& topologies,
        const std::filesystem::path& folder);
 
   const std::filesystem::path& file() const { return file_; }
   const suture::Deployment& deployment() const { return deployment_; }
   bool needsManager() const { return !deployment_.manager().empty(); }
+  /// The global manager listens there: at a port of its choice.
+  void setManager(const std::string& address);
   /// "process:component" of every arm, in the order of the file.
   const std::vector<std::string>& arms() const { return arms_; }
   const std::vector<Following>& followings() const { return followings_; }
@@ -62,7 +68,7 @@ class Plan {
   void findArms();
   void findFollowings(const std::filesystem::path& folder);
   void findKnot(const std::filesystem::path& folder);
-  void findLanes();
+  void findLanes(const char* fastestLane);
   /// The first component of a class; null if there is none.
   const suture::ComponentEntry* componentOfClass(const std::string& name) const;
   const suture::ComponentEntry& component(const std::string& name) const;

@@ -29,10 +29,11 @@ json toJson(const ArmFigures& arm) {
 
 }  // namespace
 
-void writeResult(const std::filesystem::path& file, const Options& options,
+void writeResult(const std::filesystem::path& file, const Options& options, const Network& network,
                  const CrewResult& result, const Verdict& verdict) {
   json out = {{"topology", options.topology},
               {"lane", options.lane},
+              {"network", network.name()},
               {"rate", options.rate},
               {"seconds", std::chrono::duration<double>(result.ran).count()},
               {"interrupted", result.interrupted},

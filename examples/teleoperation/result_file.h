@@ -11,7 +11,7 @@ namespace demo {
 
 /// JSON: the options, each connection, arm, task and check. Durations are ns, lengths m, angles
 /// rad. Throws suture::SetupError if the file cannot be written.
-void writeResult(const std::filesystem::path& file, const Options& options,
+void writeResult(const std::filesystem::path& file, const Options& options, const Network& network,
                  const CrewResult& result, const Verdict& verdict);
 
 }  // namespace demo

@@ -18,7 +18,7 @@ class Screen {
  public:
   Screen();
 
-  void begin(const Options& options, const Plan& plan);
+  void begin(const Options& options, const Plan& plan, const Network& network);
   /// One line on what happened since the last call; `error`: how far the worst slave was off, m at
   /// p99, if any follows a master.
   void progress(suture::Duration ran, const std::vector<suture::Report>& reports,

@@ -113,5 +113,12 @@ class Demo(unittest.TestCase):
         self.assertIn("nothing in this topology places a knot. Use --topology fig3b", process.stderr)
         self.assertEqual(process.stdout, "", "it is refused before the run")
 
+    def test_shared_memory_between_machines(self):
+        process = subprocess.run([PROGRAMS / "suture-demo", "--lane", "shm", "--network", "tcp"],
+                                 capture_output=True, text=True, timeout=60)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("lane shm over --network tcp: shared memory is for processes that reach each other by a Unix "
+                      "socket. Leave --network out", process.stderr)
+
 
 unittest.main()

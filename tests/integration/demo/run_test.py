@@ -1,4 +1,4 @@
-"""Runs the demo for some seconds on one topology and lane, and checks what it says.
+"""Runs the demo for some seconds on one topology, lane and network, and checks what it says.
 
 How closely a slave follows, and whether a knot arrives in time, depends here on what else the machine
 does. Both, to a millimetre, are tested in virtual time: law_test.cpp and knot_test.cpp in
@@ -8,6 +8,7 @@ tests/integration/teleoperation.
 import pathlib
 import re
 import struct
+import subprocess
 import sys
 import tempfile
 
@@ -27,11 +28,22 @@ SLAVES = {
 }
 
 
-def expected_lane(connection, lane):
+def expected_network(network, lane):
+    if network != "auto":
+        return network
+    if lane == "shm":
+        return "unix"
+    permitted = subprocess.run(["unshare", "--net", "ip", "link", "add", "type", "bridge"], capture_output=True)
+    return "namespaces" if permitted.returncode == 0 else "tcp"
+
+
+def expected_lane(connection, lane, network):
     source, target = connection["name"].split(" -> ")
     if lane != "auto":
         return lane
-    return "local" if source.split(":")[0] == target.split(":")[0] else "shm"
+    if source.split(":")[0] == target.split(":")[0]:
+        return "local"
+    return "shm" if network == "unix" else "frame"
 
 
 # What a busy machine does to a slave and to a knot; not that a knot was never guided.
@@ -51,14 +63,15 @@ def check_knot(knot, picture):
     assert struct.unpack(">II", picture[16:24]) == (1280, 720)
 
 
-def check(result, topology, lane):
+def check(result, topology, lane, network):
     failed = [one for one in result["checks"] if not one["passed"]]
     assert result["passed"] == (not failed), result["checks"]
     assert all(is_late(one) for one in failed), failed
+    assert result["network"] == expected_network(network, lane), result["network"]
     assert len(result["processes"]) == PROCESSES[topology]
     assert len(result["connections"]) == CONNECTIONS[topology]
     for connection in result["connections"]:
-        wanted = expected_lane(connection, lane)
+        wanted = expected_lane(connection, lane, result["network"])
         assert connection["lane"] == wanted, connection
         assert connection["end"] == "both", connection
         on_wire = connection["bytes_sent"] + connection["bytes_received"]
@@ -72,8 +85,8 @@ def check(result, topology, lane):
 
 
 def main():
-    programs, topology, lane = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
-    options = ["--topology", topology, "--lane", lane, "--seconds", str(SECONDS[topology])]
+    programs, topology, lane, network = pathlib.Path(sys.argv[1]), *sys.argv[2:]
+    options = ["--topology", topology, "--lane", lane, "--network", network, "--seconds", str(SECONDS[topology])]
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "knot.png"
         if topology == "fig3b":
@@ -83,7 +96,7 @@ def main():
             print(output)
             result = demo.result()
             assert status == (0 if result["passed"] else 1), f"exit status {status}"
-            check(result, topology, lane)
+            check(result, topology, lane, network)
             assert "\x1b" not in output, "colours in a pipe"
             assert demo.leftovers() == [], demo.leftovers()
         if topology == "fig3b":

@@ -1,0 +1,107 @@
+#include "network.h"
+
+#include <fcntl.h>
+#include <sched.h>
+#include <suture/base/errors.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+namespace demo {
+namespace {
+
+// Nothing of it leaves the namespace: the addresses only must differ from each other.
+constexpr const char* kHere = "10.213.7.1";
+constexpr int kFirstCable = 2;
+
+bool succeeds(const std::string& command) {
+  return std::system(("{ " + command + "; } >/dev/null 2>&1").c_str()) == 0;
+}
+
+/// Moves this process to a network namespace with a switch. "" or why that cannot be.
+std::string moveToNamespace() {
+  if (geteuid() != 0) return "network namespaces need root";
+  if (!succeeds("ip -V && nsenter -V")) return "the command 'ip' of iproute2 is missing";
+  const int before = open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC);
+  if (before < 0 || unshare(CLONE_NEWNET) != 0) {
+    const std::string why = std::strerror(errno);
+    if (before >= 0) close(before);
+    return "the kernel refuses a network namespace: " + why;
+  }
+  const bool made = succeeds("ip link set lo up && ip link add switch type bridge && ip addr add " +
+                             std::string(kHere) + "/24 dev switch && ip link set switch up");
+  if (!made) setns(before, CLONE_NEWNET);
+  close(before);
+  return made ? "" : "the kernel has no bridge";
+}
+
+}  // namespace
+
+Network::Network(const std::string& asked, const std::string& lane) {
+  const bool isAuto = asked == "auto";
+  if (asked == "unix" || (isAuto && lane == "shm")) return;
+  if (lane == "shm") {
+    throw suture::SetupError(
+        "lane shm over --network " + asked,
+        "shared memory is for processes that reach each other by a Unix socket",
+        "Leave --network out, or choose another lane");
+  }
+  if (asked == "tls") kind_ = Kind::Tls;
+  if (asked == "tcp") kind_ = Kind::Tcp;
+  if (!isAuto && asked != "namespaces") return;
+  whyNoNamespaces_ = moveToNamespace();
+  kind_ = whyNoNamespaces_.empty() ? Kind::Namespaces : Kind::Tcp;
+  if (isAuto || whyNoNamespaces_.empty()) return;
+  throw suture::SetupError("running over --network namespaces", whyNoNamespaces_,
+                           "Run it as root with iproute2 installed, or leave --network out");
+}
+
+std::string Network::name() const {
+  switch (kind_) {
+    case Kind::Unix: return "unix";
+    case Kind::Tcp: return "tcp";
+    case Kind::Tls: return "tls";
+    case Kind::Namespaces: return "namespaces";
+  }
+  return "";
+}
+
+std::string Network::description() const {
+  const std::string why = whyNoNamespaces_.empty() ? "" : " (" + whyNoNamespaces_ + ")";
+  switch (kind_) {
+    case Kind::Unix: return "Unix sockets of one machine";
+    case Kind::Tcp: return "TCP on loopback" + why;
+    case Kind::Tls: return "TLS on loopback";
+    case Kind::Namespaces:
+      return "TLS on Ethernet between network namespaces, one for each process";
+  }
+  return "";
+}
+
+std::string Network::managerAddress(const std::filesystem::path& folder) const {
+  switch (kind_) {
+    case Kind::Unix: return "unix:" + (folder / "manager.sock").string();
+    case Kind::Tcp: return "tcp://127.0.0.1:0";
+    case Kind::Tls: return "tls://127.0.0.1:0";
+    case Kind::Namespaces: return std::string("tls://") + kHere + ":0";
+  }
+  return "";
+}
+
+void Network::connect(pid_t child) {
+  const int number = kFirstCable + cables_++;
+  const std::string pid = std::to_string(child), here = "cable" + std::to_string(number);
+  const std::string there = "ip addr add 10.213.7." + std::to_string(number) +
+                            "/24 dev eth0 && ip link set eth0 up && ip link set lo up";
+  if (succeeds("ip link add " + here + " type veth peer name eth0 netns " + pid +
+               " && ip link set " + here + " master switch up && nsenter --target " + pid +
+               " --net sh -c '" + there + "'")) {
+    return;
+  }
+  throw suture::SetupError("laying a cable to process " + pid, "the command 'ip' has failed",
+                           "Try --network tcp");
+}
+
+}  // namespace demo

@@ -1,0 +1,45 @@
+#pragma once
+// What the processes of a run talk over.
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace demo {
+
+/// One run's network. Belongs to one thread.
+class Network {
+ public:
+  /// `asked` is auto, unix, tcp, tls or namespaces; `lane` is that of all connections. With auto
+  /// each process gets a network namespace of its own where this one may make them, else TCP on
+  /// loopback; shared memory needs Unix sockets. Namespaces move this process as well: call it
+  /// before a thread or a process is started. Throws suture::SetupError for namespaces that cannot
+  /// be made, and for shared memory over anything but Unix sockets.
+  Network(const std::string& asked, const std::string& lane);
+
+  /// As it is asked for: "tcp".
+  std::string name() const;
+  /// A sentence's end: what a message between two processes crosses.
+  std::string description() const;
+  /// Where the global manager is to listen. Port 0 lets it choose one.
+  std::string managerAddress(const std::filesystem::path& folder) const;
+  bool needsKeys() const { return kind_ == Kind::Tls || kind_ == Kind::Namespaces; }
+  /// Between two processes.
+  const char* fastestLane() const { return kind_ == Kind::Unix ? "shm" : "frame"; }
+
+  bool hasNamespaces() const { return kind_ == Kind::Namespaces; }
+  /// Lays a cable from the switch to a child that has a network namespace of its own. Throws
+  /// suture::SetupError.
+  void connect(pid_t child);
+
+ private:
+  enum class Kind : std::uint8_t { Unix, Tcp, Tls, Namespaces };
+
+  Kind kind_ = Kind::Unix;
+  std::string whyNoNamespaces_;
+  int cables_ = 0;
+};
+
+}  // namespace demo
