@@ -2,6 +2,7 @@
 
 #include <suture/base/errors.h>
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -108,11 +109,13 @@ void KnotGuide::lookForKnot() {
   progress_.stamp = now;
 }
 
-/// An arm that refuses goals, or slides along a joint limit, is not where it was sent.
+/// An arm that refuses goals, or slides along a joint limit, is not where it was sent; a guide that
+/// stood still has not seen where its masters went.
 bool KnotGuide::mustBeginAnew() {
   const bool leftBroke = left_.slaveWatch.hasBrokenOff();
   const bool rightBroke = right_.slaveWatch.hasBrokenOff();
-  if (leftBroke || rightBroke || !left_.law) return true;
+  const bool missed = cycles_.missed(std::max(parameters_.max_age, 2 * period()));
+  if (leftBroke || rightBroke || missed || !left_.law) return true;
   // A set-point may come back as late as max_age, and a cycle or two later it is looked at.
   const double most =
       std::numbers::sqrt3 * parameters_.speed * inSeconds(parameters_.max_age + 2 * period());

@@ -13,6 +13,7 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
+#include "arm/cycle_watch.h"
 #include "guidance/fixtures.h"
 #include "guidance/guidance.suture.h"
 #include "guidance/knot_estimate.h"
@@ -100,6 +101,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   suture::Required<Registration> registration_{*this, "Registration"};
   suture::Provided<Guidance> guidance_{*this, "Guidance", *this};
 
+  CycleWatch cycles_;
   KnotFixtures fixtures_;
   SceneFrames frames_;
   TipPair setpoints_;  // where the slaves say that their tips shall be, in the scene

@@ -5,6 +5,7 @@
 
 #include "arm/seconds.h"
 #include "arm/smooth_step.h"
+#include "surgeon/pause.h"
 
 namespace robots {
 
@@ -21,12 +22,14 @@ void KnotSurgeon::run() {
     return interrupt();
   }
   const suture::Time now = suture::now();
-  if (leftWatch_.hasBrokenOff() || rightWatch_.hasBrokenOff()) interrupt();
+  const bool missed = cycles_.missed(kLongestPause);
+  if (leftWatch_.hasBrokenOff() || rightWatch_.hasBrokenOff() || missed) interrupt();
   if (!start_) {
     const auto left = left_.setpoint_cp(), right = right_.setpoint_cp();
     if (!left || !right || !left->valid || !right->valid) return;
-    start_ = Start{left->pose, right->pose, now};
+    start_ = Start{left->pose, right->pose, now, now};
   }
+  start_->moved = now;
   const Eigen::Translation3d offset(moved(secondsBetween(start_->at, now)));
   const bool leftTook = left_.servo_cp({offset * start_->left, now, true}).has_value();
   const bool rightTook = right_.servo_cp({offset * start_->right, now, true}).has_value();
@@ -35,7 +38,7 @@ void KnotSurgeon::run() {
 
 void KnotSurgeon::interrupt() {
   if (!start_) return;
-  rest_ *= 1 - smoothStep(secondsBetween(start_->at, suture::now()) / parameters_.duration);
+  rest_ *= 1 - smoothStep(secondsBetween(start_->at, start_->moved) / parameters_.duration);
   start_.reset();
 }
 

@@ -12,6 +12,7 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
+#include "arm/cycle_watch.h"
 #include "guidance/guidance.suture.h"
 
 namespace robots {
@@ -46,11 +47,13 @@ class SUTURE_COMPONENT() KnotSurgeon final : public suture::PeriodicTask {
   suture::Required<Arm> right_{*this, "Right"};
   suture::Required<Guidance> guidance_{*this, "Guidance"};
   ArmWatch leftWatch_{left_}, rightWatch_{right_};
+  CycleWatch cycles_;
   bool guided_ = false;
   Eigen::Vector3d rest_;  // m, of the way that they have to carry
   struct Start {
     Eigen::Isometry3d left, right;
     suture::Time at;
+    suture::Time moved;  // for the last time
   };
   std::optional<Start> start_;
 };

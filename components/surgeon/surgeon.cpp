@@ -1,6 +1,7 @@
 #include "surgeon/surgeon.h"
 
 #include "arm/seconds.h"
+#include "surgeon/pause.h"
 
 namespace robots {
 
@@ -11,7 +12,8 @@ Surgeon::Surgeon(const SurgeonParameters& parameters)
 void Surgeon::run() {
   const suture::Time now = suture::now();
   if (!watch_.ready() || !master_.connected()) return path_.reset();
-  if (watch_.hasBrokenOff()) path_.reset();
+  const bool missed = cycles_.missed(kLongestPause);
+  if (watch_.hasBrokenOff() || missed) path_.reset();
   if (!path_) {
     const auto start = master_.setpoint_cp();
     if (!start || !start->valid) return;

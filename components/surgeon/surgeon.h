@@ -11,6 +11,7 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
+#include "arm/cycle_watch.h"
 #include "surgeon/hand_path.h"
 
 namespace robots {
@@ -27,7 +28,7 @@ struct SUTURE_TYPE() SurgeonParameters {
 };
 
 /// Drives the arm it is connected to along a smooth path around where it finds it, from the moment
-/// the arm is ready; whenever it has not been, it sets out anew from rest.
+/// the arm is ready; whenever it has not been, or the task was held up, it sets out anew from rest.
 class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
  public:
   explicit Surgeon(const SurgeonParameters& parameters);
@@ -38,6 +39,7 @@ class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
   const HandPathShape shape_;
   suture::Required<Arm> master_{*this, "Master"};
   ArmWatch watch_{master_};
+  CycleWatch cycles_;
   std::optional<HandPath> path_;
   suture::Time setOut_;
 };

@@ -1,5 +1,6 @@
 #include "teleop/teleop.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "arm/fresh_pose.h"
@@ -37,7 +38,8 @@ void Teleop::run() {
   if (master == nullptr || slave == nullptr || !masterWatch_.ready() || !slaveWatch_.ready()) {
     return leave();
   }
-  if (slaveWatch_.hasBrokenOff()) law_.reset();
+  const bool missed = cycles_.missed(std::max(maxAge_, 2 * period()));
+  if (slaveWatch_.hasBrokenOff() || missed) law_.reset();
   if (!law_) begin(*master, *slave);
   // The goal keeps the stamp of the master's data, so its age is known wherever it arrives.
   if (!slave_.servo_cp({law_->follow(master->pose), master->stamp, true})) leave();

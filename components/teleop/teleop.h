@@ -12,6 +12,7 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
+#include "arm/cycle_watch.h"
 #include "teleop/follow_law.h"
 #include "teleop/teleoperation.suture.h"
 
@@ -29,8 +30,9 @@ struct SUTURE_TYPE() TeleopParameters {
 };
 
 /// Knows two Arm contracts and nothing of where the arms are. Follows only while both arms are
-/// enabled, homed and not busy, and both arms' data are fresh; each time that becomes true it takes
-/// new anchors, so the slave never jumps.
+/// enabled, homed and not busy, and both arms' data are fresh; each time that becomes true, or it
+/// was itself kept from looking for longer than max_age, it takes new anchors, so the slave never
+/// jumps.
 class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Teleoperation {
  public:
   /// Throws suture::SetupError for a scale that is not above zero.
@@ -56,6 +58,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   suture::Provided<Teleoperation> teleoperation_{*this, "Teleoperation", *this};
 
   ArmWatch masterWatch_{master_}, slaveWatch_{slave_};
+  CycleWatch cycles_;
   TeleopState state_ = TeleopState::Disabled;
   FollowAnchors anchors_;
   std::optional<FollowLaw> law_;

@@ -150,6 +150,19 @@ TEST_F(Guide, BeginsAnewFromWhereASlaveIsThatRefusesItsGoals) {
   expectThatBothFollow();
 }
 
+/// It has not seen where the masters went, and all data are fresh when it looks again.
+TEST_F(Guide, BeginsAnewAfterItWasSuspended) {
+  manager_.suspend("Guide");
+  moveMasters({0, 0, 0.02}, 50);
+  const Vector3d leftHeld = left(), rightHeld = right();
+  manager_.resume("Guide");
+  ASSERT_TRUE(becomes(GuidanceState::Guiding));
+  pass(2ms);
+  EXPECT_TRUE(left().isApprox(leftHeld, 1e-9)) << "it jumped";
+  EXPECT_TRUE(right().isApprox(rightHeld, 1e-9)) << "it jumped";
+  expectThatBothFollow();
+}
+
 /// Else it would catch up at once, by a way that no fixture has looked at, when the limit ends.
 TEST_F(Guide, SendsASlaveThatSlidesAlongALimitNotFarFromWhereItIs) {
   arms_[2].stayAbove(-0.031);

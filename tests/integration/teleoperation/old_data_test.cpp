@@ -120,6 +120,59 @@ TEST_F(OldData, ALinkWithADelayThatIsMadeAnewLeavesTheSlaveWhereItIs) {
   });
 }
 
+// It has not seen what happened meanwhile, and both arms' data are fresh when it looks again.
+TEST_F(OldData, ATeleoperationThatWasSuspendedBeginsAnew) {
+  manager_.suspend("Teleop");
+  pass(50ms);
+  scene_.expectNoJump([&] { manager_.resume("Teleop"); });
+}
+
+/// The process of the teleoperation stands still, but not for so long that a link is lost. Both
+/// arms are elsewhere.
+class FrozenTeleoperation : public testing::TestWithParam<suture::Lane> {
+ protected:
+  FrozenTeleoperation() {
+    console_.run([this] {
+      manager_ = std::make_unique<suture::Manager>("console", names_.address());
+      manager_->add("Teleop", scene_.teleop);
+      manager_->start();
+    });
+    robot_ = std::make_unique<suture::Manager>("robot", names_.address());
+    robot_->add("PSM", scene_.slave);
+    robot_->add("MTM", scene_.master);
+    robot_->start();
+    console_.run([this] {
+      manager_->connect("Teleop/Master", "robot:MTM/Arm", GetParam());
+      manager_->connect("Teleop/Slave", "robot:PSM/Arm", GetParam());
+    });
+  }
+  ~FrozenTeleoperation() override {
+    manager_->stop();
+    robot_->stop();
+  }
+
+  const suture::TemporaryDirectory directory_;
+  suture::TestClock::Process console_{suture::clockOfTest()};
+  suture::rpc::ControlThread control_;
+  suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
+  Scene scene_;
+  std::unique_ptr<suture::Manager> robot_, manager_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Lanes, FrozenTeleoperation,
+                         testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
+                         [](const auto& one) { return std::string(toString(one.param)); });
+
+TEST_P(FrozenTeleoperation, BeginsAnew) {
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return scene_.goalsIn(50ms) > 40; }));
+  console_.freeze();
+  pass(300ms);
+  scene_.expectNoJump([&] {
+    pass(5ms);  // so that the rows tell of where the arms are
+    console_.thaw();
+  });
+}
+
 /// The slave's process stands still for so long that the link is lost, and comes back.
 class LostLink : public testing::TestWithParam<suture::Lane> {
  protected:

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <suture/base/time.h>
+
+#include <utility>
+
+namespace robots {
+
+/// Whether a task's cycles follow each other. One that was frozen or suspended has not seen what
+/// its arms did meanwhile, though their data are fresh when it looks again: it must not go on as if
+/// nothing had happened. Belongs to the task's thread.
+class CycleWatch {
+ public:
+  /// Once a cycle. True if the last one was longer ago than `most`, or there was none.
+  bool missed(suture::Duration most) {
+    const suture::Time now = suture::now();
+    return now - std::exchange(last_, now) > most;
+  }
+
+ private:
+  suture::Time last_;
+};
+
+}  // namespace robots
