@@ -35,10 +35,11 @@ int blockAndWatchSignals() {
 
 }  // namespace
 
-Crew::Crew(Plan& plan, Network& network, std::filesystem::path programs,
-           std::filesystem::path folder)
+Crew::Crew(Plan& plan, Network& network, std::optional<Break> cutOff,
+           std::filesystem::path programs, std::filesystem::path folder)
     : plan_(plan),
       network_(network),
+      cutOff_(std::move(cutOff)),
       programs_(std::move(programs)),
       folder_(std::move(folder)),
       signals_(blockAndWatchSignals()) {}
@@ -71,8 +72,10 @@ void Crew::startManager() {
 
 void Crew::startWorkstations() {
   std::function<void(pid_t)> connect;
-  if (network_.hasNamespaces()) connect = [this](pid_t child) { network_.connect(child); };
   for (const suture::ProcessEntry& process : plan_.deployment().processes()) {
+    if (network_.hasNamespaces()) {
+      connect = [&](pid_t child) { network_.connect(process.name, child); };
+    }
     workstations_.push_back(std::unique_ptr<Workstation>(new Workstation{
         .process = ChildProcess({.title = "process '" + process.name + "'",
                                  .arguments = {programs_ / "suture-workstation", "--deployment",
@@ -114,12 +117,40 @@ void Crew::watch(Duration length, const Progress& progress) {
     shown = reportsOfEach();
     progress(suture::now() - began, reports());
   };
-  while (!over() && suture::now() < began + length) showNewReports(began + length);
+  while (!over() && suture::now() < began + length) {
+    showNewReports(std::min(breakOrMend(began), began + length));
+  }
   result_.ran = suture::now() - began;
   showNewReports(suture::now() + kLastReport);
 }
 
+/// Does what is due, and says when there is more to do.
+Time Crew::breakOrMend(Time began) {
+  if (!cutOff_) return Time::max();
+  const Time broken = began + cutOff_->at;
+  if (suture::now() < broken) return broken;
+  if (result_.broken == Time{}) setCutOff(true);
+  const Time mended = result_.broken + cutOff_->length;
+  if (suture::now() < mended) return mended;
+  if (result_.mended == Time{}) setCutOff(false);
+  return Time::max();
+}
+
+/// Pulls the process's cable; without one, it is frozen.
+void Crew::setCutOff(bool isCutOff) {
+  (isCutOff ? result_.broken : result_.mended) = suture::now();
+  if (network_.hasNamespaces()) return network_.setCable(cutOff_->process, !isCutOff);
+  for (const auto& one : workstations_) {
+    if (one->report.process == cutOff_->process) one->process.signal(isCutOff ? SIGSTOP : SIGCONT);
+  }
+}
+
+bool Crew::isExpected(const std::string& failure) const {
+  return result_.broken != Time{} && failure.find(" is lost, ") != std::string::npos;
+}
+
 void Crew::end() {
+  if (result_.broken != Time{} && result_.mended == Time{}) setCutOff(false);
   if (!result_.interrupted && !result_.failures.empty()) {
     pumpUntil(suture::now() + kAftermath, [this] { return result_.interrupted; });
   }
@@ -198,8 +229,8 @@ void Crew::handle(Workstation& workstation, const std::string& line) {
     workstation.report = suture::reportFromJson(message);
     ++workstation.reports;
   } else if (kind == "failure" && !ending_) {
-    result_.failures.push_back(workstation.process.title() + ": " +
-                               message.at("text").get<std::string>());
+    const std::string text = message.at("text");
+    if (!isExpected(text)) result_.failures.push_back(workstation.process.title() + ": " + text);
   }
 }
 

@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "break.h"
 #include "child_process.h"
 #include "plan.h"
 
@@ -19,6 +21,7 @@ struct CrewResult {
   std::vector<suture::Report> reports;  ///< the last of each process
   std::vector<std::string> failures;    ///< what went wrong, by name
   bool interrupted = false;             ///< by Ctrl-C, or a request to end
+  suture::Time broken{}, mended{};      ///< of a run in which a process was cut off
   suture::Duration ran{};               ///< from when all were connected
 };
 
@@ -30,7 +33,8 @@ class Crew {
   using Progress = std::function<void(suture::Duration ran, const std::vector<suture::Report>&)>;
 
   /// `programs`: the folder of the executables; `folder`: where they run and record.
-  Crew(Plan& plan, Network& network, std::filesystem::path programs, std::filesystem::path folder);
+  Crew(Plan& plan, Network& network, std::optional<Break> cutOff, std::filesystem::path programs,
+       std::filesystem::path folder);
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
@@ -51,6 +55,8 @@ class Crew {
   void startWorkstations();
   void awaitStarted();
   void watch(suture::Duration length, const Progress& progress);
+  suture::Time breakOrMend(suture::Time began);
+  void setCutOff(bool isCutOff);
   void end();
 
   /// Handles what happens until `until`, at least once.
@@ -65,6 +71,8 @@ class Crew {
   void endAll(const std::vector<ChildProcess*>& processes);
 
   bool over() const { return result_.interrupted || !result_.failures.empty(); }
+  /// What is lost now, or is told as lost, has been cut off on purpose.
+  bool isExpected(const std::string& failure) const;
   bool allStarted() const;
   std::uint64_t reportsOfEach() const;
   std::vector<ChildProcess*> processes();
@@ -72,6 +80,7 @@ class Crew {
 
   Plan& plan_;
   Network& network_;
+  const std::optional<Break> cutOff_;
   const std::filesystem::path programs_, folder_;
   int signals_;
   std::unique_ptr<ChildProcess> manager_;

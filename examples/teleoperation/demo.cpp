@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "break.h"
 #include "crew.h"
 #include "following_watch.h"
 #include "knot_picture.h"
@@ -71,6 +72,11 @@ void declare(CLI::App& app, demo::Options& options) {
          "own, with a cable to a switch")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "unix", "tcp", "tls", "namespaces"}));
+  app.add_option(
+         "--break", options.cutOff,
+         "Cut a process off during the run: vision@4s, or vision@4s+500ms (without a length, "
+         "one second). Its cable is pulled; without namespaces it is frozen")
+      ->type_name("PROCESS@TIME");
   app.add_option("--seconds", options.seconds, "How long to run")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 86400.0));
@@ -109,17 +115,19 @@ int run(const demo::Options& options) {
   demo::Network network(options.network, options.lane);
   demo::Plan plan(options, network, SUTURE_DEMO_TOPOLOGIES, folder.path());
   if (!options.picture.empty()) demo::requireKnot(plan);
-  // First, for from here on an interrupt ends in order.
-  demo::Crew crew(plan, network, fs::read_symlink("/proc/self/exe").parent_path(), folder.path());
-  demo::Screen screen;
-  screen.begin(options, plan, network);
   const auto length =
       std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(options.seconds));
+  const auto cutOff = demo::parseBreak(options.cutOff, plan, length);
+  // First, for from here on an interrupt ends in order.
+  demo::Crew crew(plan, network, cutOff, fs::read_symlink("/proc/self/exe").parent_path(),
+                  folder.path());
+  demo::Screen screen;
+  screen.begin(options, plan, network);
   auto watches = demo::watchAll(plan.followings());
   const demo::CrewResult result = crew.run(length, [&](auto ran, const auto& reports) {
     screen.progress(ran, reports, worstError(watches));
   });
-  const demo::Verdict verdict = demo::judgeRun(plan, result, watches);
+  const demo::Verdict verdict = demo::judgeRun(plan, cutOff, result, watches);
   screen.end(result, verdict);
   const bool wrote = options.json.empty() || succeeds([&] {
                        demo::writeResult(options.json, options, network, result, verdict);
@@ -138,7 +146,8 @@ int main(int argc, char** argv) {
       "Two masters drive two slaves through code that suturec wrote from plain C++ headers. Exit "
       "status 0: no process died, every connection used the lane it was given, each slave "
       "travelled at least 30 mm and followed the law within 1 mm and 1 degree at p99, a knot came "
-      "to 1 mm from its target, and the files that were asked for are written.");
+      "to 1 mm from its target, slaves held while a process was cut off, and the files that were "
+      "asked for are written.");
   declare(app, options);
   CLI11_PARSE(app, argc, argv);
   int status = 1;

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 
@@ -14,7 +15,7 @@ namespace {
 
 // Nothing of it leaves the namespace: the addresses only must differ from each other.
 constexpr const char* kHere = "10.213.7.1";
-constexpr int kFirstCable = 2;
+constexpr std::size_t kFirstCable = 2;
 
 bool succeeds(const std::string& command) {
   return std::system(("{ " + command + "; } >/dev/null 2>&1").c_str()) == 0;
@@ -90,18 +91,25 @@ std::string Network::managerAddress(const std::filesystem::path& folder) const {
   return "";
 }
 
-void Network::connect(pid_t child) {
-  const int number = kFirstCable + cables_++;
-  const std::string pid = std::to_string(child), here = "cable" + std::to_string(number);
-  const std::string there = "ip addr add 10.213.7." + std::to_string(number) +
-                            "/24 dev eth0 && ip link set eth0 up && ip link set lo up";
+void Network::connect(const std::string& process, pid_t child) {
+  const std::string number = std::to_string(kFirstCable + cables_.size());
+  const std::string pid = std::to_string(child), here = "cable" + number;
+  cables_[process] = here;
+  const std::string there =
+      "ip addr add 10.213.7." + number + "/24 dev eth0 && ip link set eth0 up && ip link set lo up";
   if (succeeds("ip link add " + here + " type veth peer name eth0 netns " + pid +
                " && ip link set " + here + " master switch up && nsenter --target " + pid +
                " --net sh -c '" + there + "'")) {
     return;
   }
-  throw suture::SetupError("laying a cable to process " + pid, "the command 'ip' has failed",
-                           "Try --network tcp");
+  throw suture::SetupError("laying a cable to process '" + process + "'",
+                           "the command 'ip' has failed", "Try --network tcp");
+}
+
+void Network::setCable(const std::string& process, bool plugged) const {
+  if (succeeds("ip link set " + cables_.at(process) + (plugged ? " up" : " down"))) return;
+  throw suture::SetupError("pulling the cable of process '" + process + "'",
+                           "the command 'ip' has failed", "Try --network tcp");
 }
 
 }  // namespace demo

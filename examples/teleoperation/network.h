@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 
 namespace demo {
@@ -30,16 +31,18 @@ class Network {
   const char* fastestLane() const { return kind_ == Kind::Unix ? "shm" : "frame"; }
 
   bool hasNamespaces() const { return kind_ == Kind::Namespaces; }
-  /// Lays a cable from the switch to a child that has a network namespace of its own. Throws
-  /// suture::SetupError.
-  void connect(pid_t child);
+  /// Lays a cable from the switch to a child, the process of that name, that has a network
+  /// namespace of its own. Throws suture::SetupError.
+  void connect(const std::string& process, pid_t child);
+  /// Pulls that cable, or puts it back. Throws suture::SetupError.
+  void setCable(const std::string& process, bool plugged) const;
 
  private:
   enum class Kind : std::uint8_t { Unix, Tcp, Tls, Namespaces };
 
   Kind kind_ = Kind::Unix;
   std::string whyNoNamespaces_;
-  int cables_ = 0;
+  std::map<std::string, std::string> cables_;  // by process: the switch's end
 };
 
 }  // namespace demo

@@ -81,6 +81,10 @@ Eigen::Vector3d vectorOf(const ComponentEntry& component, const char* name) {
   return Eigen::Vector3d(parameterOf<std::array<double, 3>>(component, name).data());
 }
 
+bool isDriver(const ComponentEntry& component) {
+  return component.className == "Teleop" || component.className == "KnotGuide";
+}
+
 bool isArm(const ComponentEntry& component) {
   return component.className == "Mtm" || component.className == "Psm";
 }
@@ -98,7 +102,8 @@ std::vector<std::string> topologiesIn(const std::filesystem::path& folder) {
 
 Plan::Plan(const Options& options, const Network& network, const std::filesystem::path& topologies,
            const std::filesystem::path& folder)
-    : file_(write(options, network, topologies, folder)),
+    : folder_(folder),
+      file_(write(options, network, topologies, folder)),
       deployment_(suture::JsonDocument::read(file_)) {
   findArms();
   findFollowings(folder);
@@ -111,6 +116,28 @@ void Plan::setManager(const std::string& address) {
   system["manager"] = address;
   std::ofstream(file_) << system.dump(2) << '\n';
   deployment_ = suture::Deployment(suture::JsonDocument::read(file_));
+}
+
+/// Whoever drives the slave has a connection between that process and another one.
+bool Plan::driverCrosses(const std::string& slave, const std::string& process) const {
+  const auto& all = deployment_.connections();
+  return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& drive) {
+    const ComponentEntry& driver = component(nameOf(drive.from));
+    if (drive.to.toString() != slave + "/Arm" || !isDriver(driver)) return false;
+    return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
+      return nameOf(one.from) == nameOf(drive.from) && one.from.process != one.to.process &&
+             (one.from.process == process || one.to.process == process);
+    });
+  });
+}
+
+std::vector<RecordedSlave> Plan::slavesDrivenAcross(const std::string& process) const {
+  std::vector<RecordedSlave> slaves;
+  for (const std::string& arm : arms_) {
+    if (component(arm).className != "Psm" || !driverCrosses(arm, process)) continue;
+    slaves.push_back({arm, folder_ / recordingOf(arm + "/Arm")});
+  }
+  return slaves;
 }
 
 void Plan::findArms() {

@@ -22,6 +22,7 @@ struct Options {
   double rate = 1000;   // Hz, of the tasks that control an arm
   std::string json;     // "": not wanted
   std::string picture;  // "": not wanted
+  std::string cutOff;   // as parseBreak() takes it
 };
 
 /// The topologies that there are: the deployment files in `folder`, without ".json".
@@ -32,6 +33,12 @@ struct Following {
   std::string master, slave, teleop;  ///< "process:component"
   std::filesystem::path masterRecording, slaveRecording, teleopRecording;
   double timeConstant;  ///< s, as declared for the slave
+};
+
+/// A slave whose cycles are recorded.
+struct RecordedSlave {
+  std::string name;  ///< "process:component"
+  std::filesystem::path recording;
 };
 
 /// A knot that shall be placed, and where that is recorded; in the frame of the scene.
@@ -59,12 +66,15 @@ class Plan {
   /// "process:component" of every arm, in the order of the file.
   const std::vector<std::string>& arms() const { return arms_; }
   const std::vector<Following>& followings() const { return followings_; }
+  /// Those that are driven over a connection to or from this process, and recorded.
+  std::vector<RecordedSlave> slavesDrivenAcross(const std::string& process) const;
   /// None if no component of the deployment records a knot.
   const std::optional<KnotPlacing>& knot() const { return knot_; }
   /// The lane that each connection must have, by name.
   const std::map<std::string, std::string>& lanes() const { return lanes_; }
 
  private:
+  bool driverCrosses(const std::string& slave, const std::string& process) const;
   void findArms();
   void findFollowings(const std::filesystem::path& folder);
   void findKnot(const std::filesystem::path& folder);
@@ -75,7 +85,7 @@ class Plan {
   std::string connectedTo(const std::string& required) const;
   std::filesystem::path recordingOf(const std::string& provided) const;
 
-  std::filesystem::path file_;
+  std::filesystem::path folder_, file_;
   suture::Deployment deployment_;
   std::vector<std::string> arms_;
   std::vector<Following> followings_;

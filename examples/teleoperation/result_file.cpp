@@ -42,7 +42,14 @@ void writeResult(const std::filesystem::path& file, const Options& options, cons
               {"connections", json::array()},
               {"arms", json::array()},
               {"processes", json::array()},
+              {"held", json::array()},
               {"checks", json::array()}};
+  for (const HeldSlave& slave : verdict.held) {
+    out["held"].push_back({{"name", slave.name},
+                           {"held_after", slave.judgement.held_after},
+                           {"resumed_after", slave.judgement.resumed_after.value_or(-1)},
+                           {"largest_step", slave.judgement.largest_step}});
+  }
   if (verdict.knot) {
     out["knot"] = {{"start", verdict.knot->start},
                    {"error", verdict.knot->error},

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "arm/seconds.h"
+#include "recorder/recording.h"
+
 namespace demo {
 namespace {
 
@@ -25,8 +28,11 @@ suture::TaskReport taskOf(const std::vector<suture::Report>& reports, const std:
 
 Check checkProcesses(const CrewResult& result) {
   if (!result.failures.empty()) return {false, result.failures.front()};
-  return {true, fmt::format("{} process{} ran to the end and lost nothing", result.reports.size(),
-                            result.reports.size() == 1 ? "" : "es")};
+  // A process that misses a connection at its end says so by its exit status.
+  const bool broken = result.broken != suture::Time{};
+  return {true, fmt::format("{} process{} ran to the end and {}", result.reports.size(),
+                            result.reports.size() == 1 ? "" : "es",
+                            broken ? "had every connection again" : "lost nothing")};
 }
 
 /// "" if the connection had the lane that it was given.
@@ -86,13 +92,36 @@ Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>
                             1e3 * figures->sighting_error)};
 }
 
+/// Judges from its recording whether a slave held while a process was cut off; fills its figures.
+Check checkHeld(const RecordedSlave& slave, const Break& cutOff, const CrewResult& result,
+                std::vector<HeldSlave>& held) {
+  const std::string subject = fmt::format("{}, with {} cut off", slave.name, cutOff.process);
+  robots::HoldJudgement judgement;
+  try {
+    judgement =
+        robots::judgeHold(robots::readRecording(slave.recording).arm, result.broken, result.mended);
+  } catch (const suture::SetupError& error) {
+    return {false, subject + ": " + error.what()};
+  }
+  held.push_back({slave.name, judgement});
+  const auto violations = robots::violations(judgement);
+  if (!violations.empty())
+    return {false, fmt::format("{}: {}", subject, fmt::join(violations, "; "))};
+  return {true, fmt::format("{} for {:.0f} ms, held after {:.0f} ms, moved again {:.0f} ms after "
+                            "that was mended, in steps of at most {:.2f} mm",
+                            subject, 1e3 * robots::secondsBetween(result.broken, result.mended),
+                            1e3 * judgement.held_after, 1e3 * *judgement.resumed_after,
+                            1e3 * judgement.largest_step)};
+}
+
 }  // namespace
 
 bool Verdict::passed() const {
   return std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.passed; });
 }
 
-Verdict judgeRun(const Plan& plan, const CrewResult& result, std::vector<FollowingWatch>& watches) {
+Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const CrewResult& result,
+                 std::vector<FollowingWatch>& watches) {
   Verdict verdict;
   verdict.connections = suture::mergeConnections(result.reports);
   for (const std::string& arm : plan.arms()) {
@@ -106,6 +135,10 @@ Verdict judgeRun(const Plan& plan, const CrewResult& result, std::vector<Followi
     verdict.checks.push_back(checkFollowing(watch, *slave));
   }
   if (plan.knot()) verdict.checks.push_back(checkKnot(*plan.knot(), verdict.knot));
+  if (result.mended == suture::Time{}) return verdict;
+  for (const RecordedSlave& slave : plan.slavesDrivenAcross(cutOff->process)) {
+    verdict.checks.push_back(checkHeld(slave, *cutOff, result, verdict.held));
+  }
   return verdict;
 }
 

@@ -10,6 +10,7 @@
 #include "crew.h"
 #include "following_watch.h"
 #include "plan.h"
+#include "recorder/hold_judge.h"
 #include "recorder/knot_judge.h"
 
 namespace demo {
@@ -21,6 +22,11 @@ struct ArmFigures {
   std::optional<robots::Judgement> following;  ///< of a slave whose run could be judged
 };
 
+struct HeldSlave {
+  std::string name;
+  robots::HoldJudgement judgement;
+};
+
 struct Check {
   bool passed;
   std::string text;
@@ -30,12 +36,14 @@ struct Verdict {
   std::vector<suture::ConnectionReport> connections;
   std::vector<ArmFigures> arms;
   std::optional<robots::KnotJudgement> knot;  ///< of a run that recorded one
+  std::vector<HeldSlave> held;                ///< what had to hold while a process was cut off
   std::vector<Check> checks;
 
   bool passed() const;
 };
 
 /// Reads the recordings to their end. An interrupted run is judged too.
-Verdict judgeRun(const Plan& plan, const CrewResult& result, std::vector<FollowingWatch>& watches);
+Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const CrewResult& result,
+                 std::vector<FollowingWatch>& watches);
 
 }  // namespace demo

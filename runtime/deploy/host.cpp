@@ -47,8 +47,9 @@ std::string lossText(const std::map<std::string, std::string>& why, const std::s
   if (told == why.end()) return "is lost: the process at its other end is gone. Start it again";
   const bool ended = told->second.starts_with("closed");
   return "is lost, " + told->second +
-         (ended ? ". Start that process again"
-                : ". It is connected anew when that process goes on");
+         (ended
+              ? ". Start that process again if it has ended; it is connected anew when it is there"
+              : ". It is connected anew when that process goes on");
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ void ProviderNews::close() {
 }
 
 void ProviderNews::lapse() {
-  lapsed_.fulfiller->fulfill("silent: the provider has not heard of this process for as long");
+  lapsed_.fulfiller->fulfill(
+      "silent: the provider has not heard of this process for longer than its \"silence\" allows");
 }
 
 void ProviderNews::noteReplay(std::uint16_t event, std::int64_t stamp) {

@@ -1,0 +1,48 @@
+#include "recorder/hold_judge.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "arm/seconds.h"
+#include "recorder/judging.h"
+
+namespace robots {
+namespace {
+
+constexpr double kStill = 1e-9;  // m
+constexpr double kSoon = 0.5;    // s
+constexpr double kJump = 0.003;  // m
+
+}  // namespace
+
+HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, suture::Time mended) {
+  HoldJudgement judgement;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double step =
+        (rows[i].setpoint.translation() - rows[i - 1].setpoint.translation()).norm();
+    if (rows[i].stamp < broken || step <= kStill) continue;
+    judgement.largest_step = std::max(judgement.largest_step, step);
+    if (rows[i].stamp < mended) {
+      judgement.held_after = secondsBetween(broken, rows[i].stamp);
+    } else if (!judgement.resumed_after) {
+      judgement.resumed_after = secondsBetween(mended, rows[i].stamp);
+    }
+  }
+  return judgement;
+}
+
+std::vector<std::string> violations(const HoldJudgement& judgement) {
+  std::vector<std::string> found;
+  if (judgement.held_after > kSoon) {
+    found.push_back(sentence("it moved until %.0f ms after the break, at most %.0f ms allowed",
+                             1e3 * judgement.held_after, 1e3 * kSoon));
+  }
+  if (!judgement.resumed_after) found.push_back("it never moved again");
+  if (judgement.largest_step > kJump) {
+    found.push_back(sentence("its set-point jumped by %.1f mm, at most %.1f mm allowed",
+                             1e3 * judgement.largest_step, 1e3 * kJump));
+  }
+  return found;
+}
+
+}  // namespace robots

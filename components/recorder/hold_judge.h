@@ -1,0 +1,28 @@
+#pragma once
+// Decides from a recording whether an arm held while a part of its system was cut off.
+
+#include <suture/base/time.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recorder/recording.h"
+
+namespace robots {
+
+struct HoldJudgement {
+  double held_after = 0;  ///< s from the break until the set-point moved for the last time
+  /// s from the mending until it moved again; none if it did not.
+  std::optional<double> resumed_after;
+  double largest_step = 0;  ///< m, of the set-point from one cycle to the next, since the break
+};
+
+/// Rows come by ascending stamp; `broken` and `mended` are on their clock.
+HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, suture::Time mended);
+
+/// Each bound that is missed, in words. Bounds: it holds within half a second, moves again, and no
+/// step is longer than 3 mm, which is what an arm's data may lag behind at the demo's speeds.
+std::vector<std::string> violations(const HoldJudgement& judgement);
+
+}  // namespace robots

@@ -1,0 +1,26 @@
+#pragma once
+// A process that is cut off during a run, and what the slaves make of it.
+
+#include <suture/base/time.h>
+
+#include <optional>
+#include <string>
+
+#include "plan.h"
+
+namespace demo {
+
+struct Break {
+  std::string process;
+  suture::Duration at{};      ///< from when all is connected
+  suture::Duration length{};  ///< until it is mended
+};
+
+/// "vision@4s", or "vision@4s+500ms" (without a length, one second); none for "". Throws
+/// suture::SetupError for any other text, and for a break that is not mended three seconds before
+/// the run's end, so that it can be judged; suture::DocumentError for a process that the plan does
+/// not have.
+std::optional<Break> parseBreak(const std::string& text, const Plan& plan,
+                                suture::Duration runLength);
+
+}  // namespace demo

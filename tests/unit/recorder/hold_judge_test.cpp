@@ -1,0 +1,76 @@
+// The judge of a break: what it accepts, and each fault that it has to find.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+
+#include "recorder/hold_judge.h"
+
+namespace robots {
+namespace {
+
+using namespace std::chrono_literals;
+
+const suture::Time kBroken{10s}, kMended{11s};
+
+/// Three seconds of an arm that moves by `step` in the cycle at that time.
+std::vector<ArmRow> armThatMoves(const std::function<double(suture::Time)>& step) {
+  std::vector<ArmRow> rows;
+  double x = 0;
+  for (suture::Time time{9s}; time < suture::Time{12s}; time += 1ms) {
+    x += step(time);
+    rows.emplace_back();
+    rows.back().stamp = time;
+    rows.back().setpoint.translation().x() = x;
+  }
+  return rows;
+}
+
+/// It moves by 0.1 mm a cycle, but for the time between.
+std::vector<ArmRow> armThatHolds(suture::Time from, suture::Time to) {
+  return armThatMoves([=](suture::Time time) { return time >= from && time < to ? 0 : 1e-4; });
+}
+
+TEST(HoldJudge, AcceptsAnArmThatHoldsSoonAndGoesOn) {
+  const HoldJudgement judgement =
+      judgeHold(armThatHolds(kBroken + 20ms, kMended + 300ms), kBroken, kMended);
+  EXPECT_NEAR(judgement.held_after, 0.019, 1e-9);
+  ASSERT_TRUE(judgement.resumed_after);
+  EXPECT_NEAR(*judgement.resumed_after, 0.3, 1e-9);
+  EXPECT_NEAR(judgement.largest_step, 1e-4, 1e-9);
+  EXPECT_TRUE(violations(judgement).empty());
+}
+
+TEST(HoldJudge, AcceptsAnArmWhoseRecorderWasCutOffToo) {
+  std::vector<ArmRow> rows = armThatHolds(kBroken, kMended);
+  std::erase_if(rows,
+                [](const ArmRow& row) { return row.stamp >= kBroken && row.stamp < kMended; });
+  EXPECT_TRUE(violations(judgeHold(rows, kBroken, kMended)).empty());
+}
+
+TEST(HoldJudge, FindsAnArmThatWentOn) {
+  const auto found = violations(judgeHold(armThatHolds(kMended, kMended), kBroken, kMended));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "it moved until 999 ms after the break, at most 500 ms allowed");
+}
+
+TEST(HoldJudge, FindsAnArmThatNeverMovedAgain) {
+  const auto found =
+      violations(judgeHold(armThatHolds(kBroken, suture::Time{12s}), kBroken, kMended));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "it never moved again");
+}
+
+TEST(HoldJudge, FindsAnArmThatCatchesUpAtOnce) {
+  const auto rows = armThatMoves([](suture::Time time) {
+    if (time == kMended + 10ms) return 0.1;
+    return time >= kBroken && time < kMended + 10ms ? 0 : 1e-4;
+  });
+  const auto found = violations(judgeHold(rows, kBroken, kMended));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "its set-point jumped by 100.0 mm, at most 3.0 mm allowed");
+}
+
+}  // namespace
+}  // namespace robots
