@@ -62,6 +62,10 @@ struct Tolerance {
   /// How long a provider may not have heard of a loss that its client has been told of: on `frame`
   /// and `rpc`, of one by a broken link.
   Duration unheard{0};
+  /// How many commands of a connection may begin after its client was told of the loss, because
+  /// they had been judged an instant before: none on a stepped clock, one in a thread that the
+  /// machine may hold up between the two.
+  int justJudged = 0;
 };
 
 /// Tells where a history breaks one of these rules:

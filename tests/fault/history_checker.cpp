@@ -90,6 +90,7 @@ class Checker {
   void forbidExecutionAfterLoss(const Key& which, const Command& command) {
     const auto told = told_.find({which.first, command.epoch});
     if (told == told_.end() || command.lastExecuted <= told->second + tolerance_.unheard) return;
+    if (++afterLoss_[told->first] <= tolerance_.justJudged) return;
     say(which, "was executed " + milliseconds(command.lastExecuted - told->second) +
                    " after its sender was told that connection " + std::to_string(command.epoch) +
                    " is lost");
@@ -166,7 +167,8 @@ class Checker {
   std::map<std::uint32_t, HistoryEntry> heard_;    // the newest, by client
   std::map<std::uint32_t, HistoryEntry> counted_;  // the last word, by client
   std::map<std::uint32_t, Time> killed_;
-  std::map<std::pair<std::uint32_t, std::uint64_t>, Time> told_;  // by client and connection
+  std::map<std::pair<std::uint32_t, std::uint64_t>, Time> told_;      // by client and connection
+  std::map<std::pair<std::uint32_t, std::uint64_t>, int> afterLoss_;  // commands, likewise
   std::vector<std::string> found_;
 };
 

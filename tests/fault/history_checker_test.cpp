@@ -98,6 +98,20 @@ TEST(HistoryChecker, ACommandThatBeginsAfterItsSenderWasToldOfTheLoss) {
             "connection 1 is lost");
 }
 
+TEST(HistoryChecker, ASecondCommandThatBeginsAfterTheLossWhereOneMayHaveBeenJudgedJustBefore) {
+  constexpr Tolerance kHeldUp{.lateness = 100ms, .unheard = 10ms, .justJudged = 1};
+  History history = sound();
+  const HistoryEntry told = nth(history, Kind::Told, 0);
+  HistoryEntry& last = nth(history, Kind::Executed, 46);
+  HistoryEntry& lastButOne = nth(history, Kind::Executed, 44);
+  ASSERT_EQ(last.epoch, told.epoch);
+  ASSERT_EQ(lastButOne.epoch, told.epoch);
+  last.at = told.at + 12ms;
+  EXPECT_TRUE(violations(history, kHeldUp).empty());
+  lastButOne.at = told.at + 11ms;
+  EXPECT_EQ(violations(history, kHeldUp).size(), 1u);
+}
+
 TEST(HistoryChecker, ACommandThatWasSentOnTheConnectionAfterTheLostOneIsFree) {
   History history = sound();
   HistoryEntry& last = nth(history, Kind::Executed, 46);
