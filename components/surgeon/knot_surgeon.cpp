@@ -1,5 +1,6 @@
 #include "surgeon/knot_surgeon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,9 +11,7 @@
 namespace robots {
 
 KnotSurgeon::KnotSurgeon(const KnotSurgeonParameters& parameters)
-    : PeriodicTask({.period = parameters.period}),
-      parameters_(parameters),
-      rest_(parameters.carry) {
+    : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
   guidance_.on().guidance_state(
       [this](const GuidanceState& state) { guided_ = state == GuidanceState::Guiding; });
 }
@@ -38,16 +37,21 @@ void KnotSurgeon::run() {
 
 void KnotSurgeon::interrupt() {
   if (!start_) return;
-  rest_ *= 1 - smoothStep(secondsBetween(start_->at, start_->moved) / parameters_.duration);
+  rest_ *= 1 - doneAfter(secondsBetween(start_->at, start_->moved));
   start_.reset();
 }
 
+/// The share of the rest.
+double KnotSurgeon::doneAfter(double t) const {
+  return smoothStep(t / std::max(rest_ * parameters_.duration, 1e-3));
+}
+
 Eigen::Vector3d KnotSurgeon::moved(double t) const {
-  const double done = smoothStep(t / parameters_.duration);
+  const double done = doneAfter(t);
   // Faded in with the movement, so that it begins at rest.
   const double sway =
       done * parameters_.sway * std::sin(2 * std::numbers::pi * parameters_.sway_frequency * t);
-  return done * rest_ + sway * Eigen::Vector3d(1, 0.5, 0);
+  return done * rest_ * parameters_.carry + sway * Eigen::Vector3d(1, 0.5, 0);
 }
 
 }  // namespace robots

@@ -39,6 +39,7 @@ class SUTURE_COMPONENT() KnotSurgeon final : public suture::PeriodicTask {
  private:
   /// From where the hands set out, `t` seconds later.
   Eigen::Vector3d moved(double t) const;
+  double doneAfter(double t) const;
   /// The hands stay; what they have carried so far is not carried again.
   void interrupt();
 
@@ -49,7 +50,7 @@ class SUTURE_COMPONENT() KnotSurgeon final : public suture::PeriodicTask {
   ArmWatch leftWatch_{left_}, rightWatch_{right_};
   CycleWatch cycles_;
   bool guided_ = false;
-  Eigen::Vector3d rest_;  // m, of the way that they have to carry
+  double rest_ = 1;  // share of the way, and of the time that it takes, that is left
   struct Start {
     Eigen::Isometry3d left, right;
     suture::Time at;
