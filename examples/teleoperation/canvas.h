@@ -1,10 +1,10 @@
 #pragma once
-// A picture that is drawn point by point, and written as a PNG.
+// A picture that is drawn with OpenCV, and written as a PNG.
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <filesystem>
-#include <vector>
+#include <opencv2/core.hpp>
+#include <string>
 
 #include "robot_types/vision.h"
 #include "vision/markers.h"
@@ -17,22 +17,20 @@ class Canvas {
  public:
   Canvas(int width, int height, robots::Colour background);
 
-  /// Puts an image of three channels there.
+  /// Puts an image of three channels there, as far as it fits.
   void put(const robots::ImageFrame& image, int x, int y);
-  void fill(int left, int top, int right, int bottom, robots::Colour colour);
-  /// The ends may be anywhere: it takes no more steps than the canvas has columns or rows.
+  void fill(Eigen::Vector2d upperLeft, Eigen::Vector2d lowerRight, robots::Colour colour);
   void line(Eigen::Vector2d from, Eigen::Vector2d to, robots::Colour colour);
   void ring(Eigen::Vector2d centre, double radius, robots::Colour colour);
   void cross(Eigen::Vector2d centre, double size, robots::Colour colour);
+  /// From `lowerLeft` to the right.
+  void text(Eigen::Vector2d lowerLeft, const std::string& words, robots::Colour colour);
 
   /// Throws suture::SetupError if the file cannot be written.
   void write(const std::filesystem::path& file) const;
 
  private:
-  void dot(const Eigen::Vector2d& at, robots::Colour colour);
-
-  int width_, height_;
-  std::vector<std::uint8_t> pixels_;
+  cv::Mat pixels_;  // red, green, blue
 };
 
 }  // namespace demo

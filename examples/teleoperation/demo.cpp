@@ -99,6 +99,12 @@ std::optional<double> worstError(std::vector<demo::FollowingWatch>& watches) {
   return worst;
 }
 
+void draw(const std::string& file, const demo::Plan& plan, const demo::CrewResult& result) {
+  demo::CutOff cutOff;
+  if (result.mended != suture::Time{}) cutOff = {result.broken, result.mended};
+  demo::drawKnot(file, demo::requireKnot(plan), cutOff);
+}
+
 /// False, with the reason on standard error, if `work` throws.
 bool succeeds(const std::function<void()>& work) {
   try {
@@ -132,8 +138,8 @@ int run(const demo::Options& options) {
   const bool wrote = options.json.empty() || succeeds([&] {
                        demo::writeResult(options.json, options, network, result, verdict);
                      });
-  const bool drew = options.picture.empty() ||
-                    succeeds([&] { demo::drawKnot(options.picture, demo::requireKnot(plan)); });
+  const bool drew =
+      options.picture.empty() || succeeds([&] { draw(options.picture, plan, result); });
   if (result.interrupted) return kInterrupted;
   return verdict.passed() && wrote && drew ? 0 : 1;
 }

@@ -2,10 +2,15 @@
 
 #include <suture/base/errors.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "arm/seconds.h"
 #include "canvas.h"
 #include "recorder/knot_recording.h"
 #include "strand/strand.h"
@@ -20,11 +25,11 @@ using robots::Colour;
 using robots::Eye;
 using robots::KnotRow;
 
-constexpr Colour kWhite{255, 255, 255}, kBlack{0, 0, 0}, kBlue{0, 60, 255}, kGreen{190, 235, 190},
-    kGrey{225, 225, 225}, kLines{200, 200, 200}, kCurve{160, 0, 60};
-constexpr int kPlotHeight = 240, kMargin = 12;  // px
+constexpr Colour kWhite{255, 255, 255}, kBlack{0, 0, 0}, kBlue{20, 60, 200}, kGreen{190, 235, 190},
+    kGrey{225, 225, 225}, kRed{245, 200, 195}, kLines{200, 200, 200}, kCurve{160, 0, 60};
+constexpr int kPlotHeight = 260, kMargin = 40;  // px
 constexpr double kNoise = 3;                    // of 255, as the endoscope has it
-constexpr double kShownLine = 0.03;             // m of the line of approach
+constexpr double kShownCorridor = 0.025;        // m of it, before the target
 
 bool seesAll(const robots::CameraPair& cameras, const robots::Strand::Nodes& nodes) {
   for (int node = 0; node < robots::Strand::kNodes; ++node) {
@@ -33,34 +38,82 @@ bool seesAll(const robots::CameraPair& cameras, const robots::Strand::Nodes& nod
   return true;
 }
 
-void drawView(Canvas& canvas, const KnotPlacing& placing, const KnotRow& row, Eye eye) {
-  const robots::CameraPair cameras;
-  const Eigen::Isometry3d toCamera = row.camera.inverse();
-  const robots::Strand::Nodes strand = toCamera * row.strand.nodes;
-  if (!seesAll(cameras, strand)) return;
-  robots::ImageFrame image;
-  robots::Painter(cameras, kNoise).paint(eye, strand, image);
-  const int left = eye == Eye::Left ? 0 : cameras.width;
-  canvas.put(image, left, 0);
+/// One eye's view of a scene, on the canvas.
+class View {
+ public:
+  View(Canvas& canvas, const Eigen::Isometry3d& camera, Eye eye)
+      : canvas_(canvas),
+        toCamera_(camera.inverse()),
+        eye_(eye),
+        left_(eye == Eye::Left ? 0 : cameras_.width) {}
 
-  const auto onCanvas = [&](const Vector3d& point) -> Vector2d {
-    return cameras.project(eye, point) + Vector2d(left, 0);
-  };
-  const auto cross = [&](const Vector3d& point, double size, Colour colour) {
-    if (cameras.sees(point)) canvas.cross(onCanvas(point), size, colour);
-  };
-  const Vector3d target = toCamera * placing.target;
-  const Vector3d before = target - toCamera.linear() * placing.approach.normalized() * kShownLine;
-  if (cameras.sees(before) && cameras.sees(target)) {
-    canvas.line(onCanvas(before), onCanvas(target), kBlue);
+  /// False if a part of it is not before the camera.
+  bool paint(const robots::Strand::Nodes& inScene) {
+    const robots::Strand::Nodes strand = toCamera_ * inScene;
+    if (!seesAll(cameras_, strand)) return false;
+    robots::ImageFrame image;
+    robots::Painter(cameras_, kNoise).paint(eye_, strand, image);
+    canvas_.put(image, left_, 0);
+    canvas_.text({left_ + 12.0, 22}, eye_ == Eye::Left ? "left eye" : "right eye", kWhite);
+    return true;
   }
-  cross(target, 6, kWhite);
+  /// These are in the frame of the scene, m.
+  void cross(const Vector3d& point, double size, Colour colour) {
+    if (const auto place = placeOf(point)) canvas_.cross(*place, size, colour);
+  }
+  void ring(const Vector3d& point, double radius, Colour colour) {
+    if (const auto place = placeOf(point)) canvas_.ring(*place, radius, colour);
+  }
+  void line(const Vector3d& from, const Vector3d& to, Colour colour) {
+    const auto first = placeOf(from), last = placeOf(to);
+    if (first && last) canvas_.line(*first, *last, colour);
+  }
+
+  Eigen::Isometry3d toScene() const { return toCamera_.inverse(); }
+
+ private:
+  std::optional<Vector2d> placeOf(const Vector3d& point) const {
+    const Vector3d seen = toCamera_ * point;
+    if (!cameras_.sees(seen)) return std::nullopt;
+    return cameras_.project(eye_, seen) + Vector2d(left_, 0);
+  }
+
+  Canvas& canvas_;
+  const robots::CameraPair cameras_;
+  const Eigen::Isometry3d toCamera_;
+  const Eye eye_;
+  const int left_;
+};
+
+/// Rings about the line of approach, as wide as the knot may be off there.
+void drawCorridor(View& view, const KnotPlacing& placing) {
+  constexpr int kRings = 6, kCorners = 36;
+  const Vector3d approach = placing.approach.normalized();
+  const Vector3d across = approach.unitOrthogonal(), other = approach.cross(across);
+  view.line(placing.target - kShownCorridor * approach, placing.target, kBlue);
+  for (int ring = 0; ring < kRings; ++ring) {
+    const double before = kShownCorridor * ring / (kRings - 1);
+    const double radius = placing.radius + placing.slope * before;
+    const auto corner = [&](int i) -> Vector3d {
+      const double angle = 2 * std::numbers::pi * i / kCorners;
+      return placing.target - before * approach +
+             radius * (std::cos(angle) * across + std::sin(angle) * other);
+    };
+    for (int i = 0; i < kCorners; ++i) view.line(corner(i), corner(i + 1), kBlue);
+  }
+}
+
+void drawView(Canvas& canvas, const KnotPlacing& placing, const KnotRow& row, Eye eye) {
+  View view(canvas, row.camera, eye);
+  if (!view.paint(row.strand.nodes)) return;
+  drawCorridor(view, placing);
+  view.cross(placing.target, 7, kWhite);
   for (const int node : {0, robots::Strand::kKnot, robots::Strand::kNodes - 1}) {
-    canvas.ring(onCanvas(strand.col(node)), 14, kWhite);
+    view.ring(row.strand.nodes.col(node), 14, kWhite);
   }
   if (!row.sighting.valid) return;
   for (const Vector3d& point : {row.sighting.knot, row.sighting.left_tip, row.sighting.right_tip}) {
-    cross(point, 9, kBlack);
+    view.cross(view.toScene() * point, 9, kBlack);
   }
 }
 
@@ -76,9 +129,8 @@ class Axes {
     for (const KnotRow& row : rows) highest_ = std::max(highest_, distance(row));
   }
 
-  double secondsOf(const KnotRow& row) const {
-    return std::chrono::duration<double>(row.strand.stamp - begin_).count();
-  }
+  double secondsAt(suture::Time time) const { return robots::secondsBetween(begin_, time); }
+  double secondsOf(const KnotRow& row) const { return secondsAt(row.strand.stamp); }
   double distance(const KnotRow& row) const { return (row.knot() - target_).norm(); }
   double seconds() const { return seconds_; }
   double highest() const { return highest_; }
@@ -95,27 +147,41 @@ class Axes {
   int width_, top_;
 };
 
-void drawDistance(Canvas& canvas, const Axes& axes, const std::vector<KnotRow>& rows) {
+void fillTimes(Canvas& canvas, const Axes& axes, double from, double to, Colour colour) {
+  canvas.fill(axes.at(std::max(from, 0.0), axes.highest()),
+              axes.at(std::min(to, axes.seconds()), 0), colour);
+}
+
+void drawGrid(Canvas& canvas, const Axes& axes) {
+  for (int t = 0; t <= axes.seconds(); ++t) {
+    canvas.line(axes.at(t, 0), axes.at(t, axes.highest()), kLines);
+    canvas.text(axes.at(t, 0) + Vector2d(-4, 18), std::to_string(t), kBlack);
+  }
+  for (int mm = 0; mm <= 1e3 * axes.highest(); mm += 5) {
+    canvas.line(axes.at(0, 1e-3 * mm), axes.at(axes.seconds(), 1e-3 * mm), kLines);
+    canvas.text(axes.at(0, 1e-3 * mm) + Vector2d(-28, 4), std::to_string(mm), kBlack);
+  }
+}
+
+void drawDistance(Canvas& canvas, const Axes& axes, const std::vector<KnotRow>& rows,
+                  const CutOff& cutOff) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].guiding) continue;
-    const Vector2d from = axes.at(axes.secondsOf(rows[i - 1]), axes.highest());
-    const Vector2d to = axes.at(axes.secondsOf(rows[i]), 0);
-    canvas.fill(static_cast<int>(from.x()), static_cast<int>(from.y()),
-                static_cast<int>(to.x()) + 1, static_cast<int>(to.y()), kGrey);
+    fillTimes(canvas, axes, axes.secondsOf(rows[i - 1]), axes.secondsOf(rows[i]), kGrey);
   }
-  const Vector2d upper = axes.at(0, 0.001), lower = axes.at(axes.seconds(), 0);
-  canvas.fill(static_cast<int>(upper.x()), static_cast<int>(upper.y()), static_cast<int>(lower.x()),
-              static_cast<int>(lower.y()), kGreen);
-  for (double t = 0; t <= axes.seconds(); t += 1) {
-    canvas.line(axes.at(t, 0), axes.at(t, axes.highest()), kLines);
+  if (cutOff) {
+    fillTimes(canvas, axes, axes.secondsAt(cutOff->first), axes.secondsAt(cutOff->second), kRed);
   }
-  for (double distance = 0; distance <= axes.highest(); distance += 0.005) {
-    canvas.line(axes.at(0, distance), axes.at(axes.seconds(), distance), kLines);
-  }
+  canvas.fill(axes.at(0, 0.001), axes.at(axes.seconds(), 0), kGreen);
+  drawGrid(canvas, axes);
   for (std::size_t i = 1; i < rows.size(); ++i) {
     canvas.line(axes.at(axes.secondsOf(rows[i - 1]), axes.distance(rows[i - 1])),
                 axes.at(axes.secondsOf(rows[i]), axes.distance(rows[i])), kCurve);
   }
+  canvas.text(axes.at(0, axes.highest()) + Vector2d(0, -14),
+              std::string("distance of the knot from its target, mm, over time, s; ") +
+                  "green: within 1 mm; grey: not guided" + (cutOff ? "; red: cut off" : ""),
+              kBlack);
 }
 
 }  // namespace
@@ -126,7 +192,7 @@ const KnotPlacing& requireKnot(const Plan& plan) {
                            "Use --topology fig3b, or leave --picture out");
 }
 
-void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing) {
+void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing, const CutOff& cutOff) {
   const std::vector<KnotRow> rows = robots::readKnotRecording(placing.recording);
   if (rows.empty()) {
     throw suture::SetupError("drawing a picture", "the knot was never recorded",
@@ -136,7 +202,12 @@ void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing) {
   Canvas canvas(2 * cameras.width, cameras.height + kPlotHeight, kWhite);
   drawView(canvas, placing, rows.back(), Eye::Left);
   drawView(canvas, placing, rows.back(), Eye::Right);
-  drawDistance(canvas, Axes(rows, placing.target, 2 * cameras.width, cameras.height), rows);
+  canvas.text(
+      {12, cameras.height - 12.0},
+      "ring: where it is; black cross: where it was seen; white cross: the target; blue: the "
+      "corridor",
+      kWhite);
+  drawDistance(canvas, Axes(rows, placing.target, 2 * cameras.width, cameras.height), rows, cutOff);
   canvas.write(file);
 }
 

@@ -168,7 +168,8 @@ void Plan::findKnot(const std::filesystem::path& folder) {
   const ComponentEntry* const recorder = componentOfClass("KnotRecorder");
   if (guide == nullptr || recorder == nullptr) return;
   knot_ = {folder / parameterOf<std::string>(*recorder, "file"), vectorOf(*guide, "target"),
-           vectorOf(*guide, "approach")};
+           vectorOf(*guide, "approach"), parameterOf<double>(*guide, "radius"),
+           parameterOf<double>(*guide, "slope")};
 }
 
 const ComponentEntry* Plan::componentOfClass(const std::string& name) const {

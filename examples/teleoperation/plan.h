@@ -45,6 +45,7 @@ struct RecordedSlave {
 struct KnotPlacing {
   std::filesystem::path recording;
   Eigen::Vector3d target, approach;  ///< m; a direction
+  double radius, slope;  ///< of the corridor: m at the target, and by which it widens before it
 };
 
 /// The topology's deployment file with the run's rate, lane, manager and keys, written into the

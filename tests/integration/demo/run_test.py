@@ -60,7 +60,7 @@ def check_knot(knot, picture):
     assert knot["error"] <= knot["start"] + 0.001, knot
     assert knot["sighted"] > 0 and knot["sighting_error"] <= LOOSE * 0.001, knot
     assert picture[:8] == b"\x89PNG\r\n\x1a\n", picture[:8]
-    assert struct.unpack(">II", picture[16:24]) == (1280, 720)
+    assert struct.unpack(">II", picture[16:24]) == (1280, 740)
 
 
 def check(result, topology, lane, network):
