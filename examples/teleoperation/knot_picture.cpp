@@ -28,7 +28,6 @@ using robots::KnotRow;
 constexpr Colour kWhite{255, 255, 255}, kBlack{0, 0, 0}, kBlue{20, 60, 200}, kGreen{190, 235, 190},
     kGrey{225, 225, 225}, kRed{245, 200, 195}, kLines{200, 200, 200}, kCurve{160, 0, 60};
 constexpr int kPlotHeight = 260, kMargin = 40;  // px
-constexpr double kNoise = 3;                    // of 255, as the endoscope has it
 constexpr double kShownCorridor = 0.025;        // m of it, before the target
 
 bool seesAll(const robots::CameraPair& cameras, const robots::Strand::Nodes& nodes) {
@@ -52,7 +51,7 @@ class View {
     const robots::Strand::Nodes strand = toCamera_ * inScene;
     if (!seesAll(cameras_, strand)) return false;
     robots::ImageFrame image;
-    robots::Painter(cameras_, kNoise).paint(eye_, strand, image);
+    robots::Painter(cameras_, 0).paint(eye_, strand, image);
     canvas_.put(image, left_, 0);
     canvas_.text({left_ + 12.0, 22}, eye_ == Eye::Left ? "left eye" : "right eye", kWhite);
     return true;

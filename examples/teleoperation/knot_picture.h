@@ -19,7 +19,7 @@ const KnotPlacing& requireKnot(const Plan& plan);
 using CutOff = std::optional<std::pair<suture::Time, suture::Time>>;
 
 /// Above, the scene at the end for both eyes of the endoscope, painted anew from the true strand of
-/// the recording's last row and with new noise, for images are not recorded: a ring about what is
+/// the recording's last row and without noise, for images are not recorded: a ring about what is
 /// there, a black cross where it was seen, the corridor in blue, and a white cross at the target.
 /// Marks that are not before the camera are left out; if a part of the strand is not, the view is
 /// blank. Below, the knot's distance from its target over time: green within 1 mm, grey while it
