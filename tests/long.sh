@@ -3,12 +3,18 @@
 # UBSan on 10,000 mutated headers and on all its tests, ten minutes of each fuzzer, a minute of stress on each part between
 # threads, a thousand restarts of a peer, a million changed sessions, twenty rounds of faults between processes, ten minutes of
 # faults of messages, ten draws of random types and contracts, each scenario of conformance on each row that
-# is possible, a million seeds of the explorer, and the planted faults.
+# is possible, a million seeds of the explorer, the planted faults, a build in which each source is compiled by itself,
+# and the demo as a newcomer runs it.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mutants=${1:-10000} seconds=${2:-600}
 .ci/install tests
+
+examples/demo.sh --seconds 5
+# A source that does not include all that it uses is hidden by its neighbours in a unit of the presets' builds.
+cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF --log-level=WARNING
+cmake --build build/alone -- --quiet
 
 cmake --preset asan-compiler --log-level=WARNING
 cmake --build --preset asan-compiler -j "$(nproc)" --target suturec lock_test check_test emit_test -- --quiet
