@@ -11,6 +11,16 @@
 #include <utility>
 
 namespace suture {
+namespace {
+
+/// Before a thread's first cycle with these interfaces, for no cycle allocates.
+template <class Provided, class Required>
+void makeRoom(const Provided& provided, const Required& required) {
+  for (const auto* one : provided) reserveScratch(largestSlot(one->info()));
+  for (const auto* one : required) reserveScratch(largestSlot(one->info()));
+}
+
+}  // namespace
 
 void Task::lend(GuestTask& guest) {
   guest.accept(*this);
@@ -27,7 +37,10 @@ bool Task::isConnected() const {
 }
 
 void Task::claimThread() {
-  claimForThisThread();
+  if (!ownedByThisThread()) {
+    claimForThisThread();
+    makeRoom(provided(), required());
+  }
   for (GuestTask* guest : guests_) guest->claimThread();
 }
 
@@ -39,9 +52,7 @@ void Task::prepare() {
 void Task::enter() {
   setEnding(false);
   claimForThisThread();
-  // Before the first cycle, for none allocates.
-  for (const RequiredBase* one : required()) reserveScratch(largestSlot(one->info()));
-  for (const ProvidedBase* one : provided()) reserveScratch(largestSlot(one->info()));
+  makeRoom(provided(), required());
   pulse_.run(now());
   if (after(state(), Transition::Start)) makeTransition(Transition::Start);
   makeSafe();

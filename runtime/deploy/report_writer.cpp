@@ -33,8 +33,8 @@ void ReportWriter::report(const Report& report) {
   tell(message, toText(report));
 }
 
-void ReportWriter::failure(const std::string& text) {
-  tell({{"kind", "failure"}, {"text", text}}, "failure: " + text + "\n");
+void ReportWriter::failure(const std::string& text, bool loss) {
+  tell({{"kind", "failure"}, {"text", text}, {"loss", loss}}, "failure: " + text + "\n");
 }
 
 void ReportWriter::tell(const nlohmann::json& message, const std::string& text) {

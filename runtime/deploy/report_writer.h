@@ -8,10 +8,10 @@
 
 namespace suture {
 
-/// {"kind": "started"}, {"kind": "report", ...}, {"kind": "failure", "text": ...}; or the same for
-/// people. Writes to a file descriptor, which it does not own; -1: says nothing. A reader that has
-/// gone away is not an error. One that is slow is never waited for: what it has not taken waits
-/// here, and reports are left out meanwhile.
+/// {"kind": "started"}, {"kind": "report", ...}, {"kind": "failure", "text": ..., "loss": ...}; or
+/// the same for people. Writes to a file descriptor, which it does not own; -1: says nothing. A
+/// reader that has gone away is not an error. One that is slow is never waited for: what it has not
+/// taken waits here, and reports are left out meanwhile.
 class ReportWriter {
  public:
   enum class Form { Json, Text };
@@ -21,7 +21,8 @@ class ReportWriter {
   /// All connections are made.
   void started();
   void report(const Report& report);
-  void failure(const std::string& text);
+  /// `loss`: of another process, or due to that.
+  void failure(const std::string& text, bool loss = false);
   /// Goes on with what waits here, for at most `patience`. To be called now and then.
   void flush(Duration patience = Duration{0});
 

@@ -128,7 +128,7 @@ class Run {
       if (old || (ending && trouble.loss)) continue;
       const std::string text = trouble.subject + " " + trouble.text;
       tell(text);
-      if (trouble.failure) reports_.failure(text);
+      if (trouble.failure) reports_.failure(text, trouble.loss);
       known_.push_back({trouble, now()});
     }
   }

@@ -7,6 +7,7 @@
 #include <pthread.h>
 #include <suture/base/scratch.h>
 #include <suture/component/call_limit.h>
+#include <suture/component/callback_task.h>
 #include <suture/component/device.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/read_together.h>
@@ -219,6 +220,28 @@ TEST_F(LargeValues, AreEmittedByATaskWithoutAnAllocation) {
   if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
   EXPECT_TRUE(eventually([&] { return task_.emittedOnce.load(std::memory_order_acquire); }));
   EXPECT_EQ(task_.firstEmission, 0u);
+}
+
+/// Its thread is that of whoever triggers it, and known at the first cycle.
+TEST(LargeValuesOfACallbackTask, AreEmittedWithoutAnAllocationInItsCycle) {
+  if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
+  struct Driven final : suture::CallbackTask, Wall {
+    ~Driven() override { stop(); }
+    void run() override {
+      const auto before = suture::allocations();
+      EXPECT_TRUE(gallery.emit().hung(oldest_).has_value());
+      taken = suture::allocations() - before;
+    }
+    std::optional<std::uint64_t> taken;
+    suture::Provided<Gallery> gallery{*this, "Gallery", *this};
+  } driven;
+  suture::Manager manager{"museum"};
+  manager.add("Driven", driven);
+  manager.start();
+  std::thread driver([&] { EXPECT_TRUE(driven.trigger()); });
+  driver.join();
+  EXPECT_EQ(driven.taken, 0u);
+  manager.stop();
 }
 
 TEST_F(LargeValues, AreReadWithoutAnAllocationOnceThereIsMemory) {
