@@ -10,7 +10,8 @@
 namespace robots {
 
 enum class SUTURE_TYPE() GuidanceState : std::uint8_t {
-  Preparing,  ///< waits for all four arms: connected, enabled, homed, and fresh data of each
+  Preparing,  ///< waits for the registration, and for all four arms: connected, enabled, homed,
+              ///< fresh data of each, and slaves that take goals
   Blind,      ///< the arms are ready, but nobody has seen the knot lately; both slaves hold
   Guiding,
   Disabled,  ///< until enable()

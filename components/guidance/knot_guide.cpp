@@ -59,6 +59,8 @@ void KnotGuide::run() {
     side->masterWatch.prepare();
     side->slaveWatch.prepare();
   }
+  const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
+  if (missed) estimate_.forget();  // it does not know where the tips have been meanwhile
   if (!readArms()) {
     estimate_.forget();
     progress_.valid = false;
@@ -67,8 +69,9 @@ void KnotGuide::run() {
   lookForKnot();
   if (disabled) return;
   if (parameters_.fixtures && !progress_.valid) return leave(GuidanceState::Blind);
-  if (mustBeginAnew()) begin();
-  if (!move()) leave(GuidanceState::Preparing);
+  if (mustBeginAnew() || missed) begin();
+  if (!move()) return leave(GuidanceState::Preparing);
+  enter(GuidanceState::Guiding);
 }
 
 /// False unless all four arms and the registration may be acted on.
@@ -109,13 +112,11 @@ void KnotGuide::lookForKnot() {
   progress_.stamp = now;
 }
 
-/// An arm that refuses goals, or slides along a joint limit, is not where it was sent; a guide that
-/// stood still has not seen where its masters went.
+/// An arm that refuses goals, or slides along a joint limit, is not where it was sent.
 bool KnotGuide::mustBeginAnew() {
   const bool leftBroke = left_.slaveWatch.hasBrokenOff();
   const bool rightBroke = right_.slaveWatch.hasBrokenOff();
-  const bool missed = cycles_.missed(std::max(parameters_.max_age, 2 * period()));
-  if (leftBroke || rightBroke || missed || !left_.law) return true;
+  if (leftBroke || rightBroke || !left_.law) return true;
   // A set-point may come back as late as max_age, and a cycle or two later it is looked at.
   const double most =
       std::numbers::sqrt3 * parameters_.speed * inSeconds(parameters_.max_age + 2 * period());
@@ -128,7 +129,6 @@ void KnotGuide::begin() {
     side->law.emplace(side->masterPose.pose, side->slavePose.pose, parameters_.scale);
   }
   tips_ = setpoints_;
-  enter(GuidanceState::Guiding);
 }
 
 bool KnotGuide::move() {

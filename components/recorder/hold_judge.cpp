@@ -13,6 +13,14 @@ constexpr double kStill = 1e-9;  // m
 constexpr double kSoon = 0.5;    // s
 constexpr double kJump = 0.003;  // m
 
+/// m that an arm may move from one row to the next, at the speed of a fast hand. Rows that are far
+/// apart permit no more than a few cycles: between them somebody stood still.
+double due(const ArmRow& before, const ArmRow& after) {
+  constexpr double kFastest = 0.25;   // m/s
+  constexpr double kLongest = 0.025;  // s
+  return kFastest * std::min(secondsBetween(before.stamp, after.stamp), kLongest);
+}
+
 }  // namespace
 
 HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, suture::Time mended) {
@@ -21,7 +29,7 @@ HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, su
     const double step =
         (rows[i].setpoint.translation() - rows[i - 1].setpoint.translation()).norm();
     if (rows[i].stamp < broken || step <= kStill) continue;
-    judgement.largest_step = std::max(judgement.largest_step, step);
+    judgement.largest_jump = std::max(judgement.largest_jump, step - due(rows[i - 1], rows[i]));
     if (rows[i].stamp < mended) {
       judgement.held_after = secondsBetween(broken, rows[i].stamp);
     } else if (!judgement.resumed_after) {
@@ -38,9 +46,9 @@ std::vector<std::string> violations(const HoldJudgement& judgement) {
                              1e3 * judgement.held_after, 1e3 * kSoon));
   }
   if (!judgement.resumed_after) found.push_back("it never moved again");
-  if (judgement.largest_step > kJump) {
+  if (judgement.largest_jump > kJump) {
     found.push_back(sentence("its set-point jumped by %.1f mm, at most %.1f mm allowed",
-                             1e3 * judgement.largest_step, 1e3 * kJump));
+                             1e3 * judgement.largest_jump, 1e3 * kJump));
   }
   return found;
 }

@@ -9,6 +9,11 @@
 #include "surgeon/pause.h"
 
 namespace robots {
+namespace {
+
+constexpr double kFade = 2;  // s
+
+}  // namespace
 
 KnotSurgeon::KnotSurgeon(const KnotSurgeonParameters& parameters)
     : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
@@ -41,16 +46,16 @@ void KnotSurgeon::interrupt() {
   start_.reset();
 }
 
-/// The share of the rest.
+/// How much of the rest is done, 0 to 1.
 double KnotSurgeon::doneAfter(double t) const {
   return smoothStep(t / std::max(rest_ * parameters_.duration, 1e-3));
 }
 
 Eigen::Vector3d KnotSurgeon::moved(double t) const {
   const double done = doneAfter(t);
-  // Faded in with the movement, so that it begins at rest.
-  const double sway =
-      done * parameters_.sway * std::sin(2 * std::numbers::pi * parameters_.sway_frequency * t);
+  // Faded in, so that it begins at rest.
+  const double sway = smoothStep(t / kFade) * parameters_.sway *
+                      std::sin(2 * std::numbers::pi * parameters_.sway_frequency * t);
   return done * rest_ * parameters_.carry + sway * Eigen::Vector3d(1, 0.5, 0);
 }
 

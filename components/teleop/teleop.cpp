@@ -38,15 +38,17 @@ void Teleop::run() {
   if (master == nullptr || slave == nullptr || !masterWatch_.ready() || !slaveWatch_.ready()) {
     return leave();
   }
-  const bool missed = cycles_.missed(std::max(maxAge_, 2 * period()));
+  const bool missed = cycles_.missed(std::max(maxAge_, 3 * period()));
   if (slaveWatch_.hasBrokenOff() || missed) law_.reset();
-  if (!law_) begin(*master, *slave);
+  const bool begins = !law_;
+  if (begins) law_.emplace(master->pose, slave->pose, scale_);
   // The goal keeps the stamp of the master's data, so its age is known wherever it arrives.
-  if (!slave_.servo_cp({law_->follow(master->pose), master->stamp, true})) leave();
+  if (!slave_.servo_cp({law_->follow(master->pose), master->stamp, true})) return leave();
+  if (begins) announce(*master, *slave);
 }
 
-void Teleop::begin(const PoseStamped& master, const PoseStamped& slaveSetpoint) {
-  law_.emplace(master.pose, slaveSetpoint.pose, scale_);
+/// It follows: the slave has taken its first goal.
+void Teleop::announce(const PoseStamped& master, const PoseStamped& slaveSetpoint) {
   anchors_ = {master.stamp, master.pose, slaveSetpoint.pose, scale_, anchors_.entry + 1};
   enter(TeleopState::Following);
   teleoperation_.emit().followed(anchors_);

@@ -46,7 +46,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   void run() override;
 
  private:
-  void begin(const PoseStamped& master, const PoseStamped& slaveSetpoint);
+  void announce(const PoseStamped& master, const PoseStamped& slaveSetpoint);
   void leave();
   void enter(TeleopState state);
 

@@ -396,8 +396,8 @@ constexpr char kGuidanceDescription[] = R"json(
 "name": "robots::GuidanceState"}}, "queue": 16, "latched": true}], "enums": [{
 "name": "robots::GuidanceState", "underlying": "UInt8", "enumerators": [{"name": "Preparing",
 "value": 0, "wire": "preparing",
-"doc": "waits for all four arms: connected, enabled, homed, and fresh data of each"}, {
-"name": "Blind", "value": 1, "wire": "blind",
+"doc": "waits for the registration, and for all four arms: connected, enabled, homed,\nfresh data of each, and slaves that take goals"
+}, {"name": "Blind", "value": 1, "wire": "blind",
 "doc": "the arms are ready, but nobody has seen the knot lately; both slaves hold"}, {
 "name": "Guiding", "value": 2, "wire": "guiding"}, {"name": "Disabled", "value": 3,
 "wire": "disabled", "doc": "until enable()"}]}], "structs": [{"name": "robots::GuidanceProgress",

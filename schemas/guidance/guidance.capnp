@@ -10,7 +10,8 @@ $Meta.header("guidance/guidance.h");
 
 enum GuidanceState @0x909952bd3e04c1b4 $Meta.cxx("robots::GuidanceState") $Meta.underlying("UInt8") {
   preparing @0 $Meta.cxx("Preparing") $Meta.value(0);
-  # waits for all four arms: connected, enabled, homed, and fresh data of each
+  # waits for the registration, and for all four arms: connected, enabled, homed,
+  # fresh data of each, and slaves that take goals
   blind @1 $Meta.cxx("Blind") $Meta.value(1);
   # the arms are ready, but nobody has seen the knot lately; both slaves hold
   guiding @2 $Meta.cxx("Guiding") $Meta.value(2);

@@ -73,7 +73,7 @@ struct Tolerance {
 ///  - no command is executed twice, nor if the runtime found it older than its ttl, nor if its
 ///    sender was told that it was not;
 ///  - none begins to be executed after its sender was told that its connection is lost, and its
-///    provider has heard of it;
+///    provider has heard of it, but for what had just been judged;
 ///  - those of a client are executed in the order in which it sent them, so that none of an older
 ///    connection comes after one of a newer;
 ///  - as many of a client's commands were executed as its ledger says, or as may have been by it;

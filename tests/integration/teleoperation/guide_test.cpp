@@ -25,18 +25,27 @@ using suture::pass;
 // What the guide sends is at most so far from where a slave is: of data as old as allowed.
 constexpr double kMostAstray = 0.004;  // m
 
-/// Sees the knot where it hung at the beginning, unless it is covered.
+/// Sees the knot where it hung at the beginning, unless it is covered. An image takes 30 ms.
 struct Eyes final : suture::Device, KnotVision {
   Eyes() { seen_.knot.z() = -0.05; }
   const KnotSighting& sighting() const override {
     seen_.valid = !covered;
-    if (!covered) seen_.stamp = suture::now();
+    if (!covered) seen_.stamp = suture::now() - 30ms;
     return seen_;
   }
 
   bool covered = false;
   mutable KnotSighting seen_;
   suture::Provided<KnotVision> vision{*this, "Vision", *this};
+};
+
+/// Counts what the guide says of its state.
+struct Listener final : suture::Device {
+  Listener() {
+    guidance.on().guidance_state([this](const GuidanceState&) { ++heard; });
+  }
+  suture::Required<Guidance> guidance{*this, "Guidance"};
+  unsigned heard = 0;
 };
 
 Eigen::Isometry3d at(const Vector3d& place) {
@@ -53,6 +62,7 @@ class Guide : public testing::Test {
       manager_.connect("Guide/" + kNames[i], kNames[i] + "/Arm");
     }
     manager_.connect("Guide/Vision", "Eyes/Vision");
+    manager_.connect("Listener/Guidance", "Guide/Guidance");
     manager_.connect("Guide/Registration", "Registration/Registration");
     manager_.start();
     EXPECT_TRUE(becomes(GuidanceState::Guiding));
@@ -94,6 +104,7 @@ class Guide : public testing::Test {
   Eyes eyes_;
   RegistrationTable registration_{SceneFrames{}};
   KnotGuide guide_{GuideParameters{}};
+  Listener listener_;
 
  private:
   // Before the constructor's body, which connects them.
@@ -101,6 +112,7 @@ class Guide : public testing::Test {
     manager_.add("Eyes", eyes_);
     manager_.add("Registration", registration_);
     manager_.add("Guide", guide_);
+    manager_.add("Listener", listener_);
     return true;
   }();
 };
@@ -150,16 +162,46 @@ TEST_F(Guide, BeginsAnewFromWhereASlaveIsThatRefusesItsGoals) {
   expectThatBothFollow();
 }
 
-/// It has not seen where the masters went, and all data are fresh when it looks again.
+/// It has not seen where the masters and the slaves went, and all data are fresh when it looks
+/// again.
 TEST_F(Guide, BeginsAnewAfterItWasSuspended) {
+  pass(50ms);
   manager_.suspend("Guide");
   moveMasters({0, 0, 0.02}, 50);
+  for (ScriptedArm* slave : {&arms_[2], &arms_[3]}) {
+    slave->place(Eigen::Translation3d(0, 0.01, 0) * slave->pose());
+  }
+  pass(20ms);
   const Vector3d leftHeld = left(), rightHeld = right();
   manager_.resume("Guide");
-  ASSERT_TRUE(becomes(GuidanceState::Guiding));
-  pass(2ms);
+  pass(50ms);  // until an image of afterwards has come
+  ASSERT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
   EXPECT_TRUE(left().isApprox(leftHeld, 1e-9)) << "it jumped";
   EXPECT_TRUE(right().isApprox(rightHeld, 1e-9)) << "it jumped";
+  EXPECT_TRUE(guide_.progress().knot.isApprox(eyes_.seen_.knot, 1e-9))
+      << "an image of before was matched with tips that had moved since";
+  expectThatBothFollow();
+}
+
+/// Its reads go on while its commands wait for the operator.
+TEST_F(Guide, DoesNotSayThatItGuidesASlaveThatTakesNoGoals) {
+  manager_.disconnect("Guide/RightSlave");
+  manager_.connect("Guide/RightSlave", "RightSlave/Arm", suture::Lane::Auto,
+                   suture::Manager::kDefaultPatience, {},
+                   {.maxAge = 20ms, .resume = suture::Resume::Operator});
+  ASSERT_TRUE(becomes(GuidanceState::Guiding));
+  arms_[3].beSilent(true);
+  ASSERT_TRUE(becomes(GuidanceState::Preparing));
+  arms_[3].beSilent(false);
+  pass(50ms);  // until an image of afterwards has come
+  listener_.processEvents();
+  listener_.heard = 0;
+  pass(10ms);
+  listener_.processEvents();
+  EXPECT_EQ(listener_.heard, 0u) << "it changes its mind in each cycle";
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Preparing);
+  manager_.resumeConnection("Guide/RightSlave");
+  ASSERT_TRUE(becomes(GuidanceState::Guiding));
   expectThatBothFollow();
 }
 

@@ -184,6 +184,22 @@ TEST_P(Knot, IsNotGuidedByWhatNobodySees) {
   EXPECT_TRUE(rightSlave_.setpoint_cp().pose.translation().isApprox(rightHeld, 1e-9));
 }
 
+/// Both hands have 70 mm to go, and go them once.
+TEST_P(UnguidedKnot, IsCarriedOnAfterAnInterruptionAndNotCarriedAnew) {
+  begin(guided());
+  ASSERT_TRUE(becomes(GuidanceState::Guiding));
+  const double start = leftMaster_.setpoint_cp().pose.translation().z();
+  suture::pass(2s);
+  left_.disconnect("Guide/Vision");
+  ASSERT_TRUE(becomes(GuidanceState::Blind));
+  const double interrupted = leftMaster_.setpoint_cp().pose.translation().z();
+  EXPECT_NEAR(interrupted - start, -0.035, 0.015);
+  left_.connect("Guide/Vision", "Tracker/Vision");
+  ASSERT_TRUE(becomes(GuidanceState::Guiding));
+  suture::pass(4s);
+  EXPECT_NEAR(leftMaster_.setpoint_cp().pose.translation().z() - start, -0.07, 1e-6);
+}
+
 TEST_P(Knot, IsNotRecordedAsGuidedByAGuideThatIsGone) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
