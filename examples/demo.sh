@@ -16,8 +16,8 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
   --lane auto|shm|frame|rpc      how connections travel: the fastest that fits, shared memory, frames, Cap'n Proto RPC (default auto)
   --network auto|unix|tcp|tls|namespaces
                                  what processes talk over: TLS between a network namespace for each process (auto, as root), TCP
-                                 on loopback (auto, as anybody else), Unix sockets with shared memory, or TLS on loopback
-  --break PROCESS@TIME           cut a process off during the run, vision@4s or vision@4s+500ms: its cable is pulled; without
+                                 on loopback (auto, as anybody else), Unix sockets (auto with --lane shm), or TLS on loopback
+  --break PROCESS@TIME           cut a process off during the run, vision@4s or vision@4s+1500ms: its cable is pulled; without
                                  namespaces it is frozen. What it drives, or is driven through it, has to hold, and not to jump
   --seconds N                    how long to run (default 10)
   --rate HZ                      cycles a second of the tasks that control an arm (default 1000); cameras and what looks at their

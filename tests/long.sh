@@ -11,7 +11,6 @@ cd "$(dirname "$0")/.."
 mutants=${1:-10000} seconds=${2:-600}
 .ci/install tests
 
-examples/demo.sh --seconds 5
 # A source that does not include all that it uses is hidden by its neighbours in a unit of the presets' builds.
 cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF --log-level=WARNING
 cmake --build build/alone -- --quiet
@@ -46,3 +45,4 @@ for _ in {1..10}; do
     python3 "tests/integration/random_contract/$test.py" --suture "$build"
   done
 done
+examples/demo.sh --seconds 5

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "plan.h"
 
@@ -12,14 +13,21 @@ namespace demo {
 
 struct Break {
   std::string process;
-  suture::Duration at{};      ///< from when all is connected
-  suture::Duration length{};  ///< until it is mended
+  suture::Duration at{};              ///< from when all is connected
+  suture::Duration length{};          ///< until it is mended
+  std::vector<RecordedSlave> slaves;  ///< that have to hold meanwhile
 };
 
-/// "vision@4s", or "vision@4s+500ms" (without a length, one second); none for "". Throws
-/// suture::SetupError for any other text, and for a break that is not mended three seconds before
-/// the run's end, so that it can be judged; suture::DocumentError for a process that the plan does
-/// not have.
+/// A break that has happened.
+struct Outage {
+  suture::Time broken, mended;
+};
+
+/// "vision@4s", or "vision@4s+1500ms" (without a length, one second); none for "". Throws
+/// suture::SetupError for any other text, for a system of one process, for a break of less than a
+/// second, in which nobody could tell who holds, and for one that is not mended three seconds
+/// before the run's end, so that it can be judged; suture::DocumentError for a process that the
+/// plan does not have.
 std::optional<Break> parseBreak(const std::string& text, const Plan& plan,
                                 suture::Duration runLength);
 

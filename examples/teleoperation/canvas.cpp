@@ -21,7 +21,7 @@ cv::Scalar scalar(Colour colour) {
 }
 
 /// False for what is so far outside that it fits no integer, and for NaN.
-bool isNear(const Vector2d& place) { return place.cwiseAbs().maxCoeff() < 1e5; }
+bool isNear(const Vector2d& place) { return (place.array().abs() < 1e5).all(); }
 
 cv::Point exact(const Vector2d& place) {
   const Vector2d scaled = place * (1 << kFraction);

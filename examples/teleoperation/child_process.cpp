@@ -45,7 +45,7 @@ struct Line {
 };
 constexpr int kParent = 0, kChild = 1;
 
-/// Until the parent has laid its cable.
+/// Returns when the parent has laid the cable.
 void enterOwnNetwork(Line& line, const std::string& title) {
   if (unshare(CLONE_NEWNET) != 0) {
     std::fprintf(stderr, "%s gets no network namespace: %s\n", title.c_str(), std::strerror(errno));
@@ -56,7 +56,7 @@ void enterOwnNetwork(Line& line, const std::string& title) {
 }
 
 [[noreturn]] void becomeProgram(const ChildProcess::Start& start, int pipe, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);   // one that is frozen hears no other
   if (getppid() != parent) _exit(1);  // it died before it could be watched
   setpgid(0, 0);
   sigset_t none;
@@ -81,12 +81,12 @@ void enterOwnNetwork(Line& line, const std::string& title) {
 }  // namespace
 
 ChildProcess::ChildProcess(const Start& start) : title_(start.title) {
+  Line line(title_);
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "a pipe for " + title_);
   }
   const pid_t parent = getpid();
-  Line line(title_);
   pid_ = fork();
   if (pid_ == 0) {
     if (start.connect) enterOwnNetwork(line, title_);

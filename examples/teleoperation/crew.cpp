@@ -23,17 +23,28 @@ constexpr Duration kEndPatience = 5s;
 constexpr Duration kAftermath = 1500ms;
 // The report of a last full second is on its way when that second is over.
 constexpr Duration kLastReport = 500ms;
+// After a break, how long it may take until the last loss is told: silence has to pass first.
+constexpr Duration kRecovery = 3s;
 constexpr int kReportDescriptor = 3;
 
-int blockAndWatchSignals() {
+sigset_t endSignals() {
   sigset_t signals;
   sigemptyset(&signals);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&signals, number);
-  sigprocmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+int watchEndSignals() {
+  const sigset_t signals = endSignals();
   return signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
 }
 
 }  // namespace
+
+void blockEndSignals() {
+  const sigset_t signals = endSignals();
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+}
 
 Crew::Crew(Plan& plan, Network& network, std::optional<Break> cutOff,
            std::filesystem::path programs, std::filesystem::path folder)
@@ -42,7 +53,7 @@ Crew::Crew(Plan& plan, Network& network, std::optional<Break> cutOff,
       cutOff_(std::move(cutOff)),
       programs_(std::move(programs)),
       folder_(std::move(folder)),
-      signals_(blockAndWatchSignals()) {}
+      signals_(watchEndSignals()) {}
 
 Crew::~Crew() { close(signals_); }
 
@@ -126,31 +137,40 @@ void Crew::watch(Duration length, const Progress& progress) {
 
 /// Does what is due, and says when there is more to do.
 Time Crew::breakOrMend(Time began) {
-  if (!cutOff_) return Time::max();
-  const Time broken = began + cutOff_->at;
-  if (suture::now() < broken) return broken;
-  if (result_.broken == Time{}) setCutOff(true);
-  const Time mended = result_.broken + cutOff_->length;
-  if (suture::now() < mended) return mended;
-  if (result_.mended == Time{}) setCutOff(false);
+  if (!cutOff_ || result_.outage) return Time::max();
+  if (suture::now() < began + cutOff_->at) return began + cutOff_->at;
+  if (!broken_) cut();
+  if (suture::now() < *broken_ + cutOff_->length) return *broken_ + cutOff_->length;
+  result_.outage = {*broken_, suture::now()};
+  mend();
   return Time::max();
 }
 
-/// Pulls the process's cable; without one, it is frozen.
-void Crew::setCutOff(bool isCutOff) {
-  (isCutOff ? result_.broken : result_.mended) = suture::now();
-  if (network_.hasNamespaces()) return network_.setCable(cutOff_->process, !isCutOff);
-  for (const auto& one : workstations_) {
-    if (one->report.process == cutOff_->process) one->process.signal(isCutOff ? SIGSTOP : SIGCONT);
-  }
+/// Pulls the process's cable; without one, freezes it.
+void Crew::cut() {
+  broken_ = suture::now();
+  if (network_.hasNamespaces()) return network_.setCable(cutOff_->process, false);
+  workstation(cutOff_->process).signal(SIGSTOP);
 }
 
-bool Crew::isExpected(const std::string& failure) const {
-  return result_.broken != Time{} && failure.find(" is lost, ") != std::string::npos;
+void Crew::mend() {
+  broken_.reset();
+  if (network_.hasNamespaces()) return network_.setCable(cutOff_->process, true);
+  workstation(cutOff_->process).signal(SIGCONT);
+}
+
+const ChildProcess& Crew::workstation(const std::string& process) const {
+  const auto found = std::find_if(workstations_.begin(), workstations_.end(),
+                                  [&](const auto& one) { return one->report.process == process; });
+  return (*found)->process;
+}
+
+bool Crew::expectsLosses() const {
+  return broken_ || (result_.outage && suture::now() < result_.outage->mended + kRecovery);
 }
 
 void Crew::end() {
-  if (result_.broken != Time{} && result_.mended == Time{}) setCutOff(false);
+  if (broken_) mend();  // one that is frozen would not hear that it is to end
   if (!result_.interrupted && !result_.failures.empty()) {
     pumpUntil(suture::now() + kAftermath, [this] { return result_.interrupted; });
   }
@@ -229,8 +249,9 @@ void Crew::handle(Workstation& workstation, const std::string& line) {
     workstation.report = suture::reportFromJson(message);
     ++workstation.reports;
   } else if (kind == "failure" && !ending_) {
-    const std::string text = message.at("text");
-    if (!isExpected(text)) result_.failures.push_back(workstation.process.title() + ": " + text);
+    if (message.at("loss").get<bool>() && expectsLosses()) return;
+    result_.failures.push_back(workstation.process.title() + ": " +
+                               message.at("text").get<std::string>());
   }
 }
 

@@ -21,9 +21,13 @@ struct CrewResult {
   std::vector<suture::Report> reports;  ///< the last of each process
   std::vector<std::string> failures;    ///< what went wrong, by name
   bool interrupted = false;             ///< by Ctrl-C, or a request to end
-  suture::Time broken{}, mended{};      ///< of a run in which a process was cut off
+  std::optional<Outage> outage;         ///< of a run in which a process was cut off and is back
   suture::Duration ran{};               ///< from when all were connected
 };
+
+/// Blocks the signals that end a run, so that from then on it ends in order: a Crew watches them.
+/// Call it before anything that has to be undone.
+void blockEndSignals();
 
 /// A global manager, if the plan needs one, and a workstation a process. One run an object;
 /// single-threaded.
@@ -56,7 +60,8 @@ class Crew {
   void awaitStarted();
   void watch(suture::Duration length, const Progress& progress);
   suture::Time breakOrMend(suture::Time began);
-  void setCutOff(bool isCutOff);
+  void cut();
+  void mend();
   void end();
 
   /// Handles what happens until `until`, at least once.
@@ -71,10 +76,11 @@ class Crew {
   void endAll(const std::vector<ChildProcess*>& processes);
 
   bool over() const { return result_.interrupted || !result_.failures.empty(); }
-  /// What is lost now, or is told as lost, has been cut off on purpose.
-  bool isExpected(const std::string& failure) const;
+  /// What is lost while a process is cut off, and shortly after, has been cut off on purpose.
+  bool expectsLosses() const;
   bool allStarted() const;
   std::uint64_t reportsOfEach() const;
+  const ChildProcess& workstation(const std::string& process) const;
   std::vector<ChildProcess*> processes();
   std::vector<suture::Report> reports() const;
 
@@ -87,6 +93,7 @@ class Crew {
   bool managerReady_ = false;
   std::vector<std::unique_ptr<Workstation>> workstations_;
   std::vector<const ChildProcess*> ended_;
+  std::optional<suture::Time> broken_;  // since then a process is cut off
   bool ending_ = false;
   CrewResult result_;
 };

@@ -74,7 +74,7 @@ void declare(CLI::App& app, demo::Options& options) {
       ->check(CLI::IsMember({"auto", "unix", "tcp", "tls", "namespaces"}));
   app.add_option(
          "--break", options.cutOff,
-         "Cut a process off during the run: vision@4s, or vision@4s+500ms (without a length, "
+         "Cut a process off during the run: vision@4s, or vision@4s+1500ms (without a length, "
          "one second). Its cable is pulled; without namespaces it is frozen")
       ->type_name("PROCESS@TIME");
   app.add_option("--seconds", options.seconds, "How long to run")
@@ -99,12 +99,6 @@ std::optional<double> worstError(std::vector<demo::FollowingWatch>& watches) {
   return worst;
 }
 
-void draw(const std::string& file, const demo::Plan& plan, const demo::CrewResult& result) {
-  demo::CutOff cutOff;
-  if (result.mended != suture::Time{}) cutOff = {result.broken, result.mended};
-  demo::drawKnot(file, demo::requireKnot(plan), cutOff);
-}
-
 /// False, with the reason on standard error, if `work` throws.
 bool succeeds(const std::function<void()>& work) {
   try {
@@ -117,6 +111,7 @@ bool succeeds(const std::function<void()>& work) {
 }
 
 int run(const demo::Options& options) {
+  demo::blockEndSignals();
   const RunFolder folder;
   demo::Network network(options.network, options.lane);
   demo::Plan plan(options, network, SUTURE_DEMO_TOPOLOGIES, folder.path());
@@ -124,7 +119,6 @@ int run(const demo::Options& options) {
   const auto length =
       std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(options.seconds));
   const auto cutOff = demo::parseBreak(options.cutOff, plan, length);
-  // First, for from here on an interrupt ends in order.
   demo::Crew crew(plan, network, cutOff, fs::read_symlink("/proc/self/exe").parent_path(),
                   folder.path());
   demo::Screen screen;
@@ -138,8 +132,9 @@ int run(const demo::Options& options) {
   const bool wrote = options.json.empty() || succeeds([&] {
                        demo::writeResult(options.json, options, network, result, verdict);
                      });
-  const bool drew =
-      options.picture.empty() || succeeds([&] { draw(options.picture, plan, result); });
+  const bool drew = options.picture.empty() || succeeds([&] {
+                      demo::drawKnot(options.picture, demo::requireKnot(plan), result.outage);
+                    });
   if (result.interrupted) return kInterrupted;
   return verdict.passed() && wrote && drew ? 0 : 1;
 }

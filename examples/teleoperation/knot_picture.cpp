@@ -151,8 +151,17 @@ void fillTimes(Canvas& canvas, const Axes& axes, double from, double to, Colour 
               axes.at(std::min(to, axes.seconds()), 0), colour);
 }
 
+/// 1, 2, 5, 10 and so on: the first that makes at most 20 of `length`.
+int stepOf(double length) {
+  for (int power = 1;; power *= 10) {
+    for (const int step : {1, 2, 5}) {
+      if (length <= 20.0 * step * power) return step * power;
+    }
+  }
+}
+
 void drawGrid(Canvas& canvas, const Axes& axes) {
-  for (int t = 0; t <= axes.seconds(); ++t) {
+  for (int t = 0; t <= axes.seconds(); t += stepOf(axes.seconds())) {
     canvas.line(axes.at(t, 0), axes.at(t, axes.highest()), kLines);
     canvas.text(axes.at(t, 0) + Vector2d(-4, 18), std::to_string(t), kBlack);
   }
@@ -163,13 +172,13 @@ void drawGrid(Canvas& canvas, const Axes& axes) {
 }
 
 void drawDistance(Canvas& canvas, const Axes& axes, const std::vector<KnotRow>& rows,
-                  const CutOff& cutOff) {
+                  const std::optional<Outage>& outage) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i].guiding) continue;
     fillTimes(canvas, axes, axes.secondsOf(rows[i - 1]), axes.secondsOf(rows[i]), kGrey);
   }
-  if (cutOff) {
-    fillTimes(canvas, axes, axes.secondsAt(cutOff->first), axes.secondsAt(cutOff->second), kRed);
+  if (outage) {
+    fillTimes(canvas, axes, axes.secondsAt(outage->broken), axes.secondsAt(outage->mended), kRed);
   }
   canvas.fill(axes.at(0, 0.001), axes.at(axes.seconds(), 0), kGreen);
   drawGrid(canvas, axes);
@@ -179,7 +188,7 @@ void drawDistance(Canvas& canvas, const Axes& axes, const std::vector<KnotRow>& 
   }
   canvas.text(axes.at(0, axes.highest()) + Vector2d(0, -14),
               std::string("distance of the knot from its target, mm, over time, s; ") +
-                  "green: within 1 mm; grey: not guided" + (cutOff ? "; red: cut off" : ""),
+                  "green: within 1 mm; grey: not guided" + (outage ? "; red: cut off" : ""),
               kBlack);
 }
 
@@ -191,7 +200,8 @@ const KnotPlacing& requireKnot(const Plan& plan) {
                            "Use --topology fig3b, or leave --picture out");
 }
 
-void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing, const CutOff& cutOff) {
+void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing,
+              const std::optional<Outage>& outage) {
   const std::vector<KnotRow> rows = robots::readKnotRecording(placing.recording);
   if (rows.empty()) {
     throw suture::SetupError("drawing a picture", "the knot was never recorded",
@@ -206,7 +216,7 @@ void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing, con
       "ring: where it is; black cross: where it was seen; white cross: the target; blue: the "
       "corridor",
       kWhite);
-  drawDistance(canvas, Axes(rows, placing.target, 2 * cameras.width, cameras.height), rows, cutOff);
+  drawDistance(canvas, Axes(rows, placing.target, 2 * cameras.width, cameras.height), rows, outage);
   canvas.write(file);
 }
 

@@ -1,12 +1,10 @@
 #pragma once
 // The picture of a knot that was placed.
 
-#include <suture/base/time.h>
-
 #include <filesystem>
 #include <optional>
-#include <utility>
 
+#include "break.h"
 #include "plan.h"
 
 namespace demo {
@@ -15,9 +13,6 @@ namespace demo {
 /// known before the run.
 const KnotPlacing& requireKnot(const Plan& plan);
 
-/// When a process was cut off, and when that was mended; none if it never was.
-using CutOff = std::optional<std::pair<suture::Time, suture::Time>>;
-
 /// Above, the scene at the end for both eyes of the endoscope, painted anew from the true strand of
 /// the recording's last row and without noise, for images are not recorded: a ring about what is
 /// there, a black cross where it was seen, the corridor in blue, and a white cross at the target.
@@ -25,6 +20,7 @@ using CutOff = std::optional<std::pair<suture::Time, suture::Time>>;
 /// blank. Below, the knot's distance from its target over time: green within 1 mm, grey while it
 /// was not guided, red while a process was cut off. Throws suture::SetupError if the recording
 /// cannot be read or has no row, or if the file cannot be written.
-void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing, const CutOff& cutOff);
+void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing,
+              const std::optional<Outage>& outage);
 
 }  // namespace demo

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
+#include <utility>
 
 namespace demo {
 namespace {
@@ -21,37 +23,48 @@ bool succeeds(const std::string& command) {
   return std::system(("{ " + command + "; } >/dev/null 2>&1").c_str()) == 0;
 }
 
+/// The first of the commands that fails; "" if none does.
+std::string firstFailure(std::initializer_list<std::string> commands) {
+  for (const std::string& command : commands) {
+    if (!succeeds(command)) return "the command '" + command + "' fails";
+  }
+  return "";
+}
+
 /// Moves this process to a network namespace with a switch. "" or why that cannot be.
 std::string moveToNamespace() {
   if (geteuid() != 0) return "network namespaces need root";
-  if (!succeeds("ip -V && nsenter -V")) return "the command 'ip' of iproute2 is missing";
+  if (const auto missing = firstFailure({"ip -V", "nsenter -V"}); !missing.empty()) return missing;
   const int before = open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC);
   if (before < 0 || unshare(CLONE_NEWNET) != 0) {
     const std::string why = std::strerror(errno);
     if (before >= 0) close(before);
     return "the kernel refuses a network namespace: " + why;
   }
-  const bool made = succeeds("ip link set lo up && ip link add switch type bridge && ip addr add " +
-                             std::string(kHere) + "/24 dev switch && ip link set switch up");
-  if (!made) setns(before, CLONE_NEWNET);
+  // With a cable that is laid for once: connect() lays the others.
+  const std::string failure =
+      firstFailure({"ip link set lo up", "ip link add switch type bridge",
+                    "ip addr add " + std::string(kHere) + "/24 dev switch", "ip link set switch up",
+                    "ip link add cable type veth peer name other", "ip link del cable"});
+  if (!failure.empty()) setns(before, CLONE_NEWNET);
   close(before);
-  return made ? "" : "the kernel has no bridge";
+  return failure;
 }
 
 }  // namespace
 
-Network::Network(const std::string& asked, const std::string& lane) {
-  const bool isAuto = asked == "auto";
-  if (asked == "unix" || (isAuto && lane == "shm")) return;
-  if (lane == "shm") {
-    throw suture::SetupError(
-        "lane shm over --network " + asked,
-        "shared memory is for processes that reach each other by a Unix socket",
-        "Leave --network out, or choose another lane");
-  }
-  if (asked == "tls") kind_ = Kind::Tls;
-  if (asked == "tcp") kind_ = Kind::Tcp;
-  if (!isAuto && asked != "namespaces") return;
+Network::Network(std::string asked, std::string lane)
+    : asked_(std::move(asked)), lane_(std::move(lane)) {
+  if (lane_ != "shm" || asked_ == "auto" || asked_ == "unix") return;
+  throw suture::SetupError("lane shm over --network " + asked_,
+                           "shared memory is for processes that reach each other by a Unix socket",
+                           "Leave --network out, or choose another lane");
+}
+
+void Network::open() {
+  const bool isAuto = asked_ == "auto";
+  kind_ = asked_ == "tls" ? Kind::Tls : asked_ == "tcp" ? Kind::Tcp : Kind::Unix;
+  if (asked_ != "namespaces" && (!isAuto || lane_ == "shm")) return;
   whyNoNamespaces_ = moveToNamespace();
   kind_ = whyNoNamespaces_.empty() ? Kind::Namespaces : Kind::Tcp;
   if (isAuto || whyNoNamespaces_.empty()) return;
@@ -61,6 +74,7 @@ Network::Network(const std::string& asked, const std::string& lane) {
 
 std::string Network::name() const {
   switch (kind_) {
+    case Kind::None: return "none";
     case Kind::Unix: return "unix";
     case Kind::Tcp: return "tcp";
     case Kind::Tls: return "tls";
@@ -72,6 +86,7 @@ std::string Network::name() const {
 std::string Network::description() const {
   const std::string why = whyNoNamespaces_.empty() ? "" : " (" + whyNoNamespaces_ + ")";
   switch (kind_) {
+    case Kind::None: return "nothing";
     case Kind::Unix: return "Unix sockets of one machine";
     case Kind::Tcp: return "TCP on loopback" + why;
     case Kind::Tls: return "TLS on loopback";
@@ -83,6 +98,7 @@ std::string Network::description() const {
 
 std::string Network::managerAddress(const std::filesystem::path& folder) const {
   switch (kind_) {
+    case Kind::None: return "";
     case Kind::Unix: return "unix:" + (folder / "manager.sock").string();
     case Kind::Tcp: return "tcp://127.0.0.1:0";
     case Kind::Tls: return "tls://127.0.0.1:0";

@@ -15,12 +15,14 @@ class Network {
  public:
   /// `asked` is auto, unix, tcp, tls or namespaces; `lane` is that of all connections. With auto
   /// each process gets a network namespace of its own where this one may make them, else TCP on
-  /// loopback; shared memory needs Unix sockets. Namespaces move this process as well: call it
-  /// before a thread or a process is started. Throws suture::SetupError for namespaces that cannot
-  /// be made, and for shared memory over anything but Unix sockets.
-  Network(const std::string& asked, const std::string& lane);
+  /// loopback; shared memory needs Unix sockets. Throws suture::SetupError for shared memory over
+  /// anything else.
+  Network(std::string asked, std::string lane);
+  /// To be called if processes are to talk, before one or a thread is started: namespaces move this
+  /// process as well. Throws suture::SetupError for namespaces that cannot be made.
+  void open();
 
-  /// As it is asked for: "tcp".
+  /// As it is asked for: "tcp"; "none" until it is open.
   std::string name() const;
   /// A sentence's end: what a message between two processes crosses.
   std::string description() const;
@@ -38,9 +40,10 @@ class Network {
   void setCable(const std::string& process, bool plugged) const;
 
  private:
-  enum class Kind : std::uint8_t { Unix, Tcp, Tls, Namespaces };
+  enum class Kind : std::uint8_t { None, Unix, Tcp, Tls, Namespaces };
 
-  Kind kind_ = Kind::Unix;
+  const std::string asked_, lane_;
+  Kind kind_ = Kind::None;
   std::string whyNoNamespaces_;
   std::map<std::string, std::string> cables_;  // by process: the switch's end
 };

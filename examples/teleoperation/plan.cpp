@@ -36,7 +36,7 @@ void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
   system["keys"] = "keys";
 }
 
-std::filesystem::path write(const Options& options, const Network& network,
+std::filesystem::path write(const Options& options, Network& network,
                             const std::filesystem::path& topologies,
                             const std::filesystem::path& folder) {
   // Checked before it is changed, so that a message names the topology's own file and line.
@@ -46,6 +46,7 @@ std::filesystem::path write(const Options& options, const Network& network,
   system.erase("$schema");
   system.erase("manager");
   if (system.at("processes").size() > 1 || options.lane != "auto") {
+    network.open();
     system["manager"] = network.managerAddress(folder);
     if (network.needsKeys()) makeKeys(system, folder);
   }
@@ -100,7 +101,7 @@ std::vector<std::string> topologiesIn(const std::filesystem::path& folder) {
   return names;
 }
 
-Plan::Plan(const Options& options, const Network& network, const std::filesystem::path& topologies,
+Plan::Plan(const Options& options, Network& network, const std::filesystem::path& topologies,
            const std::filesystem::path& folder)
     : folder_(folder),
       file_(write(options, network, topologies, folder)),

@@ -56,7 +56,7 @@ class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
   /// lacks what the run is judged by.
-  Plan(const Options& options, const Network& network, const std::filesystem::path& topologies,
+  Plan(const Options& options, Network& network, const std::filesystem::path& topologies,
        const std::filesystem::path& folder);
 
   const std::filesystem::path& file() const { return file_; }

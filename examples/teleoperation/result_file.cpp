@@ -45,10 +45,11 @@ void writeResult(const std::filesystem::path& file, const Options& options, cons
               {"held", json::array()},
               {"checks", json::array()}};
   for (const HeldSlave& slave : verdict.held) {
+    const auto& resumed = slave.judgement.resumed_after;
     out["held"].push_back({{"name", slave.name},
                            {"held_after", slave.judgement.held_after},
-                           {"resumed_after", slave.judgement.resumed_after.value_or(-1)},
-                           {"largest_step", slave.judgement.largest_step}});
+                           {"resumed_after", resumed ? json(*resumed) : json()},
+                           {"largest_jump", slave.judgement.largest_jump}});
   }
   if (verdict.knot) {
     out["knot"] = {{"start", verdict.knot->start},

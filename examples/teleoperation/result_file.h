@@ -9,8 +9,9 @@
 
 namespace demo {
 
-/// JSON: the options, each connection, arm, task and check. Durations are ns, lengths m, angles
-/// rad. Throws suture::SetupError if the file cannot be written.
+/// JSON: the options, each connection, arm, task and check, the knot, and who held during a break.
+/// Durations are ns, lengths m, angles rad. Throws suture::SetupError if the file cannot be
+/// written.
 void writeResult(const std::filesystem::path& file, const Options& options, const Network& network,
                  const CrewResult& result, const Verdict& verdict);
 

@@ -29,10 +29,9 @@ suture::TaskReport taskOf(const std::vector<suture::Report>& reports, const std:
 Check checkProcesses(const CrewResult& result) {
   if (!result.failures.empty()) return {false, result.failures.front()};
   // A process that misses a connection at its end says so by its exit status.
-  const bool broken = result.broken != suture::Time{};
   return {true, fmt::format("{} process{} ran to the end and {}", result.reports.size(),
                             result.reports.size() == 1 ? "" : "es",
-                            broken ? "had every connection again" : "lost nothing")};
+                            result.outage ? "had every connection again" : "lost nothing")};
 }
 
 /// "" if the connection had the lane that it was given.
@@ -93,13 +92,13 @@ Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>
 }
 
 /// Judges from its recording whether a slave held while a process was cut off; fills its figures.
-Check checkHeld(const RecordedSlave& slave, const Break& cutOff, const CrewResult& result,
+Check checkHeld(const RecordedSlave& slave, const std::string& process, const Outage& outage,
                 std::vector<HeldSlave>& held) {
-  const std::string subject = fmt::format("{}, with {} cut off", slave.name, cutOff.process);
+  const std::string subject = fmt::format("{}, with {} cut off", slave.name, process);
   robots::HoldJudgement judgement;
   try {
     judgement =
-        robots::judgeHold(robots::readRecording(slave.recording).arm, result.broken, result.mended);
+        robots::judgeHold(robots::readRecording(slave.recording).arm, outage.broken, outage.mended);
   } catch (const suture::SetupError& error) {
     return {false, subject + ": " + error.what()};
   }
@@ -108,10 +107,9 @@ Check checkHeld(const RecordedSlave& slave, const Break& cutOff, const CrewResul
   if (!violations.empty())
     return {false, fmt::format("{}: {}", subject, fmt::join(violations, "; "))};
   return {true, fmt::format("{} for {:.0f} ms, held after {:.0f} ms, moved again {:.0f} ms after "
-                            "that was mended, in steps of at most {:.2f} mm",
-                            subject, 1e3 * robots::secondsBetween(result.broken, result.mended),
-                            1e3 * judgement.held_after, 1e3 * *judgement.resumed_after,
-                            1e3 * judgement.largest_step)};
+                            "that was mended, and did not jump",
+                            subject, 1e3 * robots::secondsBetween(outage.broken, outage.mended),
+                            1e3 * judgement.held_after, 1e3 * *judgement.resumed_after)};
 }
 
 }  // namespace
@@ -135,9 +133,9 @@ Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const Cre
     verdict.checks.push_back(checkFollowing(watch, *slave));
   }
   if (plan.knot()) verdict.checks.push_back(checkKnot(*plan.knot(), verdict.knot));
-  if (result.mended == suture::Time{}) return verdict;
-  for (const RecordedSlave& slave : plan.slavesDrivenAcross(cutOff->process)) {
-    verdict.checks.push_back(checkHeld(slave, *cutOff, result, verdict.held));
+  if (!result.outage) return verdict;
+  for (const RecordedSlave& slave : cutOff->slaves) {
+    verdict.checks.push_back(checkHeld(slave, cutOff->process, *result.outage, verdict.held));
   }
   return verdict;
 }

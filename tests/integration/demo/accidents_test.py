@@ -69,6 +69,7 @@ class Ended(unittest.TestCase):
             status, output = demo.finish()
             self.assertEqual(status, 130, output)
             self.assertTrue(all_end(children), "processes are left")
+            self.assertEqual(demo.leftovers(), [])
 
     def test_interrupt_is_told_though_the_picture_fails(self):
         with Demo(PROGRAMS, "--topology", "fig3b", "--seconds", "60", "--picture", "/no/such/knot.png") as demo:

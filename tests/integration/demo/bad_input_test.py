@@ -1,6 +1,7 @@
 """Programs that cannot start: each says what was asked, what was found and what to do, and ends with 1."""
 
 import json
+import os
 import pathlib
 import socket
 import subprocess
@@ -112,6 +113,13 @@ class Demo(unittest.TestCase):
         self.assertEqual(process.returncode, 1)
         self.assertIn("nothing in this topology places a knot. Use --topology fig3b", process.stderr)
         self.assertEqual(process.stdout, "", "it is refused before the run")
+
+    def test_without_the_command_that_makes_namespaces(self):
+        process = subprocess.run([PROGRAMS / "suture-demo", "--network", "namespaces"], capture_output=True, text=True,
+                                 timeout=60, env={**os.environ, "PATH": "/nonexistent"})
+        self.assertEqual(process.returncode, 1)
+        self.assertRegex(process.stderr, "running over --network namespaces: (the command 'ip -V' fails|network namespaces "
+                                         "need root). Run it as root")
 
     def test_shared_memory_between_machines(self):
         process = subprocess.run([PROGRAMS / "suture-demo", "--lane", "shm", "--network", "tcp"],
