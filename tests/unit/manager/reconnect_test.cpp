@@ -7,6 +7,7 @@
 #include <suture/component/periodic_task.h>
 #include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
+#include <suture/standard/lifecycle.suture.h>
 #include <suture/transport/rpc/control_thread.h>
 
 #include <algorithm>

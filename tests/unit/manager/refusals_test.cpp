@@ -7,6 +7,7 @@
 
 #include "reference/gripper_arm.suture.h"
 #include "reference/still_arm.h"
+#include "support/pass.h"
 #include "support/refusal.h"
 #include "unit/manager/two_processes.h"
 
