@@ -1,0 +1,143 @@
+"""docs/errors has what a user can meet: for each enumerator of suture::Errc one page, and one row in the README's table,
+both with the text of toString().
+
+  error_pages_test.py ROOT      checks that tree, and that violations planted in a small one are found
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
+MAX_LINES = 40
+
+
+def enumerators(root):
+    header = (root / "runtime/base/errors.h").read_text(encoding="utf-8")
+    body = re.search(r"enum class Errc\b[^{]*\{(.*?)\};", header, re.S)[1]
+    return re.findall(r"^\s*(\w+)(?:\s*=\s*\d+)?,", re.sub(r"//.*", "", body), re.M)
+
+
+def texts(root):
+    source = (root / "runtime/base/errors.cpp").read_text(encoding="utf-8")
+    return dict(re.findall(r'case Errc::(\w+):\s*return "([^"]*)";', source))
+
+
+def page_of(name):
+    """TooManyCalls: too-many-calls.md"""
+    return re.sub(r"(?<!^)(?=[A-Z])", "-", name).lower() + ".md"
+
+
+def rows(readme):
+    """Of the table: the enumerator, its page and the text."""
+    return re.findall(r"^\| \[(\w+)\]\(([^)]*)\) \| (.*?) \|", readme, re.M)
+
+
+def violations(root):
+    folder = root / "docs/errors"
+    names, text_of = enumerators(root), texts(root)
+    if not names:
+        yield "errors.h: no enumerators found"
+    pages = {page.name: page.read_text(encoding="utf-8") for page in folder.glob("*.md")}
+    readme = pages.get("README.md", "")
+    for name in names:
+        title = f"# {text_of.get(name)}: `Errc::{name}`"
+        page = page_of(name)
+        if name not in text_of:
+            yield f"errors.cpp: toString() has no text for {name}"
+        elif page not in pages:
+            yield f"docs/errors/{page} is missing: explain Errc::{name}"
+        elif pages[page].split("\n")[0] != title:
+            yield f"docs/errors/{page}: the first line has to be {title}"
+        found = [row for row in rows(readme) if row[0] == name]
+        if found != [(name, page, text_of.get(name))]:
+            yield f"docs/errors/README.md: one row has to begin with | [{name}]({page}) | {text_of.get(name)} |, found {found}"
+    for page in sorted(pages.keys() - {page_of(name) for name in names} - {"README.md"}):
+        yield f"docs/errors/{page} explains what no enumerator is"
+    for name, _, _ in rows(readme):
+        if name not in names:
+            yield f"docs/errors/README.md has a row for {name}, which no enumerator is"
+    for page, text in sorted(pages.items()):
+        if text.count("\n") > MAX_LINES:
+            yield f"docs/errors/{page}: more than {MAX_LINES} lines"
+
+
+class Tree(unittest.TestCase):
+    def test_it_explains_each_error(self):
+        self.assertEqual([], list(violations(ROOT)))
+
+
+class Planted(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+        self.write("runtime/base/errors.h", "enum class Errc : int {\n  Lost = 1,  ///< gone, for now\n  TooOld,  ///< not kept,\n"
+                                            "           ///< however large, it is\n};\n")
+        self.write("runtime/base/errors.cpp", 'case Errc::Lost: return "connection lost";\ncase Errc::TooOld:\n  return "too old";\n')
+        self.write("docs/errors/lost.md", "# connection lost: `Errc::Lost`\n\nNothing was sent.\n")
+        self.write("docs/errors/too-old.md", "# too old: `Errc::TooOld`\n")
+        self.write("docs/errors/README.md", "| [Lost](lost.md) | connection lost | no |\n| [TooOld](too-old.md) | too old | no |\n")
+
+    def write(self, path, text):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text, encoding="utf-8")
+
+    def edit(self, path, old, new):
+        text = (self.root / path).read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        self.write(path, text.replace(old, new))
+
+    def expect(self, *words):
+        found = list(violations(self.root))
+        self.assertEqual(len(words), len(found), found)
+        for one, text in zip(words, found):
+            self.assertIn(one, text)
+
+    def test_nothing(self):
+        self.expect()
+
+    def test_an_enumerator_that_nobody_explains(self):
+        self.edit("runtime/base/errors.h", "TooOld,", "TooOld,\n  CannotWait,")
+        self.edit("runtime/base/errors.cpp", "case Errc::Lost", 'case Errc::CannotWait: return "it cannot";\ncase Errc::Lost')
+        self.expect("cannot-wait.md is missing", "| [CannotWait](cannot-wait.md) | it cannot |, found []")
+
+    def test_an_enumerator_without_text(self):
+        self.edit("runtime/base/errors.cpp", "Errc::TooOld", "Errc::Other")
+        self.expect("no text for TooOld", "README.md: one row")
+
+    def test_a_text_that_has_changed(self):
+        self.edit("runtime/base/errors.cpp", "too old", "no longer kept")
+        self.expect("too-old.md: the first line has to be # no longer kept", "| no longer kept |, found [('TooOld'")
+
+    def test_a_page_that_is_left_over(self):
+        self.write("docs/errors/too-new.md", "# too new: `Errc::TooNew`\n")
+        self.expect("too-new.md explains what no enumerator is")
+
+    def test_a_row_that_is_left_over(self):
+        self.edit("docs/errors/README.md", "| [TooOld]", "| [TooNew](too-new.md) | too new | no |\n| [TooOld]")
+        self.expect("a row for TooNew")
+
+    def test_a_row_that_is_missing(self):
+        self.edit("docs/errors/README.md", "| [Lost](lost.md) | connection lost | no |\n", "")
+        self.expect("| [Lost](lost.md) | connection lost |, found []")
+
+    def test_two_rows_for_one(self):
+        self.edit("docs/errors/README.md", "| [TooOld]", "| [Lost](lost.md) | connection lost | no |\n| [TooOld]")
+        self.expect("README.md: one row has to begin with | [Lost]")
+
+    def test_a_page_that_is_too_long(self):
+        self.write("docs/errors/lost.md", "# connection lost: `Errc::Lost`\n" + "\n" * 40)
+        self.expect("lost.md: more than 40 lines")
+
+    def test_a_header_in_another_form(self):
+        self.edit("runtime/base/errors.h", "Lost = 1,", "")
+        self.edit("runtime/base/errors.h", "TooOld,", "")
+        self.expect("no enumerators found", "lost.md explains", "too-old.md explains", "a row for Lost", "a row for TooOld")
+
+
+if __name__ == "__main__":
+    unittest.main()
