@@ -144,22 +144,22 @@ consteval Latched latched() { return {true}; }
 consteval Deadline deadline(Nanoseconds limit) { return {limit.count()}; }
 /// A command that a provider may lack, or a required interface that may stay unconnected.
 consteval Optional optional() { return {true}; }
-/// A qualified read that may run while the component runs: in the thread of a caller in the same
-/// process; for any other, in the component's own like any other.
+/// A qualified read that may run beside the component, in the thread of a caller in the same
+/// process. For other callers it runs in the component's own thread.
 consteval Concurrent concurrent() { return {true}; }
-/// A command that needs no queue because it only touches atomics: runs at once, before what waits
-/// in the queue, in the thread of a caller in the same process; for any other, in the component's
-/// own like any other.
+/// A command that needs no queue because it only touches atomics: it runs at once, before what
+/// waits in the queue, in the thread of a caller in the same process. For other callers it is
+/// queued and runs in the component's own thread.
 consteval Direct direct() { return {true}; }
 /// The names and payloads of this contract follow CRTK; suturec checks them.
 consteval Crtk crtk() { return {true}; }
-/// The major version of a contract: two of them do not connect.
+/// The major version of a contract: two versions do not connect.
 consteval Version version(unsigned number) { return {number}; }
 /// The version that this came with: of its contract, or of what the project calls one.
 consteval Since since(unsigned version) { return {version}; }
 /// The compiler warns whoever still uses this, and gives the reason.
 consteval Deprecated deprecated(const char* why) { return {why}; }
-/// What is older is of no use to the component. Today: described, not acted on.
+/// Values older than this are stale to the component, unless a connection says otherwise.
 consteval MaxAge max_age(Nanoseconds age) { return {age.count()}; }
 /// The field is not part of the value: it stays in this process.
 consteval Skip skip() { return {true}; }

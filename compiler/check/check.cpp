@@ -18,7 +18,7 @@ model::Diagnostic& addError(model::Diagnostics& findings, const model::Source& s
 
 namespace {
 
-/// Without what contracts inherit: that was judged where it is declared.
+/// Returns the header without what contracts inherit, which was judged where it is declared.
 model::Header declaredIn(model::Header header) {
   const auto inherited = [](const auto& member) { return !member.inheritedFrom.empty(); };
   for (model::Interface& interface : header.interfaces) {

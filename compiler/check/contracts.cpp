@@ -10,7 +10,7 @@ namespace {
 
 using model::CommandKind;
 
-// What generated code calls something beside commands, and beside events.
+// Generated code uses these names itself, so no command, or no event, may have them.
 constexpr std::array<std::string_view, 7> kTakenFromCommands{"on",      "Events",  "Contract", "Id",
                                                              "EventId", "events_", "Required"};
 constexpr std::array<std::string_view, 3> kTakenFromEvents{"Events", "provided", "required"};

@@ -102,7 +102,7 @@ bool isVector(const model::Type& type, unsigned rows) {
   return type.shape == Shape::Matrix && type.columns == 1 && type.rows == rows;
 }
 
-/// The type itself and, of a struct, its fields.
+/// Returns the type itself and, if it is a struct, the types of its fields.
 std::vector<const model::Type*> partsOf(const model::Type& type, const model::Lookup& lookup) {
   std::vector<const model::Type*> parts{&type};
   if (const model::Struct* const record = lookup.findStruct(type.name)) {

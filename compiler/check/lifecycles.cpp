@@ -16,7 +16,7 @@ class LifecycleRule {
              "versions count from 1");
   }
 
-  /// What is deprecated itself may use what is deprecated.
+  /// Warns of a deprecated type, unless its user is deprecated too.
   void checkUse(const std::string& subject, const model::Lifecycle& user, const model::Type& type,
                 const model::Source& source) {
     if (!user.deprecated.empty()) return;

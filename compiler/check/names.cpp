@@ -102,7 +102,7 @@ void checkEnumerators(const model::Enum& type, model::Diagnostics& findings) {
   }
 }
 
-// What suturec itself writes into every contract.
+// suturec itself writes these into every contract.
 constexpr std::array<std::string_view, 1> kMethods{"subscribe"}, kParameters{"sent"};
 
 void checkBuiltIn(std::span<const std::string_view> builtIn, const std::string& subject,

@@ -33,7 +33,7 @@ class NumberRule {
     }
   }
 
-  /// A sender that leaves the field as it is would be refused, and so would every older sender.
+  /// Reports a default out of range: senders that leave it, and older ones, would be refused.
   void applyDefault(const model::Field& field) {
     if (!hasKnownNumber(field) || !field.range || field.range->first > field.range->second) return;
     const double value = defaultOf(field);
@@ -45,7 +45,7 @@ class NumberRule {
   }
 
  private:
-  /// Is it a number, or are all of its numbers 0 since nobody says anything else?
+  /// True for a number, and for numbers that are all 0 since nobody says anything else.
   static bool hasKnownNumber(const model::Field& field) {
     using Shape = model::Type::Shape;
     const model::Type& type = field.type;

@@ -28,7 +28,7 @@ struct Split {
     }
   }
 
-  // One argument a line, taken literally: no shell between the build system and us.
+  // Takes one argument a line, literally, since no shell stands between the build system and us.
   static std::vector<std::string> responseFile(const std::string& path) {
     std::ifstream file(path);
     if (!file) throw std::runtime_error("cannot read the response file '" + path + "'");

@@ -5,8 +5,8 @@
 
 namespace suture::compiler::driver {
 
-/// The one asked for; else beside an installed suturec; else where the build found it. Throws
-/// std::runtime_error naming the package when it is nowhere: clang would only miss stddef.h later.
+/// Returns `asked`; else the folder beside an installed suturec; else the one that the build found.
+/// If none is there, throws std::runtime_error naming the package before clang misses stddef.h.
 std::string resourceDirectory(const std::string& asked);
 
 }  // namespace suture::compiler::driver

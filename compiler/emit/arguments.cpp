@@ -9,7 +9,7 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// What store() calls the value of a parameter: itself it must be able to call.
+/// Names a parameter's value within store(), which must still be able to call itself.
 std::string valueName(const model::Parameter& parameter) {
   return parameter.name == "store" ? "store_" : parameter.name;
 }
@@ -37,7 +37,7 @@ void emitStruct(Code& code, const Context& context, const model::Command& comman
   code.close("};").blank();
 }
 
-/// What store() calls the slot, which no parameter of the command may be called as well.
+/// Names the slot within store() as no parameter of the command is named.
 std::string slotName(const model::Command& command) {
   std::string name = "slot";
   for (const model::Parameter& parameter : command.parameters) {
@@ -62,7 +62,7 @@ void emitStore(Code& code, const Context& context, const model::Command& command
   code.function(storeSignature(context, command, slot), "return " + call + ";").blank();
 }
 
-/// What carries several values of an event.
+/// Spells the slot for several values of an event, and the functions on it.
 struct Payload {
   Payload(const Context& context, const model::Interface& interface, const model::Event& event)
       : slot(payloadSlot(interface, event, context, context.header.cxxNamespace)) {

@@ -12,7 +12,7 @@ constexpr std::size_t kStep = 2;
 
 bool isMark(char c) { return c == kBreak || c == kBody || c == kBodyEnd; }
 
-/// The text on one line: what is around a body then needs a blank each.
+/// Puts the text on one line, with a blank at either side of a body.
 std::string onOneLine(std::string_view text) {
   std::string line;
   for (const char c : text) {

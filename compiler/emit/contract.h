@@ -32,8 +32,8 @@ void emitEventConstructor(Code& code, const model::Interface& interface, const s
 /// "using Id = robots::ArmCommand;" and the same for events, where it adds any.
 void emitNumberAliases(Code& code, const model::Interface& interface);
 
-/// What the contract declares itself. For the rest its code hands over to that of its base, whose
-/// commands and events are the first of its own.
+/// Returns what the contract declares itself. For the rest its code calls that of its base, whose
+/// commands and events come first among its own.
 std::vector<const model::Command*> ownCommands(const model::Interface& interface);
 std::vector<const model::Event*> ownEvents(const model::Interface& interface);
 
@@ -59,13 +59,13 @@ std::string payloadMember(const model::Event& event, const std::string& slot, st
 /// Has any command that the contract declares itself parameters?
 bool hasOwnParameters(const model::Interface& interface);
 
-/// Does a value of the type take its memory once, for its largest content: does reserve() of
-/// runtime/base do anything for it?
+/// True if a value of the type takes its memory once, for its largest content: then reserve() of
+/// runtime/base gives it that.
 bool reserves(const model::Type& type, const model::Lookup& lookup);
 bool reserves(const model::Struct& declaration, const model::Lookup& lookup);
 
-/// The parameters for which it does, with their commands: of those that the contract declares
-/// itself.
+/// A parameter for which reserves() is true, with its command: one of those that the contract
+/// declares itself.
 struct Argument {
   const model::Command& command;
   const model::Parameter& parameter;

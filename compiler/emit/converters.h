@@ -6,7 +6,7 @@
 
 namespace suture::compiler::emit {
 
-/// Declarations of those of other headers that this header's generated source calls.
+/// Declares the converters of other headers that this header's generated source calls.
 void emitForeignConverters(Code& code, const Context& context);
 
 /// Definitions of toWire(), fromWire() and isValid() of the header's own types.

@@ -51,7 +51,7 @@ void hidden(Code& code, const EmitParts& emitParts) {
   code.line("namespace {").blank().verbatim(inner.text()).line("}  // namespace").blank();
 }
 
-/// Is it converted by what the forms of slots bring along, or by a function of generated code?
+/// True if slot_forms.h or generated code converts the type, false if that takes slots.h.
 bool convertsItself(const model::Type& type) {
   using Shape = model::Type::Shape;
   switch (type.shape) {
@@ -160,7 +160,7 @@ bool mentions(std::string_view text, std::string_view word) {
   return false;
 }
 
-/// Those names of the runtime that `body` says.
+/// Emits a using-declaration for each name of the runtime that `body` mentions.
 void emitUsings(Code& code, std::string_view body) {
   bool any = false;
   for (const char* const name :
@@ -179,7 +179,7 @@ void emitUsings(Code& code, std::string_view body) {
   if (any) code.blank();
 }
 
-/// Does anything of the header travel? Then its schema has to be there.
+/// True if anything of the header travels: then its schema has to be there.
 bool converts(const Context& context) {
   const model::Header& header = context.header;
   return !header.interfaces.empty() || !header.enums.empty() || !header.structs.empty();

@@ -48,7 +48,7 @@ Json anyMatrixOf(const Type& type) {
   return json;
 }
 
-/// What may hold one thing or another, or some of each.
+/// Describes a type that holds one thing or another, or some of each.
 Json compositeOf(const Type& type) {
   switch (type.shape) {
     case Shape::Optional: return {{"kind", "optional"}, {"element", typeOf(type.element[0])}};
@@ -104,7 +104,7 @@ Json wireTypeOf(const Type& type) {
   return json;
 }
 
-/// Where it stands among its like on the wire, which peers compare when they connect.
+/// Adds its place among its like on the wire, which peers compare when they connect.
 void addOrdinal(Json& json, const std::optional<unsigned>& ordinal) {
   if (ordinal) json["ordinal"] = *ordinal;
 }
@@ -130,7 +130,7 @@ void addLifecycle(Json& json, const model::Lifecycle& lifecycle) {
   if (!lifecycle.deprecated.empty()) json["deprecated"] = lifecycle.deprecated;
 }
 
-/// What the schema calls it, where that is not its name.
+/// Adds what the schema calls it, where that is not its name.
 void addWireName(Json& json, const std::string& name, const std::string& wireName) {
   if (name != wireName) json["wire"] = wireName;
 }
@@ -184,7 +184,7 @@ const char* kindName(model::CommandKind kind) {
 
 double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
-/// Which contract declared it, since when, and whether it is on its way out.
+/// Adds which contract declared it, since which version, and whether it is deprecated.
 void addOrigin(Json& json, const std::string& inheritedFrom, const model::Lifecycle& lifecycle) {
   if (!inheritedFrom.empty()) json["from"] = inheritedFrom;
   addLifecycle(json, lifecycle);
@@ -238,7 +238,7 @@ Json eventOf(const model::Event& event) {
   return json;
 }
 
-/// By which number a subscription asks for each, where that is not its place in the list.
+/// Adds the number by which a subscription asks for each, where that is not its place.
 void addNumbers(Json& events, const std::vector<unsigned>& numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i) events[i]["number"] = numbers[i];
 }

@@ -26,7 +26,7 @@ std::set<std::string> laterParameters(const Context& context, const model::Inter
   const lock::Member* const locked = lockedCommand(context, interface, command);
   std::set<std::string> later;
   if (locked == nullptr) return later;
-  // What every command carries ends the parameters that it was locked with.
+  // The parameter `sent` ends those that the command was locked with; later ones follow it.
   const auto sent = std::find_if(locked->parameters.begin(), locked->parameters.end(),
                                  [](const lock::Member& one) { return one.type == lock::kSent; });
   for (auto one = sent; one != locked->parameters.end(); ++one) later.insert(one->name);

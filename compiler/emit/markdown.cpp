@@ -6,7 +6,7 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// On one line, and without what ends a cell.
+/// Returns the text on one line and without what would end a cell.
 std::string cell(std::string_view text) {
   std::string result;
   for (const char c : text) {

@@ -39,7 +39,7 @@ std::string queueWords(const Waiting& one) {
   return "at most " + std::to_string(one.queue) + " wait.";
 }
 
-/// What a caller has to know of its way to the component and back.
+/// Says what a caller has to know of a command's way to the component and back.
 std::string callWords(const model::Command& command) {
   if (isRead(command)) return "answered at once from the newest evaluation.";
   std::string words = isQueued(command) ? queueWords(command) : "asked in the component's thread.";
@@ -160,7 +160,7 @@ class Sections {
     return std::any_of(interface_.commands.begin(), interface_.commands.end(), condition);
   }
 
-  /// What the commands of this contract may answer instead of a value.
+  /// Lists what the commands of this contract may answer instead of a value.
   std::string errors() const {
     const auto queued = [](const model::Command& one) { return isQueued(one) && !one.latest; };
     const auto aged = [](const model::Command& one) { return one.ttlNanoseconds.has_value(); };

@@ -13,13 +13,13 @@ void emitMembers(Code& code, const Context& context);
 
 /// Slot structs of the header's types, their store() and load() declared.
 void emitSlots(Code& code, const Context& context);
-/// Those store() and load().
+/// Defines those store() and load().
 void emitSlotConversions(Code& code, const Context& context);
 
 /// The slots of a contract's command arguments and of events with several values, their store() and
 /// load() declared; the numbers of its commands and events.
 void emitArguments(Code& code, const Context& context, const model::Interface& interface);
-/// Those store() and load().
+/// Defines those store() and load().
 void emitArgumentConversions(Code& code, const Context& context, const model::Interface& interface);
 
 /// Required<Contract>: what a client calls and subscribes to.

@@ -30,7 +30,7 @@ void emitScratch(Code& code, const model::Interface& interface, bool reserves) {
   code.close("};").blank();
 }
 
-/// With the information and the implementation as of the contract that derives from this one.
+/// Emits the constructor that a derived contract calls, with its information and implementation.
 void emitProtectedConstructor(Code& code, const model::Interface& interface, bool implements) {
   code.line("// For contracts that derive from this one: `whole` points to their implementation.");
   code.line("Provided(Component& owner, std::string_view name, ", kBreakText,

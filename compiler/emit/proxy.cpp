@@ -12,7 +12,7 @@ namespace {
 
 std::string home(const Context& context) { return context.header.cxxNamespace; }
 
-/// What every provider sends.
+/// Every provider sends this, so a message without it is wrong.
 WireValue needed(const model::Type& type, const std::string& wireName, const std::string& slot) {
   return {.type = type, .wireName = wireName, .slot = slot, .isNeeded = true};
 }
@@ -83,7 +83,7 @@ void emitAnswer(Code& code, const Context& context, const model::Command& comman
   const char* const stamp = command.kind == model::CommandKind::Read ? "response.getStamp(), " : "";
   const std::string slot = slotType(type, context, home(context));
   code.open("return request.send().then([this, call = record.call](auto&& response) {");
-  // That of a composite is long.
+  // The slot of a composite has a long name: leave it to `auto`.
   const std::string answer = lock::isComposite(type) ? "auto" : slot;
   code.open("port_.answer<", slot, ">(call, ", stamp, kBreakText, "[&](", answer, "& answer) {");
   emitDecodeAndReturn(code, {needed(type, "value", "answer")}, "response", "port_.shift()",

@@ -52,7 +52,7 @@ class Parts {
   std::vector<std::string> names_;
 };
 
-/// A stamp of this process's clock cannot come from a file.
+/// False where there are points in time: a stamp of this process's clock cannot come from a file.
 bool isReadable(const model::Type& type) {
   return type.shape != Shape::TimePoint &&
          std::all_of(type.element.begin(), type.element.end(), isReadable);
@@ -150,7 +150,7 @@ void emitClass(Code& code, const model::Component& component) {
     code.line(indent, "JsonReader none = parameters;").line(indent, "none.finish();");
   }
   code.line(indent, "if (parameters.failed()) return nullptr;");
-  // Not make_unique(): of a component that lacks a command, a compiler then says so right here.
+  // Do not emit make_unique(): so a compiler says right here what command a component lacks.
   const std::string made =
       "(new " + component.name + (component.parameters ? "(values));" : "());");
   const std::vector<std::string> calls = portCalls(component);

@@ -84,8 +84,8 @@ void emitSink(Code& code, const Context& context, const model::Interface& interf
   code.blank().label("private:").line(client, " subscriber_;").close("};").blank();
 }
 
-/// What is called through a contract that this one derives from goes to that one's servant: its
-/// commands, events and columns are the first of this one's.
+/// Passes calls through a contract that this one derives from to that one's servant: its commands,
+/// events and columns are the first of this one's.
 void emitDispatch(Code& code, const model::Interface& interface) {
   if (interface.base.empty()) return;
   const std::string server = "wire::" + interface.wireName;
@@ -112,7 +112,7 @@ void emitServantConstructor(Code& code, const model::Interface& interface) {
 
 // --- what every lane asks of values before a handler sees them
 
-/// Emits those of a contract; what fits on a line stands close to the next.
+/// Emits the checks of a contract; those that fit on a line stand close together.
 class Checks {
  public:
   Checks(Code& code, const Context& context) : code_(code), context_(context) {}

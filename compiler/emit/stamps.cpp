@@ -93,7 +93,7 @@ class ShiftEmitter {
   const Context& context_;
 };
 
-/// `stamped`: what has stamps.
+/// `stamped`: the values that have stamps.
 void emitFunction(Code& code, const std::string& signature, const std::vector<WireValue>& stamped,
                   const Context& context) {
   const WireValue& first = stamped.front();

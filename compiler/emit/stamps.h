@@ -1,6 +1,6 @@
 #pragma once
-// Points in time of a steady clock, which mean another thing in each process: what turns those in a
-// slot into the receiver's.
+// Emits the functions that turn the steady stamps in a slot into the receiver's, since a point in
+// time of a steady clock means another thing in each process.
 
 #include <string>
 #include <vector>
@@ -11,12 +11,12 @@
 
 namespace suture::compiler::emit {
 
-/// Are there any in a slot of a fixed size? One that owns memory is never received as bytes.
+/// True if a slot of a fixed size has any. One that owns memory is never received as bytes.
 bool hasStamps(const model::Type& type, const model::Lookup& lookup);
 bool hasStamps(const std::vector<WireValue>& values, const model::Lookup& lookup);
 
-/// "void shiftStamps(PoseStampedSlot& slot, suture::Duration shift)", of struct `slot`, which holds
-/// `values`; nothing where there are none. Any bytes may lie in the slot.
+/// Emits "void shiftStamps(PoseStampedSlot& slot, suture::Duration shift)" for struct `slot`, which
+/// holds `values`; nothing where there are no stamps. Any bytes may lie in the slot.
 void declareShift(Code& code, const std::vector<WireValue>& values, const std::string& slot,
                   const Context& context);
 void emitShift(Code& code, const std::vector<WireValue>& values, const std::string& slot,

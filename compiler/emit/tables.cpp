@@ -62,12 +62,12 @@ std::string packed(const std::string& json) {
   return text + line;
 }
 
-/// Unless there is nothing to say.
+/// Adds the member unless there is nothing to say.
 void addMember(std::vector<std::string>& members, const char* name, const std::string& value) {
   if (!value.empty()) members.push_back(std::string(name) + " = " + value);
 }
 
-/// Its row of the table; what the row needs goes to `before`.
+/// Emits the command's row of the table; what that row needs goes to `before`.
 void emitCommand(Code& table, Code& before, const Context& context,
                  const model::Interface& interface, const model::Command& command, int column) {
   const std::string& home = context.header.cxxNamespace;
@@ -163,8 +163,8 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   code.verbatim(table.text()).line("};").blank();
 }
 
-/// All rows of a contract's table `own`, of which its base has the first: how they are spelled in
-/// kInfo. Emits what joins the two.
+/// Returns how kInfo spells all rows of a contract: its base has the first, its table `own` the
+/// others. Emits what joins the two.
 std::string rows(Code& code, const model::Interface& interface, const std::string& kind,
                  const std::string& own, std::size_t ownRows, std::size_t allRows) {
   if (ownRows == allRows) return allRows == 0 ? "{}" : own;

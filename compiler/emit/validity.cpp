@@ -48,7 +48,7 @@ std::string coefficientsCondition(const Type& type, const std::string& slot, con
                within(item, range, 1));
 }
 
-/// Is there anything in it that has to be looked at?
+/// True if anything in it has to be looked at.
 bool isChecked(const Type& type) {
   switch (type.shape) {
     case Shape::Scalar:
@@ -91,7 +91,7 @@ std::string mapCondition(const Type& type, const std::string& slot, const Range&
                key + (key.empty() || value.empty() ? "" : " && ") + value);
 }
 
-/// This gives what can be called with a slot of the type, and says whether it may be acted on.
+/// Returns what can be called with a slot of the type and says whether that may be acted on.
 std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   if (type.shape == Shape::Enum) return enumCheck(type.name, context);
   if (!holdsEnum(type)) return "Valid{path}";

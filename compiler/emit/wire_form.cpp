@@ -21,19 +21,19 @@ bool isSequence(const Type& type) {
   return type.shape == Shape::List || type.shape == Shape::Array || type.shape == Shape::Map;
 }
 
-/// Travels as a capnp struct of its own.
+/// True if the type travels as a capnp struct of its own.
 bool isRecord(const Type& type) {
   const bool composite = lock::isComposite(type) && type.shape != Shape::Map;
   return type.shape == Shape::Struct || composite || !lock::namedEigenType(type).empty();
 }
 
-/// Has it a fromWire() in generated code, which takes the shift?
+/// True if generated code has a fromWire() for the type, which takes the shift.
 bool isGenerated(const Type& type) {
   return type.shape == Shape::Struct || type.shape == Shape::Optional ||
          type.shape == Shape::Tuple || type.shape == Shape::Variant;
 }
 
-/// Travels as one number.
+/// True if the type travels as one number.
 bool isNumber(const Type& type) {
   return type.shape == Shape::Scalar || type.shape == Shape::Duration ||
          type.shape == Shape::TimePoint;
@@ -43,7 +43,7 @@ bool isSteady(const Type& type) {
   return type.shape == Shape::TimePoint && type.clock == model::Clock::Steady;
 }
 
-/// A sequence that one overload of the runtime's toWire() converts as a whole.
+/// True for a sequence that one overload of the runtime's toWire() converts as a whole.
 bool isPlainSequence(const Type& type) {
   if (type.shape == Shape::Map) return false;
   const Type& element = type.element.front();
@@ -182,12 +182,12 @@ Reading decodeFrom(const Type& type, const std::string& in, const std::string& s
   return whole ? Reading{true, both + ")"} : decodeSequence(type, in, slot, shift, context, depth);
 }
 
-/// Has it a wire form that an older sender leaves out? Of one number the schema has the default.
+/// True if an older sender leaves its wire form out; for one number the schema has the default.
 bool canBeMissing(const Type& type) {
   return !isNumber(type) && type.shape != Shape::Enum && type.shape != Shape::Nothing;
 }
 
-/// Does it read as something, though nothing was sent?
+/// True if it reads as a value although nothing was sent.
 bool wouldBeMadeUp(const Type& type) {
   if (type.shape == Shape::Array || type.shape == Shape::Matrix) return true;
   return isRecord(type) && type.shape != Shape::Optional && type.shape != Shape::AnyMatrix;
@@ -240,7 +240,7 @@ std::string structCheck(const Type& type, const Context& context) {
   return qualifier(type.name, context).append(kStructCheck);
 }
 
-/// An infinite default means that infinity says something.
+/// Admits infinity where that is the default, since it then says something.
 std::optional<std::pair<double, double>> admitted(const model::Field& field) {
   const bool infinite = field.defaultJson == "\"inf\"" || field.defaultJson == "\"-inf\"";
   if (field.range || !infinite || !isNumber(field.type)) return field.range;

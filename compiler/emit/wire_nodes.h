@@ -1,5 +1,5 @@
 #pragma once
-// What of a contract a peer of another build compares with its own: see wiring/compatibility.h.
+// Writes what a peer of another build compares of a contract: see wiring/compatibility.h.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -7,8 +7,8 @@
 
 namespace suture::compiler::emit {
 
-/// Of the contract and each type that it leads to: id, kind and members; of each member its place,
-/// its type (a declared one by its id, which outlives renames) and what bytes of it mean.
+/// Describes the contract and each type that it leads to: id, kind and members; for each member its
+/// place, its type (a declared one by its id, which outlives renames) and what its bytes mean.
 nlohmann::ordered_json wireNodes(const Context& context, const model::Interface& interface);
 
 }  // namespace suture::compiler::emit

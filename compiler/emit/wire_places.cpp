@@ -12,7 +12,7 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// What lives in a node and came from the contract, in the order of the ordinals.
+/// Names what lives in a node and came from the contract, in the order of the ordinals.
 std::vector<std::string> namesIn(const Context& context, const model::Interface& interface,
                                  const char* annotation,
                                  std::span<const std::string_view> builtIn) {

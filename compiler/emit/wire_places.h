@@ -9,9 +9,9 @@
 
 namespace suture::compiler::emit {
 
-/// Of each event of the contract, or of each read command, the place among those that the lock has;
-/// empty if these are their places in the contract too. They are others where a base got more after
-/// the contract was locked: in the lock that comes last, in the contract first.
+/// Returns for each event, or each read command, of the contract its place in the lock; empty if
+/// all have the same place in the contract. They differ where a base got more after the contract
+/// was locked: that comes last in the lock, and first in the contract.
 std::vector<unsigned> wireEvents(const Context& context, const model::Interface& interface);
 std::vector<unsigned> wireColumns(const Context& context, const model::Interface& interface);
 

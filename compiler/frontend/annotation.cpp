@@ -165,7 +165,7 @@ class Reader {
     return name == "crtk" ? &result_.crtk : nullptr;
   }
 
-  /// What qualifies the member are the bases of the value.
+  /// Reads a member, whose qualifiers are the bases of the value.
   void readMember(clang::QualType type, const clang::APValue& value) {
     const auto* field =
         llvm::dyn_cast_or_null<clang::FieldDecl>(value.getStructField(0).getMemberPointerDecl());

@@ -59,7 +59,7 @@ const clang::ClassTemplateSpecializationDecl* instanceOf(const clang::FieldDecl*
       field->getType().getCanonicalType()->getAsCXXRecordDecl());
 }
 
-/// What is generated for a contract stands behind its header, and a component needs it before.
+/// Reports a contract of the same header: what is generated for it comes behind that header.
 void checkHome(const clang::FieldDecl* field, const clang::CXXRecordDecl* contract,
                Mapping& mapping) {
   const clang::SourceManager& sources = mapping.sources();

@@ -12,7 +12,7 @@ std::string commandSubject(const clang::NamedDecl* method) {
   return "command '" + method->getNameAsString() + "'";
 }
 
-/// What no proxy could call. True if an error was reported.
+/// Rejects what no proxy could call. True if an error was reported.
 bool rejectMethod(const clang::CXXMethodDecl* method, Mapping& mapping) {
   const std::string subject = commandSubject(method);
   if (llvm::isa<clang::CXXConstructorDecl, clang::CXXDestructorDecl, clang::CXXConversionDecl>(
@@ -100,7 +100,7 @@ std::optional<model::Parameter> mapParameter(const clang::ParmVarDecl* declarati
   return parameter;
 }
 
-/// A result or an event's value: it has neither name nor history of its own.
+/// A result, or an event's value, has neither a name nor a history of its own.
 void checkValueArguments(const clang::NamedDecl* declaration, const Annotation& field,
                          Mapping& mapping) {
   if (!field.name && !field.was && !field.since && field.deprecated.empty() && !field.skip &&
@@ -145,7 +145,7 @@ void mapKind(const clang::CXXMethodDecl* method, const Annotation& field, model:
                 "return what it reads, or drop const to make it a write");
 }
 
-/// What optional() asks of the declaration.
+/// An optional() command needs a body, for the providers that lack it.
 void mapOptional(const clang::CXXMethodDecl* method, const Annotation& annotation,
                  model::Command& command, Mapping& mapping) {
   command.optional = annotation.optional;
@@ -272,7 +272,7 @@ model::Fix annotate(const clang::Decl* member, std::string macro, Mapping& mappi
   return mapping.fix(member->getBeginLoc(), model::Fix::Place::Before, std::move(macro));
 }
 
-/// A method of a contract without the macro, or with it where the base has it already.
+/// Maps a command; reports a virtual method without the macro, or one that the base has already.
 void mapMethod(const clang::CXXMethodDecl* method, model::Interface& result, Mapping& mapping) {
   const std::string name = "'" + method->getNameAsString() + "'";
   const bool command = isAnnotated(method, Kind::Command);
@@ -319,8 +319,8 @@ void mapMembers(const clang::CXXRecordDecl* declaration, model::Interface& resul
   }
 }
 
-/// At most one base, itself a contract: its commands keep their numbers in every contract that
-/// derives from it.
+/// Accepts one base at most, itself a contract: its commands keep their numbers in every contract
+/// that derives from it.
 void mapBase(const clang::CXXRecordDecl* declaration, model::Interface& result, Mapping& mapping) {
   const std::string subject = "contract '" + declaration->getNameAsString() + "'";
   if (declaration->getNumBases() > 1) {

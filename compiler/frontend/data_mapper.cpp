@@ -89,7 +89,7 @@ void checkDefault(const Candidate& candidate, Default::State state, Mapping& map
   }
 }
 
-/// Why the field cannot be on the wire, whatever its type. True if an error was reported.
+/// Reports why a field cannot be on the wire, whatever its type. True if an error was reported.
 bool rejectField(const Candidate& candidate, Mapping& mapping) {
   const clang::FieldDecl* field = candidate.field;
   const clang::NamedDecl* place = candidate.place;

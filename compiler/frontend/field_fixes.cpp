@@ -31,7 +31,7 @@ class FieldText {
     return !macro && field->getBeginLoc() != field->getLocation();
   }
 
-  /// The first word of that spelling becomes `text`.
+  /// Replaces the first word of that spelling by `text`.
   std::vector<model::Fix> replaceWord(llvm::StringRef word, std::string text) {
     for (const SourceLocation token : tokens_) {
       if (clang::Lexer::getSpelling(token, buffer_, sources_, language()) == word) {
@@ -41,7 +41,7 @@ class FieldText {
     return {};
   }
 
-  /// All before the name becomes `type`.
+  /// Replaces all before the name by `type`.
   model::Fix replaceType(std::string type) {
     const SourceLocation last = tokens_.back();
     const SourceLocation end = clang::Lexer::getLocForEndOfToken(last, 0, sources_, language());
@@ -49,7 +49,7 @@ class FieldText {
     return mapping_.fix(SourceRange(tokens_.front(), last), Place::Instead, std::move(type));
   }
 
-  /// Without its initialiser, if it has one.
+  /// Drops the initialiser, if there is one.
   std::vector<model::Fix> dropInitialiser() {
     const clang::Expr* initialiser = field_->getInClassInitializer();
     if (!initialiser) return {};
@@ -57,7 +57,7 @@ class FieldText {
                          Place::Instead, field_->getNameAsString())};
   }
 
-  /// Before the first include of the file, unless it has it already.
+  /// Adds the include before the first one of the file, unless it is there already.
   std::vector<model::Fix> include(const std::string& header) {
     const clang::FileID file = sources_.getFileID(field_->getLocation());
     const llvm::StringRef text = sources_.getBufferData(file);

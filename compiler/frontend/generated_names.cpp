@@ -11,7 +11,7 @@ namespace {
 
 std::vector<std::string> namesFor(const clang::TagDecl* declaration, Kind kind) {
   const std::string name = declaration->getNameAsString();
-  // What every source file takes over from the runtime, and capnp's namespace.
+  // Every source file takes these over from the runtime; the last is capnp's namespace.
   std::vector<std::string> names{"CommandInfo", "CommandKind", "Duration",    "Errc",
                                  "EventInfo",   "ProxyPort",   "ServantPort", "wire"};
   if (kind == Kind::Type) names.push_back(name + "Slot");

@@ -37,7 +37,7 @@ const clang::Expr* inConstructor(const clang::FieldDecl* field) {
   return nullptr;
 }
 
-// Clang instantiates that of a template's member when a constructor asks for it, and nobody does.
+// Looks into the pattern, since clang instantiates an initialiser only for a constructor that asks.
 const clang::Expr* inTemplate(const clang::FieldDecl* field) {
   const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(field->getParent());
   const clang::CXXRecordDecl* pattern =

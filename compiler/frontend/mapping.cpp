@@ -9,7 +9,7 @@
 namespace suture::compiler::frontend {
 
 model::Source Mapping::sourceOf(const clang::NamedDecl* declaration) {
-  // Of a field or parameter the type is underlined as well; of a class or method the caret is
+  // Underline the type of a field or parameter as well; for a class or method the caret is
   // enough.
   const bool typed =
       llvm::isa<clang::DeclaratorDecl>(declaration) && !llvm::isa<clang::FunctionDecl>(declaration);
@@ -103,7 +103,7 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
     finding.fixes = fixesFor(declaration, *problem, *this);
     return std::nullopt;
   }
-  // What an event carries has lost the name it was written with: std::int64_t is long here.
+  // An event's values have lost the names they were written with: std::int64_t is long here.
   const std::string integer = isAnnotated(declaration, Kind::Event) ? "" : platformInteger(type);
   if (!integer.empty()) {
     warn(declaration, "platform-integer",

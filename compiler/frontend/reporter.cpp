@@ -63,7 +63,7 @@ bool Reporter::areOnOneLine(clang::SourceLocation a, clang::SourceLocation b) co
          sources.getExpansionLineNumber(a) == sources.getExpansionLineNumber(b);
 }
 
-// None for what a macro wrote: the text to change is not where it seems.
+// Gives no hint for what a macro wrote: the text to change is not where it seems.
 clang::FixItHint Reporter::hintOf(const model::Fix& fix) const {
   const SourceTable::Place* place = table_.find(fix.source);
   if (!place) return {};

@@ -11,7 +11,7 @@
 namespace suture::compiler::frontend {
 namespace {
 
-// What users reach for first and why it cannot be: better than "no wire form".
+// Explains what users reach for first and cannot have, better than "no wire form" would.
 const TypeProblem* knownProblem(const std::string& name) {
   static const std::map<std::string, TypeProblem> kProblems = [] {
     std::map<std::string, TypeProblem> table;

@@ -124,7 +124,7 @@ std::vector<std::string> TranslationUnit::dependencies() const {
   std::set<std::string> paths;
   for (const std::string& file : dependencies_->getDependencies()) {
     if (file == name_ || llvm::StringRef(file).ends_with(kGeneratedSuffix)) continue;
-    // Not by dropping "..": clang reaches its headers through symbolic links.
+    // Do not merely drop "..": clang reaches its headers through symbolic links.
     llvm::SmallString<256> path;
     if (llvm::sys::fs::real_path(file, path)) continue;
     paths.insert(path.str().str());

@@ -23,7 +23,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   Visitor(Mapping& mapping, TypeNames& names, HeaderTable& headers, AnnotationUses& uses)
       : mapping_(mapping), names_(names), headers_(headers), uses_(uses) {}
 
-  // A third of the time would go into two libraries that hold nothing annotated.
+  // Skip two libraries that hold nothing annotated: they would take a third of the time.
   bool TraverseNamespaceDecl(clang::NamespaceDecl* space) {
     const bool library = space->getDeclContext()->isTranslationUnit() &&
                          (space->getName() == "std" || space->getName() == "Eigen");
@@ -54,7 +54,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
  private:
-  /// What stands there twice and may not. Of an event, each SUTURE_FIELD speaks of another value.
+  /// Finds a kind that may not stand there twice. An event has a SUTURE_FIELD for each value.
   static std::optional<Kind> repeated(const std::vector<Kind>& kinds) {
     const auto count = [&](Kind kind) { return std::count(kinds.begin(), kinds.end(), kind); };
     for (const Kind kind : kinds) {
@@ -229,7 +229,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   std::vector<std::function<void()>> later_;
 };
 
-/// What stands where no declaration of the tree bears it, as within a function.
+/// Reports macros that no declaration of the tree bears, such as those within a function.
 void reportUnseen(const AnnotationUses& uses, Mapping& mapping) {
   for (const auto& [place, macro] : uses.unclaimed()) {
     mapping.errorAt(place, "unseen-annotation",

@@ -11,7 +11,7 @@ namespace {
 using model::Type;
 using Shape = Type::Shape;
 
-/// What wire names are made of: all that a name needs to know of its surroundings.
+/// All that a wire name needs to know of its surroundings.
 struct Place {
   const model::Lookup& lookup;
   const model::Header& inside;
@@ -27,7 +27,7 @@ std::string joined(const Type& type, const char* separator, const Place& place) 
   return text;
 }
 
-/// With the namespace in front where it is another's than the header's.
+/// Puts the namespace in front where it is not the header's.
 std::string declared(const Type& type, const Place& place) {
   const model::Struct* const record = place.lookup.findStruct(type.name);
   const model::Enum* const enumeration = place.lookup.findEnum(type.name);
@@ -100,7 +100,7 @@ std::string decapitalised(std::string name) {
   return name;
 }
 
-/// By type, so that their order does not matter; the second of one type gets its index.
+/// Names them by type, so that their order does not matter; the second of a type gets its index.
 std::vector<std::string> alternativeNames(const Type& type, const Place& place) {
   std::vector<std::string> names;
   std::map<std::string, unsigned> seen;

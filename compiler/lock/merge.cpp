@@ -85,7 +85,7 @@ class Merger {
     });
   }
 
-  /// It stands for no declaration.
+  /// True if the node stands for no declaration.
   static bool isComposite(const Node& node) {
     return node.kind == Node::Kind::Struct && identity(node) == node.name;
   }
@@ -283,7 +283,7 @@ class Merger {
     }
     const std::size_t breaks = merge_.breaks.size();
     compare(wanted, locked, member, locked);
-    // Frozen while it means the same: capnp stores values relative to it.
+    // Freeze the default while it means the same: capnp stores values relative to it.
     if (merge_.breaks.size() == breaks) member.defaultValue = locked.defaultValue;
     if (member.isMethod) mergeSignature(wanted, locked, member);
     return member;

@@ -9,7 +9,7 @@
 
 namespace suture::compiler::lock {
 
-/// "arm/arm.capnp:Pose" of the node and of all that its members lead to, through all locks.
+/// Returns "arm/arm.capnp:Pose" of the node and of all that its members lead to, in all locks.
 std::set<std::string> reach(const std::map<std::string, Lock>& locks, const std::string& path,
                             const std::string& node);
 

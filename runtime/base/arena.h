@@ -9,16 +9,16 @@
 
 namespace suture {
 
-/// Hands out zero-filled memory, each piece on cache lines of its own. Who makes the same
-/// structures in the same order gets the same pieces: so two processes agree on a block. Set-up
-/// code of one thread.
+/// Set-up code of one thread: hands out zero-filled memory, each piece on cache lines of its own.
+/// Two processes that make the same structures in the same order get the same pieces of a block,
+/// and so agree on it.
 class Arena {
  public:
   /// Each piece is memory of its own, touched by now.
   Arena() = default;
 
-  /// Only used() counts: how large a block would have to be. Nothing is made in the pieces, and no
-  /// page of them is touched.
+  /// Measures how large a block would have to be: only used() counts. It makes nothing in the
+  /// pieces and touches no page of them.
   static Arena measuring();
 
   /// What lies in a block at first.

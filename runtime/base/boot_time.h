@@ -7,9 +7,9 @@
 
 namespace suture {
 
-/// Counts what the steady clock leaves out: the time for which the machine was suspended. For
-/// what must be over after any pause of a process; stamps are of the steady clock. Any thread; no
-/// allocation.
+/// Any thread; no allocation. Unlike the steady clock, this one goes on while the machine is
+/// suspended. It bounds what must be over after any pause of a process; stamps are of the steady
+/// clock.
 struct BootClock {
   using duration = Duration;
   using rep = duration::rep;

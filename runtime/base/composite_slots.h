@@ -17,7 +17,7 @@ namespace suture {
 inline bool store(std::monostate, SlotNothing&) { return true; }
 inline void load(SlotNothing, std::monostate&) {}
 
-/// From now on it has a value: which one, is up to the caller.
+/// Makes the slot hold a value, and returns it for the caller to fill.
 template <class S>
 S& engage(OpenOptional<S>& slot) {
   slot.present = 1;

@@ -45,8 +45,8 @@ const char* toString(Errc error);
 template <class T = void>
 using Result = tl::expected<T, Errc>;
 
-/// What a command without a value answers. `Nothing` is void. Said so by a template, Result<void>
-/// is compiled for those who use it, not for all who include it.
+/// What a command without a value answers. `Nothing` is void: as this is a template, Result<void>
+/// is compiled only for those who use it, not for all who include this.
 template <class Nothing>
 Result<Nothing> resultOf(Errc error) {
   static_assert(std::is_void_v<Nothing>);

@@ -37,7 +37,7 @@ void FieldPath::enterKey(std::int64_t key) {
   put({"[", Digits(key).text(), "]", jointBefore(text())});
 }
 
-// A peer may have chosen it to steer the terminal on which it is shown.
+// Masks what is not plain text: a peer may have chosen the key to steer somebody's terminal.
 void FieldPath::enterKey(std::string_view key) {
   constexpr std::size_t kLongest = 32;
   std::array<char, kLongest> shown;

@@ -9,9 +9,9 @@
 
 namespace suture {
 
-/// Says as C++ does where in a value something lies: "goal.position[2]". A check that refuses a
-/// value writes it from the inside out, each level what it alone knows. It has a fixed size, and
-/// nothing allocates; of one that is too long the outer part is "...".
+/// Says, as C++ does, where in a value something lies: "goal.position[2]". A check that refuses a
+/// value writes it from the inside out: each level adds what it alone knows. It has a fixed size,
+/// and nothing allocates; if it gets too long, its outer part is "...".
 class FieldPath {
  public:
   FieldPath() {}  // leaves text_ as it is: most are never written
@@ -40,8 +40,8 @@ class FieldPath {
   bool cut_ = false;
 };
 
-/// What a check returns that refuses a value: false. If it has been asked where, `path` is not
-/// null.
+/// Returns the false of a check that refuses a value. If `path` is not null, somebody asks where:
+/// adds `member` to it.
 bool refusedAt(FieldPath* path, const char* member);
 
 }  // namespace suture

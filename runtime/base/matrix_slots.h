@@ -58,7 +58,7 @@ bool withinBounds(std::uint32_t rows, std::uint32_t columns) {
   return (R == kUnbounded || rows <= R) && (C == kUnbounded || columns <= C);
 }
 
-/// Makes room for so many coefficients, whose values are whatever they are; false if it cannot be.
+/// Makes room for so many coefficients, with unspecified values; false if they are too many.
 template <class S, std::uint32_t R, std::uint32_t C>
 bool resize(BoundedMatrix<S, R, C>& slot, std::uint32_t rows, std::uint32_t columns) {
   if (!withinBounds<R, C>(rows, columns)) return false;
@@ -70,7 +70,7 @@ bool resize(BoundedMatrix<S, R, C>& slot, std::uint32_t rows, std::uint32_t colu
   return true;
 }
 
-/// Rows and columns, however wrong the bytes of a slot may be.
+/// Rows and columns, at most as many as have room: the bytes of a slot may be wrong.
 template <class S, std::uint32_t R, std::uint32_t C>
 std::pair<std::uint32_t, std::uint32_t> extentOf(const BoundedMatrix<S, R, C>& slot) {
   if constexpr (R == kUnbounded || C == kUnbounded) {

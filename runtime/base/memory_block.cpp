@@ -54,7 +54,7 @@ std::shared_ptr<MemoryBlock> MemoryBlock::open(int descriptor, std::size_t size,
   return block;
 }
 
-// What has been made by now is undone by the destructor.
+// If this throws, the destructor undoes what has been made by now.
 void MemoryBlock::map(const char* name, int protection) {
   void* const address = mmap(nullptr, size_, protection, MAP_SHARED | MAP_POPULATE, descriptor_, 0);
   if (address == MAP_FAILED) fail(name, "mmap", size_);

@@ -11,7 +11,7 @@ namespace suture {
 /// that maps it can never be made to fault by a truncation). Not copyable; the address is stable.
 class MemoryBlock {
  public:
-  /// What whoever is handed the descriptor may do.
+  /// What a process may do that is handed the descriptor.
   enum class Others : std::uint8_t { Write, Read };
 
   /// `name` shows in /proc/<pid>/maps. Throws SetupError if the kernel refuses.
@@ -20,9 +20,9 @@ class MemoryBlock {
   MemoryBlock(const MemoryBlock&) = delete;
   MemoryBlock& operator=(const MemoryBlock&) = delete;
 
-  /// Another process's block, of which `descriptor` (kept by the caller) is a handle; `others`:
-  /// what that has granted. Throws SetupError: no memfd, not sealed against shrinking, of fewer
-  /// than `size` bytes.
+  /// Maps another process's block, of which `descriptor` (kept by the caller) is a handle; `others`
+  /// is what that process has granted. Throws SetupError if it is no memfd, not sealed against
+  /// shrinking, or of fewer than `size` bytes.
   static std::shared_ptr<MemoryBlock> open(int descriptor, std::size_t size, Others others);
 
   std::byte* data() const { return data_; }

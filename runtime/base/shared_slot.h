@@ -1,7 +1,7 @@
 #pragma once
 // Where the slot of a record lies. One that is trivially copyable is part of the record. One that
-// owns memory lies on the heap, and the record holds a counted pointer to it, which whoever lets go
-// of the record releases. Only devices have such: no real-time thread touches them.
+// owns memory lies on the heap, and the record holds a counted pointer to it, which is released
+// with the record. Only devices have such slots: no real-time thread touches them.
 
 #include <suture/base/field_path.h>
 #include <suture/base/scratch.h>
@@ -92,14 +92,14 @@ const Slot& slotIn(const std::byte* memory) {
   }
 }
 
-/// What `check` says of the slot in a record.
+/// Judges the slot in a record by `check`.
 template <class Slot, bool (*check)(const Slot&, FieldPath*)>
 bool checkSlot(const std::byte* memory, FieldPath* path) {
   return check(slotIn<Slot>(memory), path);
 }
 
-/// Turns the stamps of the slot in a record, of a type that owns no memory and whatever bytes, by
-/// the slot's shiftStamps() or by `turn`.
+/// Turns the stamps of a slot in a record, by its shiftStamps() or by `turn`. The slot is of a type
+/// that owns no memory, and may have any bytes.
 template <class Slot>
 void shiftSlot(std::byte* memory, Duration shift) {
   shiftStamps(*reinterpret_cast<Slot*>(memory), shift);
@@ -109,7 +109,7 @@ void shiftSlot(std::byte* memory, Duration shift) {
   turn(*reinterpret_cast<Slot*>(memory), shift);
 }
 
-/// A slot outside any record, with what a record of it holds. Belongs to one thread.
+/// One thread's slot outside any record; memory() is what a record of it would hold.
 template <class Slot>
 class LooseSlot {
  public:
@@ -150,7 +150,7 @@ class LooseSlot<Slot> {
   LooseSlot& operator=(const LooseSlot&) = delete;
   ~LooseSlot() { releaseSharedSlot(memory()); }
 
-  /// A new one at the first call, unless memory() has been given one.
+  /// Makes a new slot at the first call, unless memory() has been given one.
   Slot& value() {
     if (slot_ == nullptr) slot_ = new HeapSlot<Slot>;
     return static_cast<HeapSlot<Slot>*>(slot_)->value;

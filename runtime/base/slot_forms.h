@@ -31,7 +31,7 @@ struct BoundedList {
   Element data[N];
 };
 
-/// In the place of a capacity: there is none.
+/// Stands in the place of a capacity where there is none.
 inline constexpr std::uint32_t kUnbounded = 0;
 
 /// A list of any number of elements, of which resize() has made room for `room`.
@@ -56,7 +56,7 @@ struct BoundedMatrix {
   S data[std::size_t{R} * C];
 };
 
-/// One that lacks a bound, or both.
+/// A matrix that lacks one bound, or both.
 template <class S, std::uint32_t R, std::uint32_t C>
 requires(R == kUnbounded || C == kUnbounded) struct BoundedMatrix<S, R, C> {
   std::uint32_t rows = 0, columns = 0;
@@ -82,7 +82,7 @@ struct SlotOptional {
   S value;
 };
 
-/// The same of what cannot lie in itself: a type that holds one of its own kind.
+/// The same for a type that holds one of its own kind, and so cannot lie in itself.
 template <class S>
 struct OpenOptional {
   std::uint8_t present = 0;
@@ -178,7 +178,7 @@ void load(std::int64_t slot, std::chrono::time_point<Clock, D>& value) {
 /// What one level without a capacity may take up: more than any message may.
 inline constexpr std::size_t kLargestOpenLevel = std::size_t{64} << 20;
 
-/// Makes room for `size` elements, whose values are whatever they are; false if it cannot be.
+/// Makes room for `size` elements, with unspecified values; false if they are too many.
 template <class Element, std::uint32_t N>
 bool resize(BoundedList<Element, N>& slot, std::size_t size) {
   if constexpr (N == kUnbounded) {
@@ -194,7 +194,7 @@ bool resize(BoundedList<Element, N>& slot, std::size_t size) {
   return true;
 }
 
-/// How many elements there are, however wrong the bytes of a slot may be.
+/// How many elements there are, at most as many as have room: the bytes of a slot may be wrong.
 template <class Element, std::uint32_t N>
 std::uint32_t sizeOf(const BoundedList<Element, N>& slot) {
   if constexpr (N == kUnbounded) {
@@ -204,7 +204,7 @@ std::uint32_t sizeOf(const BoundedList<Element, N>& slot) {
   }
 }
 
-/// Where they begin.
+/// Where the elements begin.
 template <class Element, std::uint32_t N>
 Element* elements(BoundedList<Element, N>& slot) {
   if constexpr (N == kUnbounded) {
@@ -236,8 +236,8 @@ void load(const BoundedText<N>& slot, std::string& value) {
 }
 
 /// Gives `values` the memory that the largest content of their slot needs, so that no load() into
-/// them allocates. Of what holds others, as a vector of strings, that is its own memory only. For
-/// the forms that need any, there are overloads here, in slots.h and in generated code.
+/// them allocates. A value that holds others, such as a vector of strings, gets only its own
+/// memory. The forms that need any have overloads here, in slots.h and in generated code.
 template <class Slot, class... Values>
 void reserve(const Slot*, Values&...) {}
 template <std::uint32_t N>
@@ -249,7 +249,7 @@ void reserveFor(Values&... values) {
   reserve(static_cast<const Slot*>(nullptr), values...);
 }
 
-/// What has a suture::Wire travels as that says.
+/// A type that has a suture::Wire travels as that says.
 template <class T>
 concept Hooked = requires {
   typename Wire<T>::Type;
@@ -266,8 +266,8 @@ void load(const S& slot, T& value) {
   value = Wire<T>::from(form);
 }
 
-/// How a T is written into and read from a std::array; slots.h knows it of arrays and of Eigen's
-/// fixed types.
+/// How a T is written into and read from a std::array; slots.h defines this for arrays and for
+/// Eigen's fixed types.
 template <class T>
 struct ArraySlot;
 

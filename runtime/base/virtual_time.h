@@ -28,10 +28,10 @@ class VirtualTime {
   /// The descriptors at which a thread sleeps.
   class Sockets {
    public:
-    /// In the sleeper's thread, without waiting: whether any of them has something for it.
+    /// The sleeper's thread, without waiting: true if any of them has something for it.
     virtual bool look() = 0;
-    /// In any thread while the sleeper sleeps: false if look() would find nothing. To ask costs
-    /// less than to wake the sleeper.
+    /// Any thread, while the sleeper sleeps: false if look() would find nothing. To ask costs less
+    /// than to wake the sleeper.
     virtual bool mayFind() = 0;
 
    protected:
@@ -52,10 +52,10 @@ class VirtualTime {
   /// The calling thread works for so long; others run meanwhile.
   virtual void spend(Duration duration) = 0;
 
-  /// In the thread that is about to start another one: `name` shows in traces and errors. Returns
-  /// what the new thread begins with.
+  /// The thread that is about to start another one: `name` shows in traces and errors. Returns what
+  /// the new thread passes to begin().
   virtual std::size_t announce(const std::string& name) = 0;
-  /// In the new thread, first and last.
+  /// The new thread calls begin() first, and end() last.
   virtual void begin(std::size_t thread) = 0;
   virtual void end() = 0;
   /// The thread that was announced could not be started.
@@ -63,7 +63,7 @@ class VirtualTime {
 
   /// Notes what the calling thread does to `what`. `number`: which one, or which status.
   virtual void note(Kind kind, const char* interface, const char* what, std::uint64_t number) = 0;
-  /// Work waited for the calling thread, of `name`, when it woke at the deadline that is there in
+  /// The calling thread, called `name`, found work when it woke at a deadline that is there only in
   /// case a ring is lost.
   virtual void missedRing(const std::string& name) = 0;
 

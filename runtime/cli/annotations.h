@@ -14,9 +14,9 @@ std::string nameOf(capnp::EnumSchema::Enumerant value);
 std::string unitOf(capnp::StructSchema::Field field);
 /// "Float64" where bytes are such numbers, else "".
 std::string bulkOf(capnp::StructSchema::Field field);
-/// What travels with every command, beside its arguments.
+/// True for what travels with every command, beside its arguments.
 bool isSent(capnp::StructSchema::Field field);
-/// Keeps the place of what is no longer declared.
+/// True for a field that only keeps the place of what is no longer declared.
 bool isRemoved(capnp::StructSchema::Field field);
 
 }  // namespace suture::cli

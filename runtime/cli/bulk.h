@@ -9,7 +9,7 @@
 
 namespace suture::cli {
 
-/// As a list of numbers of the kind `bulk` ("Float64"), or of bytes if it is none that we know.
+/// Returns a list of numbers of the kind `bulk` ("Float64"), or of bytes if we know no such kind.
 Json numbersIn(std::span<const std::uint8_t> bytes, const std::string& bulk);
 /// The reverse; what is no number of the kind throws nlohmann's exceptions.
 std::vector<std::uint8_t> bytesOf(const Json& numbers, const std::string& bulk);

@@ -19,8 +19,8 @@ const Member* findIn(const std::vector<Member>& members, const std::string& name
   return found == members.end() ? nullptr : &*found;
 }
 
-/// Throws kj::Exception if any part of it cannot be read. Release 0.9.2, loading a node with such a
-/// part, wants to name it in its complaint, reads it again, and never ends.
+/// Throws kj::Exception if any part of it cannot be read. Cap'n Proto 0.9.2, loading a node with
+/// such a part, reads it again in order to name it in its complaint, and never ends.
 void readOnce(wire::Explanation::Reader explanation) { toJson(explanation, Labels::Names); }
 
 }  // namespace
@@ -73,8 +73,8 @@ std::vector<Member> Contract::membersOf(const char* list, capnp::InterfaceSchema
 
 const Member* Contract::findEvent(const std::string& name) const { return findIn(events_, name); }
 
-// It is the place in the list, unless it says otherwise; a peer may say anything, and have any
-// number of them.
+// The bit is the place in the list, unless the event says another; a peer may say any number, and
+// have any number of events.
 std::uint64_t Contract::bitOf(const Member& event) const {
   constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::digits;
   const auto said = event.description.find("number");

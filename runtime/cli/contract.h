@@ -40,7 +40,7 @@ class Contract {
 
   const std::vector<Member>& commands() const { return commands_; }
   const std::vector<Member>& events() const { return events_; }
-  /// What a subscription to it asks for.
+  /// The bit by which a subscription asks for it; 0 if it has none.
   std::uint64_t bitOf(const Member& event) const;
   /// Null if there is none.
   const Member* findEvent(const std::string& name) const;

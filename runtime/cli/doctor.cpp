@@ -16,7 +16,7 @@ std::string count(std::size_t number, const char* what) {
   return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
 
-/// Why what travels to this address is not encrypted.
+/// Says why what travels to this address need not be encrypted.
 std::string tlsOf(const rpc::Address& address) {
   return address.kind == rpc::Address::Kind::Unix
              ? "not needed: a Unix socket does not leave this machine"
@@ -27,7 +27,7 @@ std::string whereabouts(const ProcessRecord& process) {
   return "pid " + std::to_string(process.pid) + " on " + process.host;
 }
 
-/// What an interface needs to be used: its schema, and to be opened if it is a provided one.
+/// Does what the use of an interface takes: reads its schema and, if it is provided, opens it.
 std::string useInterface(Peer& peer, const Target& target) {
   const Found found = findInterface(peer, target);
   if (found.side == wire::Peer::Side::PROVIDED) peer.open(target, *found.contract);

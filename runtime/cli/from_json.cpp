@@ -165,7 +165,7 @@ void requireKnown(const Json& json, const std::vector<std::string>& names,
   }
 }
 
-/// Which of a union is given.
+/// Finds which alternative of a union is given.
 capnp::StructSchema::Field alternativeIn(const Json& json,
                                          const std::vector<capnp::StructSchema::Field>& all,
                                          const std::string& path) {

@@ -9,7 +9,7 @@ namespace suture::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// The text of `key`, or "". What a peer wrote may be anything.
+/// The text of `key`, or "": a peer may have written anything.
 inline std::string textAt(const Json& json, const char* key) {
   const auto found = json.is_object() ? json.find(key) : json.end();
   return found != json.end() && found->is_string() ? found->get<std::string>() : "";

@@ -11,7 +11,7 @@
 
 namespace suture::cli {
 
-/// Does something listen there? Throws SetupError: what was found, and what to do.
+/// Throws SetupError unless something listens there: what was found, and what to do.
 void knock(rpc::EventPort& loop, const rpc::Address& address, Duration limit);
 
 /// A link to the process `expected`, with proof that it is that one where the address asks for it.

@@ -16,7 +16,7 @@ std::vector<rpc::Address> addressesOf(const std::string& text) {
   }
 }
 
-/// Says also how a manager comes into being there.
+/// Says also, if that fails, how to start a manager there.
 kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& address,
                                 const Options& options) {
   try {
@@ -48,7 +48,7 @@ std::string noManagerAnswers(const rpc::Address& address) {
 Names::Names(rpc::EventPort& loop, const Options& options)
     : loop_(loop), patience_(options.patience), manager_(openFirst(loop, options)) {}
 
-// Every one that lives knows all processes. If none does, the first is what was meant.
+// Each manager that lives knows all processes. If none lives, throws what was found at the first.
 Names::Manager Names::openFirst(rpc::EventPort& loop, const Options& options) {
   std::exception_ptr why;
   for (const rpc::Address& address : addressesOf(options.manager)) {

@@ -15,7 +15,7 @@
 
 namespace suture::cli {
 
-/// One link. The methods throw SetupError: what was asked, found and to do. In this order.
+/// One link. Call these in their order; each throws SetupError: what was asked, found and to do.
 class Peer {
  public:
   Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options);
@@ -24,11 +24,11 @@ class Peer {
   /// Where it is dialled.
   const rpc::Address& address() const { return address_; }
 
-  /// Something listens there.
+  /// Makes sure that something listens there.
   void knock();
-  /// It is that process, as far as its address can prove it.
+  /// Links to it, and makes sure that it is that process, as far as its address can prove it.
   void dial();
-  /// Both speak the same version of the protocol.
+  /// Makes sure that both speak the same version of the protocol.
   void greet();
 
   std::vector<ComponentRecord> components();

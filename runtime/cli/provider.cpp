@@ -20,7 +20,7 @@ std::string remedyFor(Errc error, const Target& target) {
   }
 }
 
-/// What a method carries: of one value that, else all by name.
+/// Returns the value of a method that carries only one, else all by their names.
 Json unwrapped(const Json& all) {
   if (!all.is_object() || all.empty()) return nullptr;
   return all.size() == 1 ? Json(all.begin().value()) : all;

@@ -20,7 +20,7 @@ struct Answer {
   Duration ageError{0};         ///< how wrong that may be: zero if both have one clock
 };
 
-/// Finds, links and opens. All of it throws SetupError.
+/// Finds its process, links to that and opens it. All members throw SetupError.
 class Provider {
  public:
   using Heard = std::function<void(const Member& event, const Json& value)>;

@@ -16,7 +16,7 @@ std::string scalar(const Json& value) {
   return value.dump();
 }
 
-/// As in JSON, so that an empty text or one with commas can be seen.
+/// Quotes a text as JSON does, so that an empty one, or one with commas, can be seen.
 std::string quoted(const Json& value) {
   return value.is_string() ? '"' + scalar(value) + '"' : scalar(value);
 }

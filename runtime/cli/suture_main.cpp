@@ -57,7 +57,7 @@ suture::Duration durationOf(double seconds) {
   return std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(seconds));
 }
 
-/// What a verb is about.
+/// Adds the options that say what a verb is about.
 void addTargets(CLI::App& app, const std::string& verb, Options& options) {
   const std::string form = "process:component/interface";
   if (verb == "doctor") {
@@ -142,7 +142,7 @@ int run(const Verb& verb, Options options) {
   } catch (const suture::DocumentError& error) {
     return report(error.what(), options.json, kFailed);
   } catch (const kj::Exception& error) {
-    // What a hostile peer says of itself can break anywhere.
+    // A hostile peer can describe itself so that any step breaks.
     return report(std::string("use what the process sent: ") + error.getDescription().cStr() +
                       ". It was built with another Suture, or is not what it seems",
                   options.json, kFailed);

@@ -10,8 +10,8 @@
 
 namespace suture::cli {
 
-/// What `promise` ends in; what it rejects with is thrown as SetupError. After `limit` that says
-/// `late`.
+/// Returns what `promise` resolves to. Throws SetupError with what it rejects with or, after
+/// `limit`, with `late`.
 template <class T>
 T wait(rpc::EventPort& loop, Duration limit, kj::Promise<T> promise, std::string late) {
   try {

@@ -41,7 +41,7 @@ class Lines {
   unsigned shown_ = 0;
 };
 
-/// When to stop: told to, or the time is over. Rejects when the provider is gone.
+/// Resolves when it is told to stop or the time is over. Rejects when the provider is gone.
 kj::Promise<void> ending(rpc::EventPort& loop, Provider& provider, const Options& options) {
   const Duration period = options.period == Duration{0} ? kForever : options.period;
   return loop.onSignal(SIGINT)

@@ -36,7 +36,7 @@ struct Verdict {
   std::vector<std::string> differences;
 };
 
-/// As the provider itself judges: its contract may be the required one, or derive from it.
+/// Judges as the provider itself does: its contract may be the required one, or derive from it.
 Verdict judge(const End& required, const End& provided) {
   const Compared needed(required.found.contract->descriptionText());
   std::vector<std::string> offers{provided.found.contract->descriptionText()};
@@ -51,7 +51,7 @@ Verdict judge(const End& required, const End& provided) {
                   .lacking,
               {}};
     } catch (const SetupError&) {
-      // Perhaps a base of it.
+      // A base of it may still be the required one.
     }
   }
   return {false, {}, contractDifferences(needed.info(), Compared(offers.front()).info())};

@@ -1,6 +1,6 @@
 #pragma once
-// What a required interface keeps of its calls and events. Not for those who include required.h:
-// they would compile it.
+// What a required interface keeps of its calls and events. It is apart from required.h, so that
+// those who include that need not compile it.
 
 #include <suture/component/required.h>
 

@@ -68,7 +68,7 @@ void RequiredBase::closeCall(PendingCall& call) {
 void RequiredBase::collectReplies() {
   if (channel_ == nullptr) return;
   noteTaking();
-  // As many as there may be calls: a foreign provider may write without end.
+  // Take no more than there may be calls: a foreign provider may write without end.
   for (std::size_t i = 0; i < books_->calls.size(); ++i) {
     ReplyRecord* const reply = channel_->nextReply();
     if (reply == nullptr) return;
@@ -77,7 +77,7 @@ void RequiredBase::collectReplies() {
   }
 }
 
-// Before it looks: what comes later is rung for.
+// Lowers the flag before anybody looks, so that what comes later is rung for.
 void RequiredBase::noteTaking() {
   if (!channel_->untaken.isUp(std::memory_order_relaxed)) return;
   channel_->untaken.take(std::memory_order_acq_rel);
@@ -126,7 +126,7 @@ Errc RequiredBase::endOfCalls() const {
   if (channel_ == nullptr) return Errc::OutcomeUnknown;
   switch (channel_->status.load(std::memory_order_acquire)) {
     case ChannelStatus::Connected: return Errc{};
-    // It answers what has been sent: with Errc::Suspended.
+    // A suspended provider answers what has been sent: with Errc::Suspended.
     case ChannelStatus::Suspended: return Errc{};
     case ChannelStatus::Faulted: return Errc::Faulted;
     default: return Errc::OutcomeUnknown;

@@ -53,7 +53,7 @@ class CallBase {
   bool takeBack();
   /// `follower` is called when the answer is here.
   void passOnTo(RequiredBase::Follower follower);
-  /// The provider's answer has been looked at, or is no longer wanted.
+  /// Ends the call: its answer has been looked at, or is no longer wanted.
   void close();
 
   RequiredBase* required_ = nullptr;
@@ -129,7 +129,7 @@ class [[nodiscard]] Call : CallBase {
 
   template <class Handler>
   static void finish(RequiredBase& required, RequiredBase::PendingCall& pending) {
-    // Whoever starts the next call in the handler may get this place.
+    // Copy the handler: if it starts another call, that may get this place.
     const Handler handler = *std::launder(reinterpret_cast<Handler*>(pending.handler));
     Call call(required, pending, kDefaultDeadline, Errc{});
     handler(*call.poll());

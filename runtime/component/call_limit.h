@@ -12,7 +12,7 @@ struct CallLimit {
   std::uint32_t largestResult;  ///< bytes, of a slot
 };
 
-/// Of large results fewer are kept (memory_budget.h). Any thread.
+/// Any thread. Fewer calls are kept where results are large (memory_budget.h).
 CallLimit callLimitOf(const InterfaceInfo& info);
 
 }  // namespace suture

@@ -23,7 +23,7 @@ void CallbackTask::stop() {
   cycling_.clear(std::memory_order_release);
 }
 
-// When it is called next, nobody here knows.
+// Gives no due time, since nobody here knows when it is called next.
 void CallbackTask::restUntilTriggered() {
   if (allRest()) {
     mutablePulse().suspend();
@@ -32,8 +32,8 @@ void CallbackTask::restUntilTriggered() {
   }
 }
 
-// In one order with stop(), which says that it stops before it looks for a cycle under way: either
-// it sees the end of this cycle, or it is rung.
+// stop() says that it stops before it looks for a cycle under way, and all of this is in one order:
+// either it sees the end of this cycle, or it is rung.
 void CallbackTask::endCycle() {
   cycling_.clear(std::memory_order_seq_cst);
   if (!running_.load(std::memory_order_seq_cst)) cycleEnded_.ring();

@@ -6,8 +6,8 @@
 
 namespace suture {
 
-/// Has no thread: somebody else's, say that of a driver or a window system, calls trigger() and
-/// runs the cycle. Commands, events, and requests to suspend or resume wait for the next call.
+/// Has no thread of its own: another one, say that of a driver or a window system, calls trigger()
+/// and runs the cycle. Commands, events, and requests to suspend or resume wait for the next call.
 class CallbackTask : public Task {
  public:
   void start() final;

@@ -28,7 +28,7 @@ std::vector<rt::EventLimits> eventLimits(const InterfaceInfo& info) {
   return limits;
 }
 
-// Those of a task in this process, which are emitted in its thread.
+// A task in this process emits in its own thread only; others may emit in any.
 rt::Producers eventProducers(const Channel::Ends& ends) {
   const bool ofTask = ends.here != nullptr && ends.here->owner().ownsThread();
   return ofTask ? rt::Producers::One : rt::Producers::Any;
@@ -143,7 +143,7 @@ void Channel::replyError(std::uint32_t call, Errc error) {
   reply(call, {}, [error](std::byte*) { return error; });
 }
 
-// In foreign memory no result owns any.
+// Releases the answers that nobody took; in foreign memory, no result owns memory.
 Channel::~Channel() {
   while (!foreign && nextReply() != nullptr) popReply();
 }
@@ -157,7 +157,7 @@ ReplyRecord* Channel::nextReply() {
   }
 }
 
-// Nobody else's memory may be released here, and nothing has been answered later than now.
+// The peer controls this memory: never release a pointer that it chose, and clamp its stamp.
 ReplyRecord* Channel::makePossible(std::byte* memory) {
   memory[offsetof(ReplyRecord, shared)] = std::byte{0};
   auto* const reply = reinterpret_cast<ReplyRecord*>(memory);

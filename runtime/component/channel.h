@@ -59,9 +59,9 @@ struct ResultForm {
   bool shared = false;
 };
 
-/// The client endpoint produces into `commands` and consumes `replies`, `events` and `state`; the
-/// provider endpoint is the other side of each. Each endpoint is one thread. Shared by both;
-/// neither waits for the other.
+/// Each endpoint is one thread, and neither waits for the other. The client endpoint produces into
+/// `commands` and consumes `replies`, `events` and `state`; the provider endpoint is the other side
+/// of each.
 class Channel {
  public:
   /// How many calls with an answer may be unfinished at a time.
@@ -72,7 +72,7 @@ class Channel {
     rt::Doorbell* provider;          ///< rung when commands are there
     ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
     ProvidedBase* here = nullptr;    ///< in this process, for what runs in the caller's thread
-    /// Rung too when the status changes: whoever passes that on to another process.
+    /// Also rung when the status changes, so that its owner can tell another process.
     rt::Doorbell* watcher = nullptr;
   };
 
@@ -94,8 +94,8 @@ class Channel {
   const std::string lane;
   const Ends ends;
   const std::shared_ptr<rt::StateTable> state;
-  /// The other end is another process, and may write anything at any time: what comes from it is a
-  /// copy, and nothing in that is believed.
+  /// The other end is another process, which may write anything at any time: copy what comes from
+  /// it, and believe nothing in the copy.
   const bool foreign;
   /// The commands of `info` that the provider does not have, in their order: optional ones, or
   /// those that the contract got after the provider was built. Set before either end is attached.
@@ -103,19 +103,19 @@ class Channel {
   /// Watches the connection's contract; nullptr: the connection has none. Set before the
   /// client is attached.
   std::shared_ptr<ConnectionWatch> watch;
-  /// Sums of the connection that this is a channel of, over all of them; nullptr: it is the only
-  /// one. Set before either end is attached.
+  /// Sums over all the channels of the connection; nullptr: this is the only one. Set before either
+  /// end is attached.
   std::shared_ptr<Ledger> ledger;
   /// Why it is not a faster lane that had been hoped for; "" if there was none. Set before either
   /// end is attached.
   std::string laneReason;
-  /// What is added to the stamps of the other end so that they are on this process's clock, and how
-  /// wrong that may be, either way: so much can be wrong with an age. Zero where both have one
-  /// clock. Set before either end is attached, and again and again while the connection stands.
+  /// The first is added to the stamps of the other end, to have them on this process's clock; the
+  /// second is how wrong that, and so an age, may be, either way. Zero where both have one clock.
+  /// Set before either end is attached, and again and again while the connection stands.
   std::atomic<Duration> clockShift{Duration{0}}, clockError{Duration{0}};
-  /// What `ends.client` belongs to, so that it can be rung as long as somebody has this; and what
-  /// `ends.provider` does, where the client may outlive it. Set before the end that rings it is
-  /// attached.
+  /// The first keeps what `ends.client` belongs to, so that it can be rung as long as somebody has
+  /// this; the second does the same for `ends.provider`, where the client may outlive it. Set
+  /// before the end that rings it is attached.
   std::shared_ptr<rt::Doorbell> clientsBell, providersBell;
   /// The columns that a client in another process asks of the provider's table. Set
   /// before either end is attached.
@@ -151,18 +151,18 @@ class Channel {
   DeliveryCounters delivery;  ///< client's end, both ways; all 0 on a lane that loses nothing
   LastInvalid lastInvalid;    ///< of what this process judged, at either end
 
-  /// Any thread: false, and noted, for arguments, a result or a payload that the contract does not
-  /// admit.
+  /// Any thread: false for arguments, a result or a payload that the contract does not admit; then
+  /// notes which part of it that is.
   bool admits(const CommandInfo& command, const std::byte* arguments);
   bool admitsResult(const CommandInfo& command, const std::byte* result);
   bool admits(const EventInfo& event, const std::byte* payload);
 
-  /// Foreign memory has no lane that counts: this endpoint has put so many bytes in, or taken
-  /// them out, with what the queues add.
+  /// Counts what this endpoint has put into foreign memory, or taken out of it, with what the
+  /// queues add: no lane is there that counts.
   void countSent(std::size_t bytes) { count(bytesSent, bytes); }
   void countReceived(std::size_t bytes) { count(bytesReceived, bytes); }
 
-  /// Whoever keeps the connection.
+  /// The control thread, for a connection to another process.
   void setClock(Duration shift, Duration error) {
     clockShift.store(shift, std::memory_order_relaxed);
     clockError.store(error, std::memory_order_relaxed);
@@ -176,17 +176,17 @@ class Channel {
     readAge.record(now() - stamp);
   }
 
-  /// Client endpoint: from now on it wants `wanted`, of `newlyWanted` the last value first if they
-  /// are latched. Whoever calls this rings the provider. Commands that are sent later meet it done.
+  /// Client endpoint: wants `wanted` from now on, first the last values of the latched ones among
+  /// `newlyWanted`. The caller rings the provider. Commands that are sent later meet it done.
   void subscribe(EventSet wanted, EventSet newlyWanted);
   EventSet subscribed() const { return words_->subscribed.load(std::memory_order_acquire); }
-  /// Provider endpoint, before subscribed(): whose last value the client is to be given now.
+  /// Provider endpoint, before subscribed(): the events whose last value the client is to get now.
   EventSet takeJoining();
   /// True if takeJoining() has something to give.
   bool joining() const { return words_->joining.load(std::memory_order_relaxed) != 0; }
 
-  /// Any thread: how it stands with the provider, unless the connection is past that; the client
-  /// is rung if that is news.
+  /// Any thread: sets how it stands with the provider, unless the connection is past that, and
+  /// rings the client if that is news.
   void tell(ChannelStatus news);
   /// Client endpoint, any thread: lets commands through again that await their operator, if the
   /// provider is there.
@@ -203,8 +203,8 @@ class Channel {
   /// `looksAtClock`: also if its lease has ended, which ends it.
   Errc begin(bool looksAtClock);
 
-  /// Either endpoint, as its claim on a call: the client's to cancel it, the provider's to execute
-  /// it. True for the one that claims it first.
+  /// Either endpoint claims a call: the client in order to cancel it, the provider to execute it.
+  /// True for the one that claims it first.
   bool claimCall(std::uint32_t call) {
     return words_->claims[call % kMaxCalls].exchange(call, std::memory_order_acq_rel) != call;
   }
@@ -216,12 +216,12 @@ class Channel {
   template <class Produce>
   void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now());
 
-  /// A reply or an event has been put in since the client end last looked. Who takes it
+  /// Up if a reply or an event has been put in since the client end last looked. Whoever lowers it
   /// looks into both before it sleeps.
   rt::SharedFlag& untaken;
 
-  /// Client endpoint: the oldest answer, or nullptr; and lets go of it, unless its result has been
-  /// moved elsewhere and is null now.
+  /// Client endpoint: nextReply() is the oldest answer, or nullptr. popReply() lets go of it, and
+  /// of its result unless that has been moved elsewhere and is null now.
   ReplyRecord* nextReply();
   void popReply();
 
@@ -237,7 +237,7 @@ class Channel {
 
 template <class Produce>
 void Channel::reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp) {
-  // Never full: it holds an answer to every call that may be unfinished.
+  // There is room for an answer to every call, unless a foreign client says otherwise.
   std::byte* memory = replies.claim(sizeof(ReplyRecord) + form.size);
   if (memory == nullptr) return;
   auto* record = new (memory) ReplyRecord{stamp, call, Errc{}, form.shared};
@@ -252,13 +252,13 @@ void Channel::reply(std::uint32_t call, ResultForm form, const Produce& produce,
   countSent(rt::SpscRing::recordSize(sizeof(ReplyRecord) + form.size));
 }
 
-/// Nothing comes through any more.
+/// True if nothing comes through any more.
 bool isOver(ChannelStatus status);
 
 /// The error that a call through a channel of this status meets; 0 if it is connected.
 Errc errorOf(ChannelStatus status);
 
-/// What a connection to a component in this state is; Connected also before its first cycle.
+/// The status of a connection to a component in this state; Connected also before its first cycle.
 ChannelStatus statusIn(ComponentState state);
 
 /// Column sizes of a contract's state table: one column a read.

@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-// In one order with ProvidedBase::tellOf(), which does the two the other way round.
+// Is in one order with ProvidedBase::tellOf(), which sets `known` before it reads the status.
 bool mayGo(const ChannelList::Node& node) {
   return node.channel->status.load(std::memory_order_seq_cst) == ChannelStatus::Closed &&
          !node.known.load(std::memory_order_seq_cst);
@@ -39,12 +39,12 @@ void ChannelList::add(std::shared_ptr<Channel> channel) {
 void ChannelList::sweep() {
   if (sweeping_.test_and_set(std::memory_order_acquire)) return;
   unlinkClosed();
-  // Whoever starts to walk after this has found nobody walking sees the list without these nodes.
+  // If nobody walks now, whoever begins later does not find these nodes: they may go.
   if (walking_.fetch_add(0, std::memory_order_acq_rel) == 0) letGo();
   sweeping_.clear(std::memory_order_release);
 }
 
-// Nodes behind the head are the sweeper's alone; the head may be joined by a new one at any time.
+// Only a sweeper changes what is behind the head; a new node may join at the head at any time.
 bool ChannelList::unlinkClosed() {
   Node* head = head_.load(std::memory_order_acquire);
   if (head == nullptr) return false;

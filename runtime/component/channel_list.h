@@ -25,8 +25,8 @@ class ChannelList {
   struct Node {
     std::shared_ptr<Channel> channel;
     const ConnectedClient client;
-    /// The component has been told of the client, and not yet that it is gone: until then nobody
-    /// takes the node out. Written by the thread that serves the channel.
+    /// Written by the thread that serves the channel: the component has been told of the client,
+    /// and not yet that it is gone. Until then nobody takes the node out.
     std::atomic<bool> known{false};
     std::atomic<Node*> next{nullptr};
     /// The events that the owner of the list sends there: none before its first cycle with it.
@@ -45,7 +45,7 @@ class ChannelList {
   template <class Visit>
   void forEach(const Visit& visit) const {
     const Walk walk(*this);
-    // In one order with add(): see Component::setState().
+    // This is in one order with add(): see Component::setState().
     for (Node* node = head_.load(std::memory_order_seq_cst); node != nullptr;
          node = node->next.load(std::memory_order_acquire)) {
       visit(*node);

@@ -10,8 +10,8 @@
 namespace suture {
 namespace {
 
-// What arrives at a client is counted by its own thread alone, so a read need not pay for an
-// addition that others could join.
+// The client's thread alone counts what arrives there, so a read need not pay for an addition that
+// others could join.
 void countRead(Channel& channel, unsigned column) {
   if (!channel.foreign) return;
   const std::uint64_t before = channel.bytesReceived.load(std::memory_order_relaxed);

@@ -10,15 +10,15 @@
 namespace suture {
 namespace {
 
-// The same in the program and in each library that it loads: they may have copies of this file, so
-// nothing of this file's own can name a thread.
+// Names a thread alike in the program and in each library that it loads: these may have copies of
+// this file, so nothing of its own can name one.
 const void* thisThread() {
   return reinterpret_cast<const void*>(pthread_self());  // NOLINT(performance-no-int-to-ptr)
 }
 
 }  // namespace
 
-// What nobody else compiles; and what may be rung when the component is gone.
+// What no other file needs to compile, and what may be rung when the component is gone.
 struct Component::Aside {
   rt::Doorbell doorbell{std::make_shared<MemoryBlock>("suture-doorbell", sizeof(std::uint64_t)),
                         rt::Doorbell::Sleeper::Here};
@@ -31,7 +31,7 @@ struct Component::Aside {
 Component::Component(bool ownsThread)
     : ownsThread_(ownsThread), aside_(std::make_shared<Aside>()), doorbell_(aside_->doorbell) {}
 
-// Whoever may still ring keeps the rest; the listener refers to this.
+// Drops the listener, which refers to this; whoever may still ring keeps the rest.
 Component::~Component() { aside_->listener = nullptr; }
 
 std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
@@ -130,7 +130,7 @@ void Component::endLife() {
   for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Lost);
 }
 
-// In one order with attach(), which looks at the state after adding its channel: one of the two
+// attach() adds its channel before it looks at the state, in one order with this: one of the two
 // tells the client.
 void Component::setState(ComponentState state) {
   state_.store(state, std::memory_order_seq_cst);
@@ -147,8 +147,8 @@ void Component::tellListener(ComponentState state) {
   if (hasStateListener()) aside_->listener->stateChanged(state);
 }
 
-// What the hook read may have parked it, by the contract of a connection, and the call of a client
-// of a device.
+// Changes nothing if the component was parked meanwhile: by what the hook read, under the contract
+// of a connection, or by a client's call of a device.
 bool Component::changeState(ComponentState from, ComponentState to) {
   if (parked_.test()) return false;
   if (!state_.compare_exchange_strong(from, to, std::memory_order_seq_cst)) return false;
@@ -163,7 +163,7 @@ void Component::park(std::string reason, FaultCause cause) {
     aside_->fault = std::move(reason);
     aside_->cause = cause;
   }
-  // The state first: a new count beside a running component would look like a restart.
+  // Set the state first: a new count beside a running component would look like a restart.
   setState(ComponentState::Faulted);
   faults_.fetch_add(1, std::memory_order_release);
   for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Faulted);

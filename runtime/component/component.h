@@ -94,10 +94,10 @@ class Component {
   /// True if the calling thread may use this component's required interfaces: the task's thread;
   /// for a device, the first thread that used one.
   bool ownedByThisThread();
-  /// Any thread: true if handlers of its events run now, and do not wait until it is resumed. In
-  /// one order with awaiting calls that are under way, as endLife() does.
+  /// Any thread: true if handlers of its events run now, instead of waiting until it is resumed. It
+  /// is in one order with awaiting calls that are under way, as endLife() does.
   bool mayRunHandlers() const;
-  /// True if they belong to another thread; nobody's are free for all, as in the constructor.
+  /// True if another thread owns them. While none does, any may use them, as in the constructor.
   bool ownedByAnotherThread() const;
   /// Any thread: true once a task is asked to stop. It begins nothing any more that waits.
   bool ending() const {
@@ -123,11 +123,11 @@ class Component {
   virtual void onStop() {}
   /// Before the cycles of a task go on after a fault: the place to make its members sound again.
   virtual void onRestart() {}
-  /// A client of `interface` has connected, before any of its commands is executed; or its
-  /// connection has ended, and nothing of it is executed any more. Told once each, while the
-  /// component runs: of a connection that ends while it is suspended or faulted, when it goes on;
-  /// of one that came and went unseen, never. In a task's thread, before the commands of a cycle.
-  /// In the executor's, for a device, which is not told of clients that call it directly.
+  /// A task's thread, before the commands of a cycle; for a device the executor's, and only of
+  /// clients that do not call it directly. A client of `interface` has connected, before any of its
+  /// commands is executed; or its connection has ended, and nothing of it is executed any more.
+  /// Each is told once while the component runs: an end in a suspension or a fault when it goes on,
+  /// and a client that came and went unseen never.
   virtual void onClient(const ProvidedBase& /*interface*/, const ConnectedClient& /*client*/,
                         ClientNews /*news*/) {}
   /// A task's thread: the client whose command is being executed; null outside of such handlers.

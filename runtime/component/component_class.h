@@ -19,11 +19,11 @@ struct ComponentClass {
   std::unique_ptr<Component> (*create)(const JsonReader& parameters);
 };
 
-/// Those required interfaces of `component` need no provider: for generated code.
+/// For generated code: these required interfaces of `component` need no provider.
 void makeOptional(Component& component, std::initializer_list<std::string_view> required);
 
-/// Values that the required interface `required` of `component` reads are stale when they are older
-/// than that, unless a connection says otherwise: for generated code.
+/// For generated code: values that the required interface `required` of `component` reads are stale
+/// when they are older than that, unless a connection says otherwise.
 void limitAge(Component& component, std::string_view required, Duration maxAge);
 
 /// The class `T`. Each component's generated header "X.suture.h" declares its own.

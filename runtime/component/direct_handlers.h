@@ -25,8 +25,8 @@ class DirectHandlers {
   DirectHandlers(const DirectHandlers&) = delete;
   DirectHandlers& operator=(const DirectHandlers&) = delete;
 
-  /// Subscriber: from now on `handler`, of `owner`, or none if it is null. A call of the one before
-  /// may be under way.
+  /// Subscriber: `handler`, of `owner`, is called from now on, or none if it is null. A call of the
+  /// one before may be under way.
   void set(std::uint16_t event, Component& owner, std::shared_ptr<const Handler> handler);
   void clear();
   /// Subscriber: returns when no call is under way. Not in a task's cycle.

@@ -75,7 +75,7 @@ void RequiredBase::passSubscriptionsOn(EventSet joining) {
   if (channel_ == nullptr) return;
   if (joining == 0 && channel_->subscribed() == subscribed()) return;
   channel_->subscribe(subscribed(), joining);
-  // Past its end, what is at the far end may be gone.
+  // Once the connection is over, what is at the far end may be gone: do not ring it.
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
   if (isOver(status)) return;
   const Channel::Ends& ends = channel_->ends;
@@ -88,13 +88,13 @@ std::size_t RequiredBase::handleQueuedEvents() {
   if (channel == nullptr) return 0;
   noteTaking();
   std::size_t handled = 0;
-  // Asked to stop, a task ends after this handler; a collector takes the rest in onStop().
+  // A task that is asked to stop ends after this handler; a collector takes the rest in onStop().
   const bool atItsEnd = owner_.ending();
   // A provider that emits faster than they are handled must not keep the task from its cycle.
   while (handled < channel->events.capacity() && (atItsEnd || !owner_.ending())) {
     const rt::EventRecord* const record = channel->events.next();
     if (record == nullptr) break;
-    // Released even if the handler throws: it must not meet the same event again.
+    // Release the event even if the handler throws: it must not meet the same event again.
     struct Release {
       rt::EventQueue& events;
       bool& handling;
@@ -113,7 +113,7 @@ std::size_t RequiredBase::handleQueuedEvents() {
 void RequiredBase::deliver(const rt::EventRecord& record) {
   const EventInfo& info = info_.events[record.event];
   channel_->countReceived(sizeof(record) + info.payloadSize);
-  // On other lanes it was looked at when it arrived.
+  // Judge the copy of a foreign event: on other lanes it was judged before it came here.
   if (channel_->foreign && !channel_->admits(info, record.payload())) {
     return channel_->events.countDropped();
   }

@@ -17,8 +17,8 @@
 
 namespace suture {
 
-/// Emits one event. Belongs to the provider's thread, any other gets Errc::WrongThread and nobody
-/// the event; of a device, to any.
+/// Emits one event, in the provider's thread: any other gets Errc::WrongThread, and nobody the
+/// event. A device may emit in any thread.
 ///   arm_.emit().operating_state(value);
 /// `Slot` is the payload's; void: the event carries nothing.
 template <class Slot, class... Payload>

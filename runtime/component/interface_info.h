@@ -25,8 +25,8 @@ inline constexpr Duration kDefaultDeadline = std::chrono::seconds(1);
 using StampShift = void (*)(std::byte* slot, Duration shift);
 
 /// False for a value that the contract does not admit: NaN, out of range(), an enumerator that it
-/// does not declare. Of a slot with any bytes. `path`, unless it is null, is told which part of the
-/// value that is, the first of several.
+/// does not declare. The slot may have any bytes. `path`, unless it is null, is told which part of
+/// the value that is, the first of several.
 using ValueCheck = bool (*)(const std::byte* slot, FieldPath* path);
 
 struct CommandInfo {
@@ -45,10 +45,10 @@ struct CommandInfo {
   /// calls it in its own thread.
   bool inCallersThread = false;
   ValueCheck accepts = nullptr, acceptsResult = nullptr;  ///< null: it admits all
-  // Turn the stamps in a slot into those of another clock; null: it has none. Of any bytes.
+  // Turn the stamps in a slot, of any bytes, into those of another clock; null: it has none.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
 
-  /// The check, and `path` begins with the name of the command.
+  /// Checks the arguments; `path` then begins with the name of the command.
   bool admits(const std::byte* arguments, FieldPath* path = nullptr) const {
     return accepts == nullptr || accepts(arguments, path) || refusedAt(path, name);
   }
@@ -70,7 +70,7 @@ struct EventInfo {
   ValueCheck accepts = nullptr;       ///< as of a command
   StampShift shiftPayload = nullptr;  ///< as of a command
 
-  /// As of a command.
+  /// Checks the payload, as of a command.
   bool admits(const std::byte* payload, FieldPath* path = nullptr) const {
     return accepts == nullptr || accepts(payload, path) || refusedAt(path, name);
   }

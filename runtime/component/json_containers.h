@@ -94,7 +94,7 @@ inline void fromJson(const JsonReader& in, std::monostate&) {
   if (!in.json().is_null()) in.expected("null");
 }
 
-/// {"index": 1, "value": ...}: of alternatives that read alike nothing else would tell which.
+/// {"index": 1, "value": ...}: nothing else tells which of two alternatives that read alike it is.
 template <class Variant, std::size_t... I>
 void variantFromJson(const JsonReader& in, Variant& value, std::index_sequence<I...>) {
   JsonReader reader = in;

@@ -134,7 +134,7 @@ void fromJson(const JsonReader& in, T (&value)[N]) {
   for (std::size_t i = 0; i < N; ++i) fromJson(in.at(i), value[i]);
 }
 
-/// What has a suture::Wire is read as that says.
+/// A type that has a suture::Wire is read as that says.
 template <class T>
 requires requires { typename Wire<T>::Type; }
 void fromJson(const JsonReader& in, T& value) {

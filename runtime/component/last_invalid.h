@@ -1,5 +1,5 @@
 #pragma once
-// Where the last value was wrong that was refused, since its contract does not admit it.
+// Notes where the last value was wrong that was refused, since its contract does not admit it.
 
 #include <suture/base/field_path.h>
 #include <suture/rt/snapshot.h>

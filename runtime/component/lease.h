@@ -7,10 +7,10 @@
 
 namespace suture {
 
-/// A client that is not heard of for long enough says that its provider is lost. The provider's end
-/// of the connection must not execute anything after that, also if it was stopped as a whole
-/// meanwhile: so whoever executes looks at the clock, and no other thread's word is enough. Without
-/// a client that has said how long it waits there is no end.
+/// A client that hears nothing for long enough says that its provider is lost. After that, the
+/// provider's end must execute nothing of the connection, also if it was stopped as a whole
+/// meanwhile: so the thread that executes looks at the clock itself, and trusts no other thread's
+/// word. As long as no client has said how long it waits, there is no end.
 class Lease {
  public:
   /// The control thread.

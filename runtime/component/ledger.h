@@ -37,8 +37,8 @@ struct Sums {
   std::uint64_t otherProcess = 0;  ///< the incarnation of the process at the other end
 };
 
-/// One end's, as long as its connection has the same name: a channel that is lost takes nothing
-/// with it. Any thread but a task's may use it.
+/// Any thread but a task's. The sums of one end, as long as its connection has the same name: a
+/// channel that is lost takes nothing with it.
 class Ledger {
  public:
   enum class History : std::uint8_t {
@@ -83,7 +83,7 @@ class Ledger {
   };
   Groups groups() const;
   Group groupOf(const ChannelCounts& counts) const;
-  /// What of those without an outcome is lost, unknown or under way.
+  /// Divides those without an outcome into lost, unknown and under way.
   void divideOpen(const Groups& all, const Channel* latest, Sums& sums) const;
   void fold();
   void leaveProcess();

@@ -81,7 +81,7 @@ Errc RequiredBase::arm(AwaitedEvent& event) {
   return Errc{};
 }
 
-// Each at most once: what is over is in the list no more.
+// Ends each at most once, since what is over is no longer in the list.
 template <class Whether>
 void RequiredBase::endAwaited(Errc error, const Whether& whether) {
   for (AwaitedEvent* one = awaited_; one != nullptr;) {
@@ -102,7 +102,7 @@ void RequiredBase::refuseAwaited(std::uint16_t event) {
   endAwaited(Errc::CannotWait, [event](const AwaitedEvent& one) { return one.event_ == event; });
 }
 
-// What is older than the wait is a replay, or was on its way.
+// Skips an event that is older than the wait: it is a replay, or was on its way.
 void RequiredBase::satisfyAwaited(const rt::EventRecord& record) {
   endAwaited(Errc{}, [&record](AwaitedEvent& one) {
     if (one.event_ != record.event || record.stamp < one.armed_) return false;
@@ -122,12 +122,12 @@ Errc RequiredBase::endOfEvents() const {
   if (channel_ == nullptr) return Errc::Lost;
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
   const bool over = status != ChannelStatus::Connected && status != ChannelStatus::Suspended;
-  // What was emitted before the end is handled before it.
+  // Events that were emitted before the end are handled before it.
   if (!over || channel_->events.pending()) return Errc{};
   return status == ChannelStatus::Faulted ? Errc::Faulted : Errc::Lost;
 }
 
-// As at the beginning of a cycle; but a task's connections change between its cycles only.
+// Does as a cycle does first; but a task's connections change between its cycles only.
 std::size_t RequiredBase::handleArrivals() {
   if (!owner_.ownsThread()) adopt();
   noticeLoss();

@@ -55,8 +55,8 @@ class AwaitedEvent {
 ///   auto arrived = arm_.on().goal_reached.next();
 ///   arm_.move_cp(goal);
 ///   if (const auto where = arrived.within(2s)) ...     Result of the payload, a tuple of several
-/// A control loop looks at poll() instead. Errc::Lost or Faulted if the provider is before the
-/// event has come, NotConnected, WrongThread.
+/// A control loop looks at poll() instead. The answer is Errc::Lost or Faulted if the provider is
+/// before the event has come; else it may be NotConnected or WrongThread.
 ///
 /// Belongs to the thread of the component, and must not outlive the required interface. Subscribes
 /// to the event, which stays so until reset() of the Subscription; its handler, if any, runs as

@@ -6,15 +6,15 @@
 
 namespace suture {
 
-/// The rows of one of a component's own provided interfaces, read like those of another: to know
-/// where the arm was when the image was taken. Belongs to the component's thread; of a task.
+/// Belongs to the thread of a task: reads the rows of one of its own provided interfaces like those
+/// of another, to know where the arm was when the image was taken.
 ///   Provided<Arm> arm_{*this, "Arm", *this};
 ///   OwnState<Arm> past_{arm_};
 ///   const auto then = past_[&Required<Arm>::measured_cp].at(image.stamp);
 template <class Contract>
 class OwnState : private Required<Contract> {
  public:
-  /// As a member behind `own`.
+  /// Declare it as a member behind `own`.
   explicit OwnState(Provided<Contract>& own) : Required<Contract>(own.owner(), own.name()) {
     this->watch(own);
   }

@@ -19,8 +19,8 @@ std::size_t payloadWords(const InterfaceInfo& info) {
 
 }  // namespace
 
-/// The turn of one command, which ends on every way out, also when the handler throws: its room is
-/// free again, and whoever waits for an answer has one.
+/// The turn of one command. It ends on every way out, also when the handler throws: then the
+/// command's room is free again, and whoever waits for an answer has one.
 class ProvidedBase::Turn {
  public:
   Turn(Channel& channel, Component& owner, const rt::CommandRecord& record)
@@ -42,12 +42,12 @@ class ProvidedBase::Turn {
     }
   }
 
-  /// Its handler is about to run. A device's may run in several threads at once.
+  /// Notes the caller, but not a device's, whose commands may run in several threads at once.
   void begin(const ConnectedClient& client) {
     if (owner_.ownsThread()) owner_.caller_ = &client;
   }
 
-  /// The command has been executed: its place is free, before anybody sees the answer.
+  /// Frees the place of a command that has been executed, before anybody sees the answer.
   void release() {
     if (std::exchange(released_, true)) return;
     rt::increment(*outcome);
@@ -134,7 +134,7 @@ void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
   channel->ends.provider->ring();
 }
 
-// The state may change at any time, and what announces that may not have seen the channel yet.
+// Repeats until the state stays: whoever announces a change may not have seen the channel yet.
 void ProvidedBase::tellState(Channel& channel) const {
   ComponentState told;
   do {
@@ -151,15 +151,15 @@ bool ProvidedBase::hears() const {
   return owner_.state() == ComponentState::Running && !owner_.ending();
 }
 
-// Local clients of a device come and go in threads of their own.
+// A device hears nothing of local clients, which come and go in threads of their own.
 bool ProvidedBase::isNews(const ChannelList::Node& node) {
   if (node.channel->ends.device != nullptr) return false;
   const bool over = isOver(node.channel->status.load(std::memory_order_seq_cst));
   return over == node.known.load(std::memory_order_relaxed);
 }
 
-// A client is known before its status is read, so that whoever takes closed channels out beside
-// this leaves in those of which the component has been told.
+// Marks a client as known before it reads the status, so that whoever takes out closed channels
+// beside this leaves in those of which the component has been told.
 void ProvidedBase::tellOf(ChannelList::Node& node) {
   if (!isNews(node)) return;
   const bool known = node.known.exchange(true, std::memory_order_seq_cst);
@@ -181,7 +181,7 @@ void ProvidedBase::drain() {
     Channel& channel = *node.channel;
     if (channel.asked != nullptr) state_->askAll(channel.asked->load(std::memory_order_acquire));
     const bool any = channel.commands.pending();
-    // Fixed first: the events of a command meet those who subscribed before they sent it.
+    // Fix the cut first, so that a command's events meet those who subscribed before they sent it.
     if (any) channel.commands.fixCut();
     greet(node);
     if (any) drain(node);
@@ -211,8 +211,8 @@ Errc ProvidedBase::refusal() const {
   return inService() ? Errc{} : errorOf(statusIn(owner_.state()));
 }
 
-// A handler may take long, and the process may be stopped at any moment: what has become of a
-// command, of its connection and of this component, is judged when its turn comes.
+// Judges a command, its connection and this component when the command's turn comes: a handler may
+// take long, and the process may be stopped at any moment.
 void ProvidedBase::drain(ChannelList::Node& node) {
   Channel& channel = *node.channel;
   const Time drainStart = now();
@@ -220,7 +220,7 @@ void ProvidedBase::drain(ChannelList::Node& node) {
   bool first = true;
   while (const rt::CommandRecord* record = channel.commands.next()) {
     const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
-    // Whoever shares memory tells of a loss there, so the clock need not be read for each command.
+    // A client that shares memory tells of a loss there: do not read the clock for each command.
     const Errc over = channel.begin(first || hasTtl || !channel.foreign);
     if (over != Errc{}) {
       turnAway(channel, *record, over);
@@ -258,7 +258,7 @@ void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record,
     turn.error = Errc::Cancelled;
     return;
   }
-  // On other lanes they were looked at when they arrived.
+  // Judge the copy of foreign arguments: on other lanes they were judged before they came here.
   if (channel.foreign && !channel.admits(command, record.arguments())) {
     turn.outcome = &channel.commands.counters.refused;
     turn.error = Errc::Invalid;
@@ -338,7 +338,7 @@ void ProvidedBase::announce(ChannelStatus status) {
 
 Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   const bool ownThread = owner_.ownsThread();
-  // Nobody else may walk the channels of a task, or fill its subscribers' queues.
+  // Only its own thread may walk the channels of a task and fill its subscribers' queues.
   if (ownThread && owner_.ownedByAnotherThread()) return Errc::WrongThread;
   if (!fits) return Errc::TooLarge;
   const EventInfo& info = info_.events[event];
@@ -388,7 +388,7 @@ void ProvidedBase::replay(Channel& channel, EventSet events, std::span<std::uint
 void ProvidedBase::replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory) {
   const EventInfo& info = info_.events[event];
   const auto payload = std::as_writable_bytes(memory).first(info.payloadSize);
-  // A device may emit meanwhile: what comes last is to be the newest.
+  // A device may emit meanwhile: go on until the newest value has been delivered last.
   for (Time replayed{};;) {
     const Result<Time> emitted = latched_[event]->values.read(0, payload.data());
     if (!emitted) return;

@@ -99,8 +99,8 @@ class ProvidedBase {
  private:
   class Turn;
 
-  /// execute(), and Errc::Invalid for a result that the contract does not admit. `asker` is who
-  /// misses it; null: all clients.
+  /// Executes, and answers Errc::Invalid for a result that the contract does not admit. `asker` is
+  /// who misses it; null: all clients.
   Errc produce(std::uint16_t command, const std::byte* arguments, std::byte* result,
                Channel* asker);
   void noteInvalid(const FieldPath& path, Channel* asker);
@@ -109,7 +109,7 @@ class ProvidedBase {
   friend class RequiredBase;
 
   Errc emit(std::uint16_t event, const std::byte* slot, bool fits);
-  /// The component may be told of its clients now.
+  /// True if the component may be told of its clients now.
   bool hears() const;
   static bool isNews(const ChannelList::Node& node);
   void tellOf(ChannelList::Node& node);

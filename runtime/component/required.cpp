@@ -37,7 +37,7 @@ void RequiredBase::awaitDirectHandlers() const {
   if (channel_ != nullptr) channel_->direct.awaitCalls();
 }
 
-// The provider lets go of it in its own time, and may be gone itself.
+// The provider lets go in its own time, and may be gone: ring only a bell that is shared.
 void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
   if (channel == nullptr) return;
   channel->cut();
@@ -47,7 +47,7 @@ void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
 }
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {
-  // What has arrived is the owner's.
+  // Close only what the owner has not taken over: the rest is its own to close.
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
       incoming_.exchange(new std::shared_ptr<Channel>(channel), std::memory_order_acq_rel));
   if (unadopted != nullptr && *unadopted != channel) close(*unadopted);
@@ -59,7 +59,7 @@ void RequiredBase::adopt() {
   const std::unique_ptr<std::shared_ptr<Channel>> arrived(
       incoming_.exchange(nullptr, std::memory_order_acq_rel));
   collectReplies();
-  // What was under way went to the old connection; nobody will answer it here.
+  // Calls under way went to the old connection; nobody will answer them here.
   for (PendingCall& call : books_->calls) {
     if (call.number == 0 || call.done) continue;
     call.error = Errc::OutcomeUnknown;
@@ -74,7 +74,7 @@ void RequiredBase::adopt() {
   owner_.ringNow();  // a bell that is due may go with its channel
   channel_ = std::move(*arrived);
   for (std::uint16_t event = 0; event < books_->events.size(); ++event) lendHandler(event);
-  // What has been subscribed to since the channel was made.
+  // Pass on what has been subscribed to since the channel was made.
   if (channel_ != nullptr) passSubscriptionsOn(subscribed() & ~channel_->subscribed());
   lossNoticed_ = false;
   faultsNoticed_ = 0;
@@ -113,7 +113,7 @@ Errc RequiredBase::unusable(std::uint16_t command) {
   return awaitsOperator(command) ? Errc::AwaitingOperator : Errc{};
 }
 
-// Questions move nothing.
+// Reads and qualified reads await no operator, since questions move nothing.
 bool RequiredBase::awaitsOperator(std::uint16_t command) const {
   if (channel_->watch == nullptr || !channel_->watch->awaitsOperator) return false;
   const CommandKind kind = info_.commands[command].kind;
@@ -133,8 +133,8 @@ std::pair<const void*, std::uint64_t> RequiredBase::losses() const {
   return {watch, watch == nullptr ? 0 : watch->losses.load(std::memory_order_relaxed)};
 }
 
-// What a device requires is another thread's than that of its commands. Who resumes a connection
-// has not seen what is lost since.
+// Only asks a device, whose required interfaces belong to another thread than its commands. Whoever
+// resumes a connection has not seen what is lost since, so that awaits its operator.
 ResumeOutcome RequiredBase::resume() {
   if (!owner_.ownsThread()) {
     resumeAsked_ = true;

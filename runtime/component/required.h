@@ -41,13 +41,13 @@ class RequiredBase {
   const InterfaceInfo& info() const { return info_; }
   Component& owner() const { return owner_; }
 
-  /// In the component's constructor: it does without a provider, so no start waits for one. What
-  /// SUTURE_REQUIRED(optional()) says of a component that is created by its class.
+  /// In the component's constructor: it does without a provider, so no start waits for one.
+  /// SUTURE_REQUIRED(optional()) does this for a component that is created by its class.
   void makeOptional() { optional_ = true; }
   bool isOptional() const { return optional_; }
 
   /// In the component's constructor: values older than that are stale, unless the connection's own
-  /// contract says otherwise. What SUTURE_REQUIRED(max_age(t)) says of a component that is created
+  /// contract says otherwise. SUTURE_REQUIRED(max_age(t)) does this for a component that is created
   /// by its class.
   void limitAge(Duration maxAge) { maxAge_ = maxAge; }
   Duration maxAge() const { return maxAge_; }
@@ -101,8 +101,8 @@ class RequiredBase {
 
   // --- for those who need no generated members
 
-  /// As Subscription: `handler` gets the payload's slot of each event `event`, and when it was
-  /// emitted; or, of one from another process, when it arrived.
+  /// Like Subscription: `handler` gets the payload's slot of each event `event`, and when it was
+  /// emitted; on the `rpc` lane, when it arrived unless it is a replay.
   Result<void> handle(std::uint16_t event, std::function<void(const std::byte*, Time)> handler);
   /// Owner's thread: the connection as it is in this cycle; nullptr if there is none.
   const std::shared_ptr<Channel>& channel() const { return channel_; }
@@ -191,7 +191,7 @@ class RequiredBase {
   Duration deadlineOf(std::uint16_t command) const;
   /// The answer of a read whose newest value is of `stamp`, under the connection's contract.
   Sample<void> judgeAge(Time stamp);
-  /// The same where `error` stands in the way: of a lost provider, what the contract says.
+  /// The same where `error` stands in the way: if the provider is lost, as the contract says.
   Sample<void> judgeLoss(Errc error, std::uint16_t command, std::byte* slot);
   Sample<void> fallBack(Fallback fallback, Errc error, Time stamp);
   /// True if `answer` stands for a value that is zero by contract.
@@ -214,7 +214,7 @@ class RequiredBase {
   Errc endOfCalls() const;
   bool followedMayBeDone() const;
   void finishFollowed();
-  /// From here on what has come is run()'s to see.
+  /// Leaves what has come by now to run().
   void offerNews();
   /// Errc::WrongThread if the interface is another thread's.
   Errc subscribe(std::uint16_t event, EventHandler handler, bool direct = false);
@@ -223,7 +223,7 @@ class RequiredBase {
   void passSubscriptionsOn(EventSet joining);
   /// Has the provider run the handler of `event` itself, if that is direct and both are here.
   void lendHandler(std::uint16_t event);
-  /// How many there were.
+  /// Returns how many events it has handled.
   std::size_t handleQueuedEvents();
   void deliver(const rt::EventRecord& record);
 

@@ -13,7 +13,7 @@
 namespace suture {
 namespace {
 
-/// Before a thread's first cycle with these interfaces, for no cycle allocates.
+/// To be called before a thread's first cycle with these interfaces, since no cycle allocates.
 template <class Provided, class Required>
 void makeRoom(const Provided& provided, const Required& required) {
   for (const auto* one : provided) reserveScratch(largestSlot(one->info()));
@@ -157,7 +157,7 @@ void Task::work() {
                            std::memory_order_relaxed);
 }
 
-// Nothing of the user's.
+// Does the part of a cycle that runs no code of the user's.
 void Task::rest() {
   for (RequiredBase* interface : required()) interface->adopt();
   for (ProvidedBase* interface : provided()) {
@@ -166,7 +166,7 @@ void Task::rest() {
   }
 }
 
-// What still waits is turned away, and not left without an answer.
+// Turns away what still waits, so that nothing is left without an answer.
 void Task::leave() {
   setEnding(true);
   for (GuestTask* guest : guests_) guest->leave();

@@ -45,8 +45,8 @@ struct TaskStatistics {
 /// something arrives.
 class Task : public Component {
  public:
-  /// The manager's: configures what has not been, then cycles run. Of a faulted task they only
-  /// tell so. Throws SetupError if they cannot, or if it runs already.
+  /// The manager's: configures what has not been, then cycles run; those of a faulted task only
+  /// tell so. Throws SetupError if they cannot run, or if it runs already.
   virtual void start() = 0;
   /// The manager's: returns after the handler under way, or run(); no other begins. What waits is
   /// answered Errc::Lost. The derived class must still exist.
@@ -66,8 +66,8 @@ class Task : public Component {
   /// lasts; then the task stays faulted. Without, it stays so at once. Throws SetupError for more
   /// than RestartBudget::kMost.
   void restartAfterFaults(const RestartBudget& budget);
-  /// The fault that it is in is not followed by a restart: the budget is used up, there is none, or
-  /// onFault() threw. Any thread.
+  /// Any thread: true if no restart follows the fault that it is in: the budget is used up, there
+  /// is none, or onFault() threw.
   bool staysFaulted() const { return staysFaulted_.load(std::memory_order_acquire); }
   /// Before start(): the length of the windows of statistics(), 1 s without. Throws SetupError.
   void measureOver(Duration window) { statistics_.windows.setLength(window); }

@@ -19,7 +19,7 @@ inline std::uint64_t toWireNumbers(WireNumbers numbers, std::uint64_t set) {
   return wire;
 }
 
-/// A set that has come; what this side does not know is left out.
+/// Reads a set that has come, and leaves out what this side does not know.
 inline std::uint64_t fromWireNumbers(WireNumbers numbers, std::uint64_t wire) {
   if (numbers.empty()) return wire;
   std::uint64_t set = 0;

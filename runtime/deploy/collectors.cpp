@@ -48,7 +48,7 @@ std::filesystem::path fileOf(const Deployment& deployment, const std::string& fi
   return deployment.besideIt(file).lexically_normal();
 }
 
-/// What `component` provides as `name`, or what its manager will.
+/// Finds what `component` provides as `name`, or what its manager will provide for it.
 const InterfaceInfo* provided(const Component& component, std::string_view name) {
   for (const ProvidedBase* one : component.provided()) {
     if (one->name() == name) return &one->info();

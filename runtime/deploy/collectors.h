@@ -34,8 +34,8 @@ class Collectors {
                          const std::function<bool(const ComponentEntry&)>& isCollector,
                          std::vector<std::string>& problems);
 
-  /// What creates the collector `entry` as `components` are, in the order of the process and null
-  /// for what does not exist yet. Empty, and a problem, if it has nothing to collect.
+  /// Returns what creates the collector `entry`. `components` are in the order of the process, and
+  /// null where one does not exist yet. Empty, and a problem, if there is nothing to collect.
   Create find(const ComponentEntry& entry, std::span<const std::unique_ptr<Component>> components,
               std::vector<std::string>& problems);
 

@@ -48,7 +48,7 @@ void FaultCare::giveBudgets(std::vector<std::string>& problems) const {
   }
 }
 
-// Better said now than at the first fault, when it is too late.
+// Look now: at the first fault it would be too late to say so.
 void FaultCare::checkFolder(std::vector<std::string>& problems) const {
   const std::filesystem::path& folder = process_.blackBox->folder;
   const bool there = std::filesystem::is_directory(folder);

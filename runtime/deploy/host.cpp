@@ -35,7 +35,7 @@ std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentC
          listNames(offered) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
-// Not while it is between a fault and a restart.
+// False while it is between a fault and a restart.
 bool faultedForGood(const Component& component) {
   if (component.state() != ComponentState::Faulted) return false;
   return !component.ownsThread() || static_cast<const Task&>(component).staysFaulted();
@@ -151,7 +151,7 @@ void Host::createManager() {
   }
 }
 
-// Nothing would ever connect it: better said now than found out from a task that does nothing.
+// Nothing would ever connect such an interface: say so now, before a task silently does nothing.
 void Host::checkRequired() const {
   std::vector<std::string> problems;
   for (std::size_t i = 0; i < components_.size(); ++i) {
@@ -253,7 +253,7 @@ std::vector<Trouble> Host::connectionTroubles() const {
   const std::map<std::string, std::string> whyLost = manager_->whyLost();
   for (const auto& channel : manager_->channels()) {
     const std::string subject = "connection '" + channel->name + "'";
-    // Both ends of one that is delayed are in this process.
+    // A delayed connection has both of its ends in this process: tell of it once.
     if (!found.empty() && found.back().subject == subject) continue;
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:

@@ -7,7 +7,7 @@
 namespace suture {
 namespace {
 
-// By hash: a shared library has tables of its own.
+// Compares hashes, since a shared library has tables of its own.
 bool areMessages(const InterfaceInfo& info) {
   const std::string_view messages = interfaceInfo<Messages>().hash;
   for (const InterfaceInfo* one = &info;; one = &one->base()) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
 
-// So much at once: a pipe that has room takes it without blocking.
+// A pipe that has room takes so much at once without blocking.
 constexpr std::size_t kAtOnce = PIPE_BUF;
 
 bool takesMore(int descriptor, Duration patience) {

@@ -86,7 +86,7 @@ void report(const std::string& description, const Place& place,
   }
 }
 
-// What valijson adds about each level around the place where something is wrong.
+// True for what valijson adds about each level around the place where something is wrong.
 bool isConsequence(const std::string& description) {
   return description.starts_with("Failed to validate ");
 }

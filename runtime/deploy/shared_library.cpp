@@ -15,7 +15,7 @@ SharedLibrary::SharedLibrary(const std::filesystem::path& file) {
     throw SetupError(asked, "there is no such file",
                      "Give the path of a shared library, absolute or from the deployment's folder");
   }
-  // Local: two libraries may contain the same code without one of them using the other's.
+  // Keep symbols local: two libraries may contain the same code, and each must use its own.
   handle_.reset(dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL));
   if (handle_ == nullptr) {
     throw SetupError(asked, dlerror(), "Build it for this machine, and install what it needs");

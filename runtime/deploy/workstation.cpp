@@ -25,8 +25,8 @@ using namespace std::chrono_literals;
 
 // How soon a failure is noticed.
 constexpr Duration kWatchInterval = 50ms;
-// When a system is shut down its processes end one after the other; what is lost of others shortly
-// before this one's turn came was no accident.
+// The processes of a system that is shut down end one after the other: what this one lost of others
+// so shortly before its own turn was no accident.
 constexpr Duration kShutdown = 500ms;
 // How long a slow reader is waited for at the end.
 constexpr Duration kLastWords = 500ms;
@@ -110,7 +110,7 @@ class Run {
     Time seen;
   };
 
-  // What others take away while this one ends is no news.
+  // While this process ends, what others take away is no news.
   void watch(bool ending = false) {
     for (const std::string& line : host_.news()) tell(line);
     const std::vector<Trouble> present = host_.troubles();

@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-// A client may wait for ever; sums with what it says have to fit.
+// Bounds what a client says, since sums with it have to fit.
 constexpr Duration kLongestSilence = std::chrono::hours(24 * 365);
 
 }  // namespace
@@ -28,8 +28,8 @@ std::int64_t ClientLeases::answer() {
   return answered_ = toNanoseconds(now());
 }
 
-// The thread that executes sees by itself that a lease has ended; a connection on which nothing
-// waits has nobody else to see it.
+// The thread that executes sees for itself that a lease has ended. Where nothing waits to be
+// executed, nobody but this sees it.
 kj::Promise<void> ClientLeases::watch() {
   const BootTime present = BootClock::now();
   BootTime next = BootTime::max();

@@ -17,7 +17,7 @@ Duration ClockOffset::error(Time present) const {
   return error_ + (present - compared_) * kMicrosecondsOfDrift / 1'000'000;
 }
 
-// A clock that steps, or is slewed faster than quartz drifts.
+// True if a clock was stepped, or slewed faster than quartz drifts.
 bool ClockOffset::contradicts(Duration offset, Duration errors) const {
   return std::max(offset - offset_, offset_ - offset) > errors;
 }

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// What questions with stamps around them tell, as in NTP (RFC 5905): of several, the one counts by
-/// which the error is smallest, unless a later one shows that it cannot be so. A value.
+/// Learns from questions with stamps around them, as NTP does (RFC 5905): the one with the smallest
+/// error counts, unless a later one shows that it cannot be so. A value.
 class ClockOffset {
  public:
   /// Both have one clock: nothing has to be measured.
@@ -22,8 +22,8 @@ class ClockOffset {
   /// True if both have one clock.
   bool isOne() const { return one_; }
 
-  /// Asked and answered on this process's clock; received and sent on the peer's, ns. True if that
-  /// tells more than what was known by then.
+  /// `asked` and `answered` are on this process's clock, `received` and `sent` on the peer's, in
+  /// ns. True if that tells more than what was known by then.
   bool add(Time asked, std::int64_t received, std::int64_t sent, Time answered);
 
   /// The peer's clock minus ours.

@@ -23,7 +23,7 @@ std::string FrameLinks::client(const std::string& provider, Duration silence) {
   return std::string(known.name->begin(), known.name->end()) + std::to_string(silence.count());
 }
 
-// The lane thread looks again whether anybody has joined what it kept for us.
+// Rings the lane thread, which then ends the links that nobody has joined meanwhile.
 FrameLinks::Hold::~Hold() {
   if (links_.empty()) return;
   links_.clear();

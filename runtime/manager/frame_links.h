@@ -18,8 +18,8 @@
 
 namespace suture {
 
-/// By the provider's process, and by what that calls each link, its epoch. Belongs to the control
-/// thread.
+/// Belongs to the control thread. Knows each link by the provider's process and by what that calls
+/// it, its epoch.
 class FrameLinks {
  public:
   using Link = std::shared_ptr<frame::Link>;
@@ -29,15 +29,15 @@ class FrameLinks {
   /// Rung by clients for what goes out.
   std::shared_ptr<rt::Doorbell> doorbell() { return lane_.doorbell(); }
 
-  /// What that provider is told: connections of this process for which the same bound of silence
-  /// holds may share a link, as their socket has one bound only. Nobody else can know it, and it is
-  /// another one when a link has ended: the provider may not have noticed. Throws SetupError if the
-  /// kernel refuses.
+  /// Returns the name that this process tells that provider: connections with the same one may
+  /// share a link. It holds the bound of silence, as their socket has one only. No other process
+  /// can know it, and it changes once a link has ended, since the provider may not have noticed
+  /// that. Throws SetupError if the kernel refuses.
   std::string client(const std::string& provider, Duration silence);
-  /// Another one from now on: no link that the provider knows is joined any more.
+  /// Changes that name, so that no link that the provider knows is joined any more.
   void rename(const std::string& provider) { providers_[provider].name.reset(); }
 
-  /// While this lives no link ends for want of connections: an answer may name it.
+  /// While this lives, no link ends for want of connections, since an answer may name it.
   class Hold {
    public:
     Hold(std::vector<Link> links, std::shared_ptr<rt::Doorbell> bell)
@@ -53,7 +53,7 @@ class FrameLinks {
 
   /// The socket of a new link has come. Whoever has one of its connections lets that join.
   Link open(const std::string& provider, std::uint32_t epoch, rpc::ByteStream bytes);
-  /// A link that there is, or will be; never resolves if there will not.
+  /// Resolves to a link that there is, or once it is there; never, if it never will be.
   kj::Promise<Link> find(const std::string& provider, std::uint32_t epoch);
 
  private:

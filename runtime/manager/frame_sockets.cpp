@@ -22,7 +22,7 @@ class SocketServer final : public wire::FrameSocket::Server {
   const kj::AutoCloseFd socket_;
 };
 
-/// It is the first on the connection, which has room for so little.
+/// Sends it in one go, since it comes first on a connection, which has room for so little.
 bool say(rpc::ByteStream& bytes, const rpc::Token& token) {
   const auto opening = rpc::openingOf(token);
   return bytes.send(opening, {}) == static_cast<ssize_t>(opening.size());

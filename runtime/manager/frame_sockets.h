@@ -50,8 +50,8 @@ class FrameSockets {
   /// kernel refuses.
   Offered offer(const UncarriedEnd& end, const FrameClient& client);
 
-  /// A connection has come and shows `token`. One that nobody awaits, or not any more, or not of
-  /// this peer, is closed.
+  /// A connection has come and shows `token`. It is closed if nobody awaits it, or not any more, or
+  /// not of this peer.
   void arrived(const rpc::Token& token, rpc::ByteStream bytes);
 
  private:
@@ -76,7 +76,7 @@ class FrameSockets {
   std::uint32_t latest_ = 0;               // connection
 };
 
-/// What no peer can guess. Throws SetupError if the kernel refuses.
+/// Fills memory with what no peer can guess. Throws SetupError if the kernel refuses.
 void fillWithRandom(void* memory, std::size_t size);
 
 /// The client's end of a socket that was handed over.

@@ -15,7 +15,7 @@ namespace suture {
 namespace {
 
 constexpr Duration kPatience = std::chrono::seconds(10);
-// A record and all that is around it fit.
+// This has room for a record and all that is around it.
 constexpr std::size_t kMostOfAMessage = 2 * Registry::kMostBytesOfARecord;
 constexpr std::size_t kMostLinks = 4096;  // as many as there are names
 

@@ -11,7 +11,7 @@ namespace {
 
 using WireActivity = wire::TaskPulse::Activity;
 
-// What is told late by as much keeps within a tenth of the bound.
+// Asks so often in a bound that a loss is told late by at most a tenth of it.
 constexpr int kPerBound = 10;
 
 std::string milliseconds(Duration duration) {
@@ -73,7 +73,7 @@ void Heartbeat::ask() {
   auto request = peer_.pingRequest();
   request.setHeard(heard_);
   if (heard_ != 0) told_ = BootClock::now();
-  // A broken link is told of elsewhere.
+  // Ignore a failure: a broken link is told of elsewhere.
   asking_ =
       request.send()
           .then([this, asked = now()](auto&& told) { heard(asked, told); }, [](kj::Exception&&) {})
@@ -91,9 +91,9 @@ void Heartbeat::heard(Time asked, wire::Peer::PingResults::Reader told) {
   well_.fulfiller->fulfill();
 }
 
-// On the peer's clock alone, so that neither its offset nor the way of the answer matters. A
-// process that was stopped as a whole answers before its tasks have had a turn: a task hangs if it
-// has not moved between two answers.
+// Compares times of the peer's clock alone, so that neither its offset nor the way of the answer
+// matters. A process that was stopped as a whole answers before its tasks have had a turn, so a
+// task hangs only if it has not moved between two answers.
 bool Heartbeat::hangs(wire::TaskPulse::Reader task, Time then) {
   const bool running = task.getActivity() == WireActivity::RUNNING;
   const Pulse::Reading pulse{running ? Activity::Running : Activity::Asleep,

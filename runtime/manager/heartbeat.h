@@ -29,7 +29,7 @@ class Heartbeat {
 
   Heartbeat(kj::Timer& timer, wire::Peer::Client peer, std::string component, Bounds bounds);
 
-  /// Before whenLost(): called with each answer, and when it was asked for.
+  /// To be set before whenLost(): called with each answer, and with when it was asked for.
   using Answered = std::function<void(Time asked, wire::Peer::PingResults::Reader answer)>;
   void onAnswer(Answered answered) { answered_ = std::move(answered); }
   /// Asks from now on. Resolves, in words for people, when a bound has passed. Call it once.

@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-/// `component`, if it has no such interface yet.
+/// Returns `component`. Throws SetupError if it has such an interface already.
 Component& withoutFace(Component& component) {
   const auto& all = component.provided();
   const bool taken = std::any_of(all.begin(), all.end(), [](const ProvidedBase* one) {

@@ -17,7 +17,7 @@
 namespace suture {
 namespace {
 
-// A change of a component's state is rung; whether a lost provider is back is looked at so often.
+// A change of a component's state is rung; whether a lost provider is back is asked this often.
 constexpr Duration kLookAgain = std::chrono::milliseconds(10);
 
 Task* taskOf(Component& component) {
@@ -31,7 +31,7 @@ std::shared_ptr<ConnectionWatch> watchOf(ConnectionContract contract,
   return std::make_shared<ConnectionWatch>(contract);
 }
 
-// Heartbeats come ten times as often.
+// Refuses a silence that is too short for the ten heartbeats that come in it.
 void requireSilenceThatCanBeTold(const ConnectionContract& contract,
                                  const std::string& connection) {
   constexpr Duration kShortest = ConnectionContract::kShortestSilence;
@@ -42,7 +42,7 @@ void requireSilenceThatCanBeTold(const ConnectionContract& contract,
       "Allow at least " + std::to_string(kShortest / std::chrono::milliseconds(1)) + " ms");
 }
 
-// By hash: a shared library has tables of its own.
+// Compares hashes, since a shared library has tables of its own.
 bool collects(const Component& component) {
   const std::string_view collecting = interfaceInfo<Collecting>().hash;
   const auto& all = component.provided();
@@ -74,8 +74,8 @@ Manager::Manager(std::string process, const std::string& address, const Security
       [this](const Component& component) { return taskServing(component); }, patience, security);
 }
 
-// Rings what serves an interface for remote callers: its task, or an executor. Any
-// thread.
+// Any thread: the doorbell of what serves an interface for remote clients, which is its task or an
+// executor.
 rt::Doorbell& Manager::serverOf(ProvidedBase& provided) {
   if (provided.owner().ownsThread()) return provided.owner().doorbell();
   const std::lock_guard lock(executorMutex_);
@@ -84,7 +84,7 @@ rt::Doorbell& Manager::serverOf(ProvidedBase& provided) {
   return executor_->doorbell();
 }
 
-// The same, if there is one already.
+// Any thread: the task that serves a component for remote clients, if there is one already.
 const Task* Manager::taskServing(const Component& component) {
   if (component.ownsThread()) return static_cast<const Task*>(&component);
   const std::lock_guard lock(executorMutex_);
@@ -214,7 +214,7 @@ void Manager::stop() {
   network_.reset();
 }
 
-// Tasks use devices, not the other way round; and a collector keeps what the others do to the end.
+// Stops tasks before the devices that they use, and collectors last: they keep what others do.
 void Manager::stopComponents() {
   const std::vector<Component*> all = directory_.components();
   const auto stopTasks = [&](bool collectors) {

@@ -55,7 +55,7 @@ kj::Promise<void> ManagerLease::open() {
   });
 }
 
-// Whom the manager refuses has to be told; what else fails will do when it is tried again.
+// Rejects only if the manager refuses, which somebody has to be told; else it tries again.
 kj::Promise<void> ManagerLease::enrol(ProcessRecord process) {
   process_ = std::move(process);
   auto enrolled = isOpen() ? enrolNow() : kj::Promise<void>(gone());
@@ -93,8 +93,8 @@ kj::Promise<void> ManagerLease::keep() {
       .then([this] { return keep(); });
 }
 
-// A manager that is stopped, or behind a cable that was pulled, says nothing; and one that has not
-// heard of this process for as long may have given its name to another. Ends then.
+// Ends when the manager says nothing, since it is stopped or a cable was pulled; or when it has not
+// heard of this process for as long, and may have given its name to another.
 kj::Promise<void> ManagerLease::renew() {
   auto held = KJ_REQUIRE_NONNULL(lease_).renewRequest().send().then(
       [](auto&& results) { return results.getHeld(); },

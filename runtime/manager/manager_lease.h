@@ -29,7 +29,7 @@ class ManagerLease {
   /// Reaches the manager. Rejects with what was found and what to do, as DISCONNECTED where trying
   /// again may help.
   kj::Promise<void> open();
-  /// While it answers.
+  /// True while the manager answers.
   bool isOpen() const { return session_ != nullptr; }
   /// Registers the process: now if it is open, else as soon as it is. Rejects if the manager
   /// refuses now.

@@ -9,7 +9,7 @@ namespace {
 
 using Type = kj::Exception::Type;
 
-// Between two attempts to reach managers of which none answers.
+// The pause between two attempts while no manager answers.
 constexpr Duration kPause = std::chrono::milliseconds(50);
 
 const char* keysFor(const rpc::Address& address) {
@@ -49,7 +49,7 @@ ManagerLease& ManagerLink::nearest() const {
   return open == leases_.end() ? *leases_.front() : **open;
 }
 
-// Also the slow ones are awaited: a process whose name is taken at one of them is to hear of it.
+// Awaits the slow ones too: a process whose name is taken at one of them is to hear of it.
 kj::Promise<void> ManagerLink::open(Duration patience) {
   const Time deadline = now() + patience;
   auto failures = std::make_shared<Failures>(leases_.size());
@@ -88,7 +88,7 @@ kj::Promise<void> ManagerLink::enrol(const ProcessRecord& process) {
   });
 }
 
-// One after the other, so that of two processes of one name the same is refused everywhere.
+// Goes one by one, so that of two processes of one name the same is refused everywhere.
 kj::Promise<void> ManagerLink::enrolFrom(Leases::const_iterator first,
                                          const ProcessRecord& process) {
   if (first == leases_.end()) return kj::READY_NOW;
@@ -113,7 +113,7 @@ kj::Promise<ProcessRecord> ManagerLink::resolve(const std::string& process, Dura
       });
 }
 
-// The first that is found; if none is, what a manager says about it that could be asked.
+// Resolves to the first that is found; else rejects with what a manager says that could be asked.
 kj::Promise<ProcessRecord> ManagerLink::askAll(const std::string& process, Duration wait) {
   auto failures = std::make_shared<Failures>(leases_.size());
   kj::Promise<ProcessRecord> first = kj::NEVER_DONE;

@@ -163,7 +163,7 @@ void NameService::announce(const std::string& name) {
   forgetAnswered();
 }
 
-// Also those whose time is up, or who are gone.
+// Forgets those who have been answered, whose time is up, or who are gone.
 void NameService::forgetAnswered() {
   kj::Vector<Waiting> others;
   for (Waiting& one : waiting_) {

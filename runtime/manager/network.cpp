@@ -17,7 +17,7 @@
 namespace suture {
 namespace {
 
-/// What ControlThread::run() throws, as a SetupError.
+/// Runs `work` on the control thread, and throws its failure as a SetupError.
 template <class Work>
 auto run(rpc::ControlThread& control, Duration deadline, Work work) {
   try {
@@ -89,7 +89,7 @@ class Network::Impl {
       connection = std::make_unique<RemoteConnection>(
           control_, links_, *link_, required, from, to, lane, told, interposer, watch, incarnation_,
           ledgerOf(from.toString() + " -> " + to.toString()));
-      // What could not be connected may be gone before this is.
+      // Forget what could not be connected: it may be gone before this is.
       return connection->open(patience)
           .exclusiveJoin(untilGivenUp())
           .catch_([this, name](kj::Exception&& failure) {
@@ -126,7 +126,7 @@ class Network::Impl {
     return whyLost_;
   }
 
-  /// What lives on the control thread ends there.
+  /// Ends what lives on the control thread, in that thread.
   void leave() {
     control_.run(kLocalWork, [this] {
       connections_.clear();

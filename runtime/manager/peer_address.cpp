@@ -34,7 +34,7 @@ pid_t ownerOf(std::string_view name, std::string_view process) {
   return error == std::errc{} && stop == name.data() + name.size() ? owner : 0;
 }
 
-// The number may be of a process that lives where this one cannot see it: then it answers.
+// A process that this one cannot see may have that number and live: then its socket answers.
 bool isLeftOver(const fs::path& file, const std::string& process) {
   const std::string name = file.filename().string();
   if (name.size() < process.size() + kEnd.size()) return false;

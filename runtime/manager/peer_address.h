@@ -9,8 +9,8 @@
 namespace suture {
 
 /// Next to the manager: a socket in the same directory, or a free port at the address by which this
-/// machine reaches it. What dead processes of this name have left in that directory is removed: one
-/// that was killed cannot.
+/// machine reaches it. Removes what dead processes of this name have left in that directory, since
+/// a process that was killed cannot.
 rpc::Address peerAddress(const ManagerLink& link, const std::string& process);
 
 }  // namespace suture

@@ -89,7 +89,7 @@ void PeerHost::remember(std::shared_ptr<Channel> channel) {
   served_.push_back(std::move(channel));
 }
 
-// Processes of one machine may have been given other clocks, by a time namespace.
+// Tells the time namespace too, by which processes of one machine may have other clocks.
 std::string bootId() {
   std::string id;
   std::ifstream("/proc/sys/kernel/random/boot_id") >> id;

@@ -54,7 +54,7 @@ class PeerHost {
 
   /// True if there is a later one than a connection of this epoch, which may be 0: it has none.
   bool isSuperseded(const std::string& client, const std::string& bootId, std::int64_t epoch) const;
-  /// Ends it, ahead of a later one.
+  /// Ends the latest connection, ahead of a later one.
   void endLatest(const std::string& client);
   void setLatest(const std::string& client, const Latest& latest) { latest_[client] = latest; }
   void forget(const rpc::ProviderEnd& end);

@@ -20,7 +20,7 @@ namespace {
 
 using Kind = wire::Refusal::Kind;
 
-// Each has a mailbox of its own, for as long as the link stands.
+// There is a bound, since each has a mailbox of its own for as long as the link stands.
 constexpr std::size_t kMostPorts = 256;
 
 /// Sets the clock of either end's channel. `offset`: how far the caller's is ahead of ours, ns.
@@ -130,7 +130,7 @@ kj::Promise<void> PeerServer::whenThere(Attempt attempt, Refuse refuse) {
   try {
     return attempt();
   } catch (const SetupError&) {
-    // It may come: the process is perhaps still adding components.
+    // The interface may still come, since the process is perhaps still adding components.
   }
   return host_.whenPublished_.addBranch().then([attempt, refuse]() mutable -> kj::Promise<void> {
     try {
@@ -234,7 +234,7 @@ bool PeerServer::takesOver(const std::string& client, const std::string& name,
   return true;
 }
 
-// The fastest lane that can be had of those asked for.
+// Takes the fastest lane that can be had of those asked for.
 kj::Promise<void> PeerServer::accept(Asked asked) {
   auto in = asked.context.getParams();
   if (!in.hasMemory()) return acceptSlower(asked, "");
@@ -268,7 +268,7 @@ kj::Promise<void> PeerServer::acceptSlower(Asked& asked, const std::string& lane
 
 wire::ConnectResults::Accepted::Builder PeerServer::accepted(Asked& asked, rpc::ProviderEnd& end) {
   const auto in = asked.context.getParams();
-  // What the caller sent may be anything: only an end that this keeps may be the latest.
+  // Keep the end before it becomes the latest: what the caller sent may be anything, and throw.
   end.setListener(
       kj::heap<NoticesSender>(host_.control_, in.getNotices(), asked.match.contract->wireEvents));
   ends_.add(kj::addRef(end));

@@ -26,8 +26,8 @@ class PeerServer final : public wire::Peer::Server {
  private:
   struct Asked;
 
-  /// What `attempt()` returns; if it throws SetupError, it is called once more when the process has
-  /// published, and `refuse(refusal)` if it still does.
+  /// Returns what `attempt()` does. If that throws SetupError, calls it once more when the process
+  /// has published, and `refuse(refusal)` if it throws again.
   template <class Attempt, class Refuse>
   kj::Promise<void> whenThere(Attempt attempt, Refuse refuse);
 
@@ -36,9 +36,9 @@ class PeerServer final : public wire::Peer::Server {
                            ConnectContext& context);
   bool takesOver(const std::string& client, const std::string& name, ConnectContext& context);
   kj::Promise<void> accept(Asked asked);
-  /// What every lane answers.
+  /// Keeps `end`, and answers what every lane does.
   wire::ConnectResults::Accepted::Builder accepted(Asked& asked, rpc::ProviderEnd& end);
-  /// Not by shared memory, if that was asked for, because of `laneReason`.
+  /// Accepts on another lane than shared memory; if that was asked for, `laneReason` says why.
   kj::Promise<void> acceptSlower(Asked& asked, const std::string& laneReason);
   void sendFrames(Asked& asked, const InterfaceInfo& contract, const std::string& laneReason);
   kj::Promise<void> serveCalls(Asked& asked, const std::string& laneReason);

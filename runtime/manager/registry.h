@@ -29,8 +29,8 @@ class Registry {
   static constexpr std::size_t kMostBytes = 64u << 20;
   static constexpr std::size_t kBytesOfAPage = 1u << 20;
 
-  /// The generation under which the process is now known; or a refusal: the name is taken by one
-  /// that is not silent, or is none, or a limit is reached.
+  /// Returns the generation under which the process is now known, or a refusal: the name is taken
+  /// by one that is not silent, or is no name, or a limit is reached.
   tl::expected<std::uint64_t, Refusal> add(ProcessRecord process, std::shared_ptr<Holding> holding);
   /// Replaces the components of a process, or refuses to: a limit is reached. Ignored if the name
   /// has gone to a later generation.
@@ -38,13 +38,13 @@ class Registry {
                                      std::vector<ComponentRecord> components);
   /// The process lives. False: the name has gone to a later generation.
   bool renew(const std::string& name, std::uint64_t generation);
-  /// To be called as often as leases are to be renewed, while this thread runs: who has not
-  /// renewed for too many calls is silent. So a manager that was stopped itself holds nobody to be.
+  /// To be called as often as leases are to be renewed: who has not renewed for too many calls is
+  /// silent. A manager that was stopped has not called it, and so holds nobody to be silent.
   void age();
   /// Frees the name. Ignored if it has gone to a later generation.
   void remove(const std::string& name, std::uint64_t generation);
 
-  /// Null: nobody, or silent.
+  /// Null if there is no such process, or it is silent.
   const ProcessRecord* find(const std::string& name) const;
   /// Processes in the order of their names, the silent ones too.
   struct Page {

@@ -24,8 +24,8 @@ using Type = kj::Exception::Type;
 
 constexpr Duration kDialLimit = std::chrono::seconds(2);
 constexpr Duration kFirstRedialPause = std::chrono::milliseconds(50);
-// A pause and an attempt that came to nothing together are shorter than the second within which the
-// connection is to be back after a fault.
+// A pause and an attempt that fails together take less than the second within which the connection
+// is to be back after a fault.
 constexpr Duration kLongestRedialPause = std::chrono::milliseconds(250);
 constexpr Duration kTakeOverLimit = std::chrono::milliseconds(500);
 constexpr Duration kComeBackPatience = std::chrono::seconds(5);
@@ -37,7 +37,7 @@ std::string microseconds(Duration duration) {
          " us";
 }
 
-// As far back as the provider's own table; a peer must not make this process take more memory.
+// Keeps as many rows as the provider, up to a bound: a peer must not make us take more memory.
 void mirrorRows(std::uint32_t rows, rt::StateTable& mirror) {
   constexpr std::size_t kMostBytes = std::size_t{64} << 20;
   const std::size_t most = std::max<std::size_t>(kMostBytes / mirror.rowBytes(), 1);
@@ -88,7 +88,7 @@ kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
       manager_.resolve(to_.process, patience)
           .then([this, limit](const ProcessRecord& process) { return dial(process, limit); })
           .then([this, limit] { return introduce(limit); });
-  // The manager answers in time itself; what is left is the peer.
+  // The manager itself answers in time, so only the peer can be late.
   return rpc::within(control_.timer(), patience + kDialLimit, kj::mv(connected),
                      "process '" + to_.process +
                          "' is there, but does not answer, or has not yet made its "
@@ -106,7 +106,7 @@ kj::Promise<void> RemoteConnection::dial(const ProcessRecord& process, Duration 
   });
 }
 
-// A provider that hangs is not connected, to be lost again.
+// Does not connect a provider that hangs, only to lose it again.
 kj::Promise<void> RemoteConnection::introduce(Duration limit) {
   auto heartbeat = makeHeartbeat(limit);
   auto lost = heartbeat->whenLost().then([this](std::string&& why) -> kj::Promise<void> {
@@ -152,7 +152,7 @@ kj::Promise<void> RemoteConnection::compareClocks(unsigned times) {
   });
 }
 
-// A command that is late by no more than that would be executed, or one that is in time be late.
+// Within the clocks' error a ttl means nothing: late commands would run, or timely ones be late.
 kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
   const Duration error = clock_.error(now());
   for (const CommandInfo& one : required_.info().commands) {
@@ -174,7 +174,7 @@ RemoteConnection::Lanes RemoteConnection::wantedLanes() {
   if (lane_ == Lane::Rpc) return {};
   laneReason_ = whyUnbounded(required_.info());
   if (!laneReason_.empty()) return {};
-  // Nothing converts the stamps in memory that both use.
+  // In shared memory nothing converts stamps, and in frames nothing converts hidden ones.
   if (!clock_.isOne() && (lane_ != Lane::Frame || hidesStamps(required_.info()))) {
     laneReason_ = "the two processes have different clocks";
     return {.frames = !hidesStamps(required_.info())};
@@ -367,10 +367,10 @@ kj::Promise<void> RemoteConnection::keep() {
       .then([this] { return keep(); });
 }
 
-// Until the next comparison: without one the connection is lost by then.
+// The error until the next comparison; without one, the connection is lost by then.
 Duration RemoteConnection::clockError() const { return clock_.error(now() + longestSilence_); }
 
-// Clocks drift apart. Who provides is told what is known better, or much worse.
+// Clocks drift apart, so the provider is told what is known better now, or much worse.
 void RemoteConnection::followClock(Time asked, wire::Peer::PingResults::Reader answer) {
   const bool better = clock_.add(asked, answer.getReceived(), answer.getSent(), now());
   const Duration offset = clock_.offset(), error = clockError();

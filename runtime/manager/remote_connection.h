@@ -28,11 +28,11 @@ namespace suture {
 /// as this lives. Belongs to the control thread; outlives its promises.
 class RemoteConnection {
  public:
-  /// Callbacks about the connection, called on the control thread.
+  /// The control thread calls these with news of the connection.
   struct Told {
-    /// Each channel, when the connection has been made or made anew.
+    /// Takes each channel, when the connection has been made or made anew.
     std::function<void(std::shared_ptr<Channel>)> made;
-    /// By the channel's name why it is lost, in words, before it is.
+    /// Hears by the channel's name why it is lost, in words, before it is.
     std::function<void(const std::string& channel, std::string why)> lost;
   };
 

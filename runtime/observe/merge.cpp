@@ -5,7 +5,7 @@
 namespace suture {
 namespace {
 
-// What the provider has counted since it last told its client.
+// Settles what the provider has counted since it last told its client.
 void settleMore(ConnectionReport& whole, std::uint64_t commands) {
   for (std::uint64_t* const open : {&whole.underWay, &whole.unknown}) {
     const std::uint64_t settled = std::min(*open, commands);
@@ -14,7 +14,7 @@ void settleMore(ConnectionReport& whole, std::uint64_t commands) {
   }
 }
 
-// Counts of a process that has been started anew since are not those that the other end knows of.
+// The other end knows nothing of a process that was started anew since, so incarnations must match.
 bool areOfOneConnection(const ConnectionReport& one, std::uint64_t processOfOne,
                         const ConnectionReport& other, std::uint64_t processOfOther) {
   return one.name == other.name && one.end != other.end && one.end != ConnectionEnd::Both &&

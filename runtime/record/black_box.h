@@ -25,12 +25,12 @@ struct BlackBoxOptions {
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
-/// Watches components from a thread of its own, and when one has been faulted writes the rows of
-/// its state tables to "<folder>/<prefix><component>.<n>.jsonl", n its how many-th fault
-/// (JsonLines). Faults that came since the last look share a file, that of the last of them; its
-/// first line says which they are. A disk that is full or a folder that is missing is told, and
-/// nothing else comes of it. A file of that name is replaced: another run of the process needs
-/// another prefix.
+/// Watches components from a thread of its own. When one has been faulted, writes the rows of
+/// its state tables to "<folder>/<prefix><component>.<n>.jsonl" (JsonLines), n being the number
+/// of its fault. Faults that came since the last look share a file, that of the last of them;
+/// its first line says which they are. Tells of a disk that is full or a folder that is missing,
+/// and goes on. Replaces a file of that name, so another run of the process needs another
+/// prefix.
 class BlackBox {
  public:
   /// Before the components are started and connected. Asks for all reads that they provide, so that

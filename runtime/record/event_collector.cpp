@@ -51,7 +51,7 @@ void EventCollector::run() {
   if (std::exchange(unsettled_, false)) sink_.settle();
 }
 
-// What has arrived by the end, while it was suspended too.
+// Takes what has arrived by the end, also while it was suspended.
 void EventCollector::onStop() {
   source_->handleEvents();
   run();

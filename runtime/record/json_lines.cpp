@@ -17,7 +17,7 @@ SlotLayout payloadLayout(const json& event, const json& contract) {
                             : SlotLayout(payload.at("type"), contract);
 }
 
-// What is not laid out as the compiler did it would be read wrongly.
+// A layout that differs from the compiler's would be read wrongly.
 void requireSize(const SlotLayout& layout, std::size_t size, const char* contract,
                  const char* member) {
   if (layout.size() == size) return;

@@ -65,7 +65,7 @@ void SlotLayout::addPart(std::string name, SlotLayout layout) {
   parts_.push_back({std::move(name), offset, std::make_shared<SlotLayout>(std::move(layout))});
 }
 
-// `count` elements, one after the other, behind what is there already.
+// Lays out `count` elements, one after the other, behind what is there already.
 void SlotLayout::repeat(SlotLayout element, std::size_t count) {
   const std::size_t rest = (count - std::min<std::size_t>(count, 1)) * element.size_;
   count_ = count;
@@ -76,7 +76,7 @@ void SlotLayout::repeat(SlotLayout element, std::size_t count) {
 void SlotLayout::readType(const json& type, const json& contract) {
   const std::string kind = type.at("kind");
   const auto inner = [&](const char* key) { return SlotLayout(type.at(key), contract); };
-  // What begins with how many of its elements count.
+  // Lays out what begins with how many of its elements count.
   const auto counted = [&](Kind as, SlotLayout element) {
     kind_ = as;
     size_ = alignment_ = sizeof(std::uint32_t);

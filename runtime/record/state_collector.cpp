@@ -70,11 +70,11 @@ void StateCollector::run() {
   }
 }
 
-// What is there at the end.
+// Takes the rows that are there at the end.
 void StateCollector::onStop() { run(); }
 
-// A connection that was made anew has a table of its own: counts go on. Asking may bring about the
-// first row at once, so what is to be taken is known before.
+// A connection that was made anew has a table of its own, and counts go on. Fix the row to take
+// before asking, since that may bring about the first row at once.
 void StateCollector::begin() {
   from_.collector = name();
   next_ = table_->rows() + 1;
@@ -90,7 +90,7 @@ void StateCollector::takeRows() {
       ++next_;
       continue;
     }
-    // Overwritten, and with it all that the writer has left behind since.
+    // The row is overwritten, and so is all that the writer has left behind since.
     newest = table_->rows();
     const std::uint64_t capacity = table_->capacity();
     const std::uint64_t oldest = newest >= capacity ? newest - capacity + 1 : 1;

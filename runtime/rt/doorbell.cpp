@@ -20,8 +20,8 @@ timespec toTimespec(Time time) {
   return {static_cast<time_t>(count / 1'000'000'000), static_cast<long>(count % 1'000'000'000)};
 }
 
-// The two ends of the shm lane may be in one process, which then maps the word twice: its file is
-// one and the same.
+// Tells the word by its file, since the two ends of the shm lane may be in one process, which then
+// maps it twice.
 std::uint64_t placeOf(const MemoryBlock& memory) {
   struct stat status {};
   fstat(memory.descriptor(), &status);
@@ -29,8 +29,8 @@ std::uint64_t placeOf(const MemoryBlock& memory) {
 }
 
 #ifdef SUTURE_THREAD_SANITIZER
-// ThreadSanitizer knows memory by its address, of which a word that is mapped twice has two; this
-// is one place for both.
+// ThreadSanitizer knows memory by its address, and a word that is mapped twice has two: this gives
+// one place for both.
 void* addressOf(const std::shared_ptr<MemoryBlock>& memory) {
   static char places[4096];
   return &places[placeOf(*memory) % sizeof(places)];
@@ -50,14 +50,14 @@ void tellTaken(const std::shared_ptr<MemoryBlock>&) {}
 
 Doorbell::Doorbell(int eventDescriptor) : word_(own_), eventDescriptor_(eventDescriptor) {}
 
-// Zeros at first, which is awake.
+// The memory is zero at first, which means awake.
 Doorbell::Doorbell(std::shared_ptr<MemoryBlock> memory, Sleeper sleeper)
     : memory_(std::move(memory)),
       shared_(sleeper == Sleeper::Elsewhere),
       word_(*reinterpret_cast<Word*>(memory_->data())) {}
 
-// Whoever goes to sleep as before still finds the ring in the word; whoever did so is woken here,
-// for a ring that comes meanwhile may look for him as he will wait from now on.
+// Wakes a sleeper that waits on the private futex, since later rings look for it on the shared one.
+// A sleeper that is only about to wait there finds this ring in the word.
 const std::shared_ptr<MemoryBlock>& Doorbell::share() {
   if (!shared_.exchange(true, std::memory_order_seq_cst)) {
     ring();

@@ -29,9 +29,9 @@ class Doorbell {
   /// epoll.
   explicit Doorbell(int eventDescriptor = -1);
   enum class Sleeper : std::uint8_t { Here, Elsewhere };
-  /// In memory that other processes map: its sleeper's, which they are handed by share(), or for
-  /// ringing one of theirs. What they write there can wake it for nothing, or make it sleep until
-  /// its deadline.
+  /// Lies in memory that other processes map: its sleeper's own, which share() hands to them, or
+  /// that of one of theirs, in order to ring it. What they write there can wake it for nothing, or
+  /// make it sleep until its deadline.
   Doorbell(std::shared_ptr<MemoryBlock> memory, Sleeper sleeper);
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
@@ -56,8 +56,8 @@ class Doorbell {
   /// For an owner that sleeps in epoll: what it has been rung for since it last asked.
   RungFor takeRing();
 
-  /// Any thread, before another process is to ring it: what that needs. Until then the kernel is
-  /// told that nobody else waits there or rings, which costs it half as much.
+  /// Any thread: returns what another process needs to ring it, before that does. Until then the
+  /// kernel is told that no other process waits there or rings, which costs half as much.
   const std::shared_ptr<MemoryBlock>& share();
 
  private:

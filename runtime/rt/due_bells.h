@@ -11,15 +11,15 @@
 
 namespace suture::rt {
 
-/// One thread. Each bell is rung once, however often it was added since, for all of it. No
-/// allocation; the cost of add() does not grow with the number of bells.
+/// One thread. Rings each bell once, for all that it was added for since. No allocation; the cost
+/// of add() does not grow with the number of bells.
 class DueBells {
  public:
   static constexpr std::size_t kCapacity = 256;
 
   /// If kCapacity others are due, rings at once.
-  /// `untaken`: nobody is rung if that is down by then, for the sleeper has come upon it himself;
-  /// null, or two different ones for a bell: it is rung in any case.
+  /// `untaken`: if that is down by then, nobody is rung, since the sleeper has come upon it
+  /// himself; null, or two different ones for a bell: it is rung in any case.
   void add(Doorbell& bell, RungFor what = RungFor::Work, SharedFlag* untaken = nullptr);
   void ringAll();
 
@@ -39,8 +39,8 @@ class DueBells {
 
   std::size_t count_ = 0;
   std::array<Due, kCapacity> due_{};
-  // By a hash of the bell: its index in due_. Holds only if that one points back, so nothing needs
-  // to be erased.
+  // The index in due_ of a bell, by its hash. It holds only if that entry points back, so nothing
+  // needs to be erased.
   std::array<std::uint16_t, kSlots> slots_{};
 };
 

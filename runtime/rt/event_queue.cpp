@@ -41,7 +41,7 @@ EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers,
   }
 }
 
-// In foreign memory no payload owns any.
+// Releases what is left; in foreign memory, no payload owns memory.
 EventQueue::~EventQueue() {
   if (foreign_) return;
   while (next() != nullptr) pop();
@@ -107,7 +107,7 @@ EventRecord* EventQueue::oldest() {
   return reinterpret_cast<EventRecord*>(const_cast<std::byte*>(memory));
 }
 
-// As the provider would have written it. Of a cell, its payload has room for one event only.
+// True if the provider could have written it; a cell's payload has room for its own event only.
 bool EventQueue::makePossible(EventRecord& record) const {
   record.stamp = std::clamp(record.stamp, Time{}, now());
   if (!fromRing_) return record.event == cell_;
@@ -116,7 +116,7 @@ bool EventQueue::makePossible(EventRecord& record) const {
 
 const EventRecord* EventQueue::next() {
   next_ = oldest();
-  // As many as the ring has room for, and no more: the provider may write faster than this reads.
+  // Skip no more than the ring has room for: the provider may write faster than this reads.
   for (std::size_t left = ring_.cells(); next_ != nullptr && foreign_; --left) {
     if (makePossible(*next_)) break;
     if (fromRing_) ring_.pop();

@@ -51,8 +51,8 @@ struct EventCounters {
 /// One consumer thread. No allocation after construction, no locks. A full queue drops the new
 /// event and counts it, so a slow subscriber delays nobody.
 ///
-/// In foreign memory each process has an object of its own and uses one end. What cannot be an
-/// event is left out.
+/// In foreign memory each process has an object of its own and uses one end. The consumer skips
+/// what cannot be an event.
 class EventQueue {
  public:
   EventQueue(std::span<const EventLimits> events, Producers producers, Arena& arena);

@@ -45,7 +45,7 @@ class LatestCell {
   static constexpr std::uint32_t kFresh = 4;  // marks the shared index: published and not yet taken
   static constexpr std::uint32_t kBuffers = 3;
 
-  // Whatever the other side has written, it is one of the three.
+  // Names one of the three, whatever the other side has written.
   static std::uint32_t indexIn(std::uint32_t word) { return std::min(word & 3, kBuffers - 1); }
 
   std::byte* bufferAt(std::uint32_t index) const { return data_.get() + index * stride_; }

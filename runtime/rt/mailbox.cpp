@@ -8,7 +8,7 @@
 namespace suture::rt {
 namespace {
 
-/// What the consumer has not popped yet is its own.
+/// A record is the consumer's own, to be changed, until it has popped it.
 CommandRecord* ownRecord(const std::byte* memory) {
   return reinterpret_cast<CommandRecord*>(const_cast<std::byte*>(memory));
 }
@@ -44,7 +44,7 @@ Mailbox::Mailbox(std::span<const CommandLimits> commands, Arena& arena)
   }
 }
 
-// In foreign memory no argument owns any.
+// Releases what is left; in foreign memory, no argument owns memory.
 Mailbox::~Mailbox() {
   if (foreign_) return;
   while (const std::byte* memory = ring_.front()) {
@@ -102,7 +102,7 @@ std::size_t Mailbox::commit() {
 }
 
 void Mailbox::fixCut() {
-  // The cut first, the cells after it: a cell then holds its command up to the cut or something
+  // Take the cut before the cells: a cell then holds its command up to the cut, or something
   // newer.
   cut_ = published_->load(std::memory_order_acquire);
   left_ = mostWaiting_;
@@ -124,7 +124,7 @@ CommandRecord* Mailbox::earliest() {
   return earliest;
 }
 
-// As the producer would have written it.
+// True if the producer could have written it: a foreign one may write anything.
 bool Mailbox::isPossible(const CommandRecord& record) const {
   if (record.command >= limits_.size()) return false;
   if (nextCell_ == nullptr) return ring_.frontSize() == recordBytes(limits_[record.command]);

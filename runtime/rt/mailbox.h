@@ -50,8 +50,8 @@ struct MailboxCounters {
 /// before the cut in sequence order; what comes later waits for the next drain. So an old servo_cp
 /// never runs after a newer hold(), whichever of ring and cell they travelled in.
 ///
-/// In foreign memory each process has an object of its own and uses one end. A record that cannot
-/// be is the last: nothing is taken any more.
+/// In foreign memory each process has an object of its own and uses one end. The consumer takes
+/// nothing any more after a record that the producer cannot have written.
 class Mailbox {
   const std::shared_ptr<MailboxCounters> counters_;
 
@@ -93,7 +93,7 @@ class Mailbox {
   /// Any thread: true if something is waiting that next() has not returned.
   bool pending() const;
 
-  /// In foreign memory both processes write them, so believe neither.
+  /// Do not believe these in foreign memory, where both processes write them.
   MailboxCounters& counters = *counters_;
   std::shared_ptr<const MailboxCounters> sharedCounters() const { return counters_; }
 

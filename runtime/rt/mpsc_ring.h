@@ -60,7 +60,7 @@ class MpscRing {
 // Each cell carries the position at which it may be used next: equal to a producer's position it is
 // free, one more it is published. A cell comes round again one lap (mask_ + 1) later.
 //
-// Inline: what an event costs its sender is mostly this, once for each subscriber.
+// Inline, since most of what an event costs its sender is this, once for each subscriber.
 
 inline std::byte* MpscRing::claim() {
   std::uint64_t position = tail_.load(std::memory_order_relaxed);
@@ -74,7 +74,7 @@ inline std::byte* MpscRing::claim() {
       return nullptr;
     } else {
       const std::uint64_t next = tail_.load(std::memory_order_relaxed);
-      // Nobody else has claimed it: the consumer's process has written what cannot be.
+      // Nobody else has claimed it, so the consumer's process has written what cannot be.
       if (next == position) return nullptr;
       position = next;
     }

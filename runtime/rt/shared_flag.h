@@ -6,13 +6,13 @@
 
 namespace suture::rt {
 
-/// Any thread of any process that maps it; wait-free. Unlike a std::atomic<bool>, which only 0 and
-/// 1 may stand in, it is up with any other byte.
+/// Any thread of any process that maps it; wait-free. Unlike a std::atomic<bool>, in which only 0
+/// and 1 may stand, it is up with any byte but 0.
 class SharedFlag {
  public:
   bool isUp(std::memory_order order) const { return byte_.load(order) != 0; }
   void raise(std::memory_order order = std::memory_order_seq_cst) { byte_.store(1, order); }
-  /// Lowers it. Was it up?
+  /// Lowers it. True if it was up.
   bool take(std::memory_order order) { return byte_.exchange(0, order) != 0; }
 
  private:

@@ -42,7 +42,7 @@ const std::byte* SpscRing::front() {
   return data_.get() + (head_ & mask_) + sizeof(std::uint64_t);
 }
 
-// Every number is read once, and believed only within the ring.
+// Reads each number once, since it may change, and believes it only within the ring.
 bool SpscRing::copyFront() {
   const std::uint64_t published = knownTail_ - head_;
   std::uint64_t position = head_, size;

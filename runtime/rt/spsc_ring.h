@@ -16,9 +16,9 @@ namespace suture::rt {
 /// Wait-free, no allocation after construction. Records are 8-byte aligned and never wrap around
 /// the end.
 ///
-/// In foreign memory each process has an object of its own and uses one end. What the other may
-/// have written is checked, and read once: front() then is a copy. A ring that cannot be right is
-/// empty for ever.
+/// In foreign memory each process has an object of its own and uses one end. It reads once what the
+/// other may have written, and checks it: front() then is a copy. A ring whose numbers cannot be
+/// right is empty for ever.
 class SpscRing {
  public:
   /// Room for at least `bytes` of records, each counted as recordSize(its size).

@@ -46,7 +46,7 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
   return bytes;
 }
 
-// Another process may have written anything: its age can be computed all the same.
+// Bounds a stamp so that its age can be computed: another process may have written anything.
 Time possible(std::uint64_t stamp) {
   return fromNanoseconds(std::max<std::int64_t>(0, static_cast<std::int64_t>(stamp)));
 }
@@ -214,8 +214,8 @@ StateTable::Row StateTable::readNewest(const Copy& copy) const {
   return row;
 }
 
-// The oldest row that the ring holds whole: that of the slot before the next to be written, which
-// the writer may be about to overwrite.
+// The oldest row that the ring holds whole. It lies in the slot that is written next, so the writer
+// may be about to overwrite it.
 std::uint64_t StateTable::oldest(std::uint64_t newest) const {
   return newest > rowMask_ ? newest - rowMask_ : 1;
 }
@@ -228,7 +228,7 @@ bool StateTable::stampOf(std::uint64_t sequence, Time& stamp) const {
   return whole;
 }
 
-// Stamps ascend with the numbers, and what has been overwritten is older than what has not.
+// Halves the rows, since stamps ascend with the numbers and the oldest rows are overwritten first.
 StateTable::Row StateTable::findAt(Time at) const {
   std::uint64_t last = rows();  // so that no number beyond it overflows
   std::uint64_t first = oldest(last);

@@ -32,8 +32,8 @@ class StateTable {
   /// is kept, and the table is used under a lock.
   explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows,
                       ColumnSet shared = 0);
-  /// A table that another process writes, in memory() of it: for readers only. What is asked of it
-  /// is put into `demand`, for somebody to ask there. Throws SetupError: the memory has not room
+  /// For readers only: a table that another process writes, in memory() of it. What is asked of it
+  /// is put into `demand`, for somebody to ask there. Throws SetupError if the memory has no room
   /// for `rows` rows.
   StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows,
              std::shared_ptr<MemoryBlock> memory, std::shared_ptr<std::atomic<ColumnSet>> demand);
@@ -93,7 +93,7 @@ class StateTable {
   std::size_t rowBytes() const { return rowBytes_; }
   std::size_t columns() const { return columns_.size(); }
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
-  /// Does a copy of the column have to be released?
+  /// True if a copy of the column has to be released.
   bool isShared(unsigned column) const { return shared_.contains(column); }
   /// Where the rows lie, for other processes to read. Not if a column is shared.
   const std::shared_ptr<MemoryBlock>& memory() const { return memory_; }

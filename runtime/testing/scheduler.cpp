@@ -13,12 +13,12 @@ namespace {
 // Far from zero, which means "unset", and the same in each run.
 constexpr Time kBegin{std::chrono::seconds(1000)};
 
-// So long no thread of Suture works without sleeping.
+// No thread of Suture works for so long without sleeping.
 constexpr auto kPatience = std::chrono::seconds(10);
 
 /// The calling thread, if its scheduler knows it.
 thread_local ScheduledThread* current = nullptr;
-/// Which process it works for, and what it starts.
+/// The process that the calling thread works for, and all that it starts.
 thread_local std::size_t currentProcess = 0;
 
 }  // namespace
@@ -119,7 +119,7 @@ void Scheduler::note(Kind kind, const char* interface, const char* what, std::ui
                     .number = number});
 }
 
-// A thread that spends time in the middle of its cycle rings at the end of it.
+// Nothing is missed while a thread spends time in its cycle: it rings at the end of it.
 void Scheduler::missedRing(const std::string& name) {
   if (options_.threads == Threads::Together) return;
   {
@@ -161,7 +161,7 @@ void Scheduler::freeze(std::size_t process) {
   frozen_.insert(process);
 }
 
-// Time has gone on without its threads.
+// Makes the threads ready that have become due while time went on without them.
 void Scheduler::thaw(std::size_t process) {
   const Lock lock(mutex_);
   frozen_.erase(process);

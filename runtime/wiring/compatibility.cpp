@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// What a peer wrote may be anything.
+// Takes only what is text, since a peer may have written anything.
 std::string textOf(const Json& json, const char* key) {
   const auto found = json.is_object() ? json.find(key) : json.end();
   return found != json.end() && found->is_string() ? found->get<std::string>() : "";
@@ -74,7 +74,7 @@ class Comparison {
  private:
   void broken(std::string text) { found_.breaks.push_back(std::move(text)); }
 
-  // A type that one end alone has is in nothing that both know.
+  // Skips a type that one end alone has: it is in nothing that both know.
   void compareNodes() {
     for (const Json& node : listOf(here_, "wire")) {
       const std::string id = textOf(node, "id");

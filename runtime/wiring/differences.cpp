@@ -9,7 +9,7 @@ namespace {
 
 using Leaves = std::map<std::string, std::string>;
 
-// For people, or told by the rest in words of the header.
+// These are for people, or the rest tells them in words of the header.
 constexpr std::string_view kLeftOut[] = {"doc", "hash", "core", "ordinal", "wire"};
 
 // Elements of a list are known by their name where they have one, so that an inserted one is one

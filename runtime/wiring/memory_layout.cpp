@@ -8,10 +8,10 @@
 namespace suture {
 namespace {
 
-// One more whenever a channel or a state table lies in memory in another way.
+// Raise this whenever a channel or a state table comes to lie in memory in another way.
 constexpr int kForm = 2;
 
-/// Documentation has no bytes.
+/// Removes documentation, which has no bytes.
 void removeTexts(nlohmann::json& json) {
   if (json.is_object()) json.erase("doc");
   if (!json.is_structured()) return;
@@ -35,7 +35,7 @@ std::string digest(const std::string& text) {
 }  // namespace
 
 std::string memoryLayout(const InterfaceInfo& info) {
-  // Its own, with which the program was built: of no depth that it does not know.
+  // This is the program's own description, so it is nested no deeper than it knows.
   auto description = nlohmann::json::parse(info.description);
   removeTexts(description);
   nlohmann::json layout = {kForm, sizeof(void*), info.hash, std::move(description)};
@@ -69,7 +69,7 @@ bool hidesStamps(const InterfaceInfo& info) {
                   [](const EventInfo& one) { return one.shiftPayload != nullptr; });
   if (shown) return false;
   const auto description = nlohmann::json::parse(info.description);
-  // Without a word on types there may be some.
+  // If nothing is said of types, some may have them.
   return !description.contains("commands") || hasSteadyClock(description);
 }
 

@@ -14,9 +14,9 @@ struct CallsMark {
   std::array<std::uint32_t, Channel::kMaxCalls> atProvider;  ///< not answered yet; 0: none
 };
 
-/// Sees to it that each call is answered to the client, and once: what is answered twice would take
-/// the room of another answer, and what is never answered would keep its place for ever. One
-/// thread.
+/// One thread. Sees to it that each call is answered to the client exactly once: a second answer
+/// would take the room of another one, and a call that is never answered would keep its place for
+/// ever.
 class CallsUnderWay {
  public:
   /// The client's end sends `call` as message `sequence`.
@@ -26,7 +26,7 @@ class CallsUnderWay {
   /// True if it awaits any.
   bool any() const;
   /// The client's end has heard `mark`, and no answer that was sent before it will come any more:
-  /// `lose(call)` for each that has been answered, or will never be executed.
+  /// calls `lose(call)` for each that has been answered, or will never be executed.
   template <class Lose>
   void settle(const CallsMark& mark, const Lose& lose);
 

@@ -11,7 +11,7 @@ namespace {
 // Two seconds of what comes at 1 kHz.
 constexpr std::size_t kUnderWay = 2048;
 
-// How long after others a message may come and still be awaited, if nothing newer does.
+// A message may come so long after others and is still awaited, if nothing newer comes.
 constexpr Duration kMarkPeriod = std::chrono::milliseconds(50);
 
 // The kinds of messages of a connection: each meets faults of its own.
@@ -55,7 +55,7 @@ DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_
       far_(std::move(far)),
       delay_(delay),
       commands_(largestCommand(near_->info), kUnderWay, delay.faults, kCommands, near_->delivery),
-      // More answers than there may be calls: there is room for duplicates and marks, too.
+      // There may be more answers than calls, since there are duplicates and marks too.
       answers_(largestAnswer(near_->info), std::size_t{8} * Channel::kMaxCalls, delay.faults,
                kAnswers, near_->delivery),
       events_(largestEvent(near_->info), kUnderWay, delay.faults, kEvents, near_->delivery),
@@ -116,7 +116,7 @@ bool DelayedConnection::usesCredit(const rt::CommandRecord& record) const {
   return !near_->info.commands[record.command].latest || record.call != 0;
 }
 
-// Without room they stay with the client, whose credits bound them, or where newer ones replace
+// Without room, commands stay with the client, where its credits bound them or newer ones replace
 // them.
 void DelayedConnection::takeCommands() {
   rt::Mailbox& commands = near_->commands;
@@ -139,7 +139,7 @@ void DelayedConnection::takeCommands() {
   }
 }
 
-// Only where something may be lost there is something to settle.
+// Marks settle what has been lost, so there are none where nothing can be.
 bool DelayedConnection::expectsMarks() const {
   return delay_.faults.any() && (!outstanding_.empty() || calls_.any());
 }
@@ -179,7 +179,7 @@ void DelayedConnection::deliver(const rt::CommandRecord& record) {
   }
   const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
   if (!slot) {
-    // Only if the provider's end has given no credit back: nobody serves it any more.
+    // There is no room only if the provider's end gives no credit back: nobody serves it any more.
     rt::increment(near_->commands.counters.refused);
     if (record.call != 0) refuse(record.call, slot.error());
     return;
@@ -195,7 +195,7 @@ void DelayedConnection::refuse(std::uint32_t call, Errc error) {
   near_->ends.client->ring(rt::RungFor::Arrival);
 }
 
-// What has been lost uses no credit any more than what has arrived: neither will arrive again.
+// Lost commands give their credits back like those that have arrived: neither arrive any more.
 void DelayedConnection::returnCredits() {
   while (!outstanding_.empty() && outstanding_.front().sequence <= commands_.reached()) {
     --underWay_[outstanding_.front().command];
@@ -270,7 +270,7 @@ void DelayedConnection::settleCalls(const CallsMark& mark) {
   });
 }
 
-// Without room they stay in the provider's queue, which drops and counts as without delay.
+// Without room, events stay in the provider's queue, which drops and counts as without delay.
 void DelayedConnection::takeEvents() {
   while (events_.hasRoom()) {
     const rt::EventRecord* record = far_->events.next();
@@ -338,7 +338,7 @@ void DelayedConnection::deliverRows(Time now) {
   if (any && near_->wantsRows.isUp(std::memory_order_relaxed)) near_->ends.client->ring();
 }
 
-// Behind the answers that came before it.
+// Delays a status as answers are, so that it comes behind those that came before it.
 void DelayedConnection::takeStatus() {
   const ChannelStatus status = far_->status.load(std::memory_order_acquire);
   if (status == status_) return;
@@ -357,7 +357,7 @@ void DelayedConnection::deliverStatus(Time now) {
   }
 }
 
-// The provider's end may be another lane's client.
+// Adds what was told from beyond, since the provider's end may be another lane's client.
 void DelayedConnection::countCommands() {
   const ChannelCounts& beyond = *far_->counts;
   constexpr auto kEnd = ConnectionEnd::Client;

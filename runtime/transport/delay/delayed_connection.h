@@ -32,7 +32,7 @@ class DelayedConnection {
   void pump(Time now);
   /// When something is due next.
   Time due();
-  /// True if the provider's end has credits to give back, of which nobody may tell.
+  /// True if credits are lent, since nobody may ring when the provider's end gives them back.
   bool awaitsCredits() const;
   /// True if the client has let go; there is nothing to carry any more.
   bool over() const;
@@ -75,12 +75,12 @@ class DelayedConnection {
     std::uint16_t command;
   };
   std::deque<Outstanding> outstanding_;  // as many as there are credits at most
-  // By command: how many the client may not send yet since they are under way here, and how many in
-  // all.
+  // By command: how many credits are used by what is under way here, and how many by that and by
+  // what the provider has.
   std::vector<std::uint32_t> underWay_, lent_;
   CallsUnderWay calls_;
-  // As it was when the last marks were sent: what the next ones say. So what takes no longer than
-  // that is not given up.
+  // What was so when the last marks were sent, which the next ones say: what takes no longer than
+  // the time between the two is not given up.
   std::uint64_t delivered_ = 0;  // commands
   std::uint64_t commandsSent_ = 0, answersSent_ = 0;
   CallsMark callsMark_{};

@@ -7,8 +7,8 @@
 namespace suture {
 namespace {
 
-// When a mark goes depends on time; the faults of messages must not depend on that. And they are
-// not what a test counts.
+// Marks have faults of their own, since their time must not decide those of messages, and a test
+// does not count them.
 constexpr std::uint64_t kOfMarks = 0x100;
 
 FaultPlan uncounted(FaultPlan plan) {
@@ -56,7 +56,7 @@ void MessageLine::commit() {
   if (fate_.stall > Duration{0}) stalledUntil_ = std::max(stalledUntil_, now() + fate_.stall);
 }
 
-// Later than the message itself, and so than what that waits behind.
+// Comes later than the message itself, and so than what that waits behind.
 void MessageLine::duplicate() {
   std::byte* const again = line_.claim(line_.claimedDue() + fate_.duplicateLater, claimedSize_,
                                        DelayLine::Order::Overtakable);

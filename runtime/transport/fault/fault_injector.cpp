@@ -37,7 +37,7 @@ bool FaultInjector::isLost() {
   return alone;
 }
 
-// As many draws for each message, whatever befalls it: what comes next does not depend on it.
+// Draws equally often for each message, so that what befalls one does not change the next.
 Fate FaultInjector::next() {
   const bool lost = isLost();
   const bool duplicated = strikes(plan_.duplicate), reordered = strikes(plan_.reorder);

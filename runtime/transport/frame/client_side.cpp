@@ -39,7 +39,7 @@ void ClientSide::taken() {
   arrival_ = news_ = false;
 }
 
-// One to a call that is no longer known comes too late for anybody.
+// An answer to a call that is no longer known comes too late for anybody.
 bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
   const Sent& sent = calls_[header.call % calls_.size()];
   if (header.call == 0 || sent.call != header.call) return true;
@@ -56,7 +56,7 @@ bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
   return true;
 }
 
-// What was emitted for an earlier subscription is not for this one.
+// Drops an event that was emitted for an earlier subscription than the present one.
 bool ClientSide::takeEvent(const Header& header, std::span<std::byte> payload) {
   if (header.number >= since_.size()) return false;
   const EventInfo& event = channel_->info.events[header.number];
@@ -131,7 +131,7 @@ void ClientSide::giveSubscription() {
   send({.kind = Kind::Subscribe, .call = subscription_}, std::as_bytes(std::span(&content, 1)));
 }
 
-// Without room they stay with the client, whose credits bound them, or where newer ones replace
+// Without room, commands stay with the client, where its credits bound them or newer ones replace
 // them.
 void ClientSide::giveCommands() {
   rt::Mailbox& commands = channel_->commands;
@@ -161,7 +161,7 @@ void ClientSide::giveCommand(const rt::CommandRecord& record) {
         .stamp = toNanoseconds(record.stamp)},
        {record.arguments(), command.argumentsSize});
   if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, &command};
-  // A newest-wins command without an answer uses none.
+  // A newest-wins command without an answer uses no credit.
   if (!command.latest || record.call != 0) ++lent_[record.command];
 }
 

@@ -13,8 +13,8 @@
 
 namespace suture::frame {
 
-/// Two processes may exchange the slots of a contract as they lie in memory if their layouts are
-/// equal, see memoryLayout(). Values of a peer are judged before a component sees them.
+/// The bytes of the largest payload: slots travel as they lie in memory, between processes of one
+/// memoryLayout(). Values of a peer are judged before a component sees them.
 std::size_t mostPayload(const InterfaceInfo& contract);
 
 /// Carries everything between a channel and its share of a link. Belongs to the lane thread, but
@@ -32,7 +32,7 @@ class Connection {
   void use(FrameSocket& socket) { socket_ = &socket; }
   /// A frame of this connection has arrived; false if there can be no such.
   bool arrived(const Header& header, std::span<std::byte> payload);
-  /// Behind all that have arrived: wakes whom they are for.
+  /// Called behind all frames that have arrived: wakes those whom they are for.
   virtual void taken() {}
   /// Sends what the channel has, as far as there is room; true if it may have more, which the
   /// socket had no room for.
@@ -55,8 +55,8 @@ class Connection {
   virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
   virtual void give() = 0;
 
-  /// A stamp of the peer on this process's clock. What has not happened yet would have a negative
-  /// age.
+  /// A stamp of the peer on this process's clock, but not later than now: what has not happened yet
+  /// would have a negative age.
   Time here(std::int64_t stamp) const;
   /// The same of all stamps in a slot that has arrived. `shift`: null if it has none.
   void bringHere(StampShift shift, std::byte* slot) const;

@@ -10,9 +10,9 @@
 
 namespace suture::frame {
 
-/// Believes nothing: a frame is handed out when its size, checksum, epoch, place in the order and
-/// kind are right; after one that is not there are no more. No allocation after construction. One
-/// thread.
+/// One thread. Believes nothing: a frame is handed out only if its size, checksum, epoch, place in
+/// the order and kind are right, and after a wrong one there are no more. No allocation after
+/// construction.
 class FrameReader {
  public:
   /// `mostPayload`: no frame has more.
@@ -28,7 +28,7 @@ class FrameReader {
 
   /// The next whole frame; nullptr: there is none yet, or a fault. Valid until the next call.
   const Header* next();
-  /// Of the frame that next() returned; whoever takes it may change it. At a word.
+  /// The payload of the frame that next() returned, at a word; whoever takes it may change it.
   std::span<std::byte> payload();
   Fault fault() const { return fault_; }
 

@@ -12,7 +12,7 @@
 namespace suture::frame {
 namespace {
 
-// As many as one look brings; the rest comes with the next.
+// One look brings at most so many; the rest comes with the next.
 constexpr int kArrivals = 64;
 
 kj::AutoCloseFd opened(int descriptor, const char* what) {
@@ -30,7 +30,7 @@ std::shared_ptr<LaneThread::Bell> LaneThread::makeBell() {
 }
 
 LaneThread::LaneThread() : poll_(opened(epoll_create1(EPOLL_CLOEXEC), "an epoll")) {
-  // Its edge ends the sleep; it is never read.
+  // The edge of the eventfd ends the sleep; it is never read.
   epoll_event event{.events = EPOLLIN | EPOLLET, .data = {.ptr = nullptr}};
   epoll_ctl(poll_, EPOLL_CTL_ADD, bell_->eventDescriptor, &event);
 }
@@ -58,7 +58,7 @@ void LaneThread::add(std::shared_ptr<Link> link) {
 void LaneThread::loop() {
   pthread_setname_np(pthread_self(), "suture-lane");
   rt::askForSlice(rt::kServiceSlice);
-  // The ring of stop() is taken before it is asked whether there was one, or it ends the sleep.
+  // Take a ring before looking for a stop: the ring of a later stop() then ends the sleep.
   for (;;) {
     bell_->doorbell.takeRing();
     if (stopping_) break;
@@ -96,8 +96,8 @@ void LaneThread::turnAll() {
   std::erase_if(carried_, [this](const Carried& one) { return isDone(one); });
 }
 
-// Whoever else holds an empty link is about to let a connection join. The poll forgets a link ahead
-// of its end: to close the socket is not enough as long as another descriptor of it is open.
+// Somebody who holds an empty link is about to let a connection join. Take a link out of the poll
+// before its end: to close the socket is not enough while another descriptor of it is open.
 bool LaneThread::isDone(const Carried& carried) {
   const bool unused = carried.link.use_count() == 1 && carried.link->endIfEmpty();
   if (!unused && !carried.link->broken()) return false;

@@ -24,10 +24,10 @@ class LaneThread : private VirtualTime::Sockets {
   LaneThread(const LaneThread&) = delete;
   LaneThread& operator=(const LaneThread&) = delete;
 
-  /// Any thread: carries it until it breaks, or is empty and nobody else's.
+  /// Any thread: carries it until it breaks, or is empty and nobody else holds it.
   void add(std::shared_ptr<Link> link);
 
-  /// Whoever made it: lets go of all links, and rings nobody any more.
+  /// The thread that made it: lets go of all links, and rings nobody any more.
   void stop();
 
   /// Any thread rings it when a channel has something, or a link another connection or owner, and

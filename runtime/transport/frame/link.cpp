@@ -55,8 +55,8 @@ void Link::turn() {
   std::erase_if(connections_, [](const auto& one) { return one->over(); });
 }
 
-// Who joins does so before its peer sends: at the latest behind a receipt it is there. A peer that
-// sends without end leaves the others their turns.
+// A connection joins before its peer sends, so it is there at the latest behind a receipt. There
+// are only so many fills, so that a peer that sends without end leaves the others their turns.
 void Link::receive() {
   constexpr int kMostFills = 8;
   int fills = 0;
@@ -72,14 +72,14 @@ void Link::receive() {
   for (const auto& one : connections_) one->taken();
 }
 
-// What comes for a connection that has ended is for nobody.
+// Drops what comes for a connection that has ended.
 bool Link::take(const Header& header) {
   Connection* const connection = find(header.connection);
   return connection == nullptr || connection->over() ||
          connection->arrived(header, socket_.payload());
 }
 
-// None can take all the room at each turn.
+// Begins with another connection at each turn, so that none can always take all the room.
 bool Link::send() {
   const std::size_t count = connections_.size();
   if (count == 0) return false;

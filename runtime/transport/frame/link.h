@@ -13,8 +13,8 @@
 
 namespace suture::frame {
 
-/// What all of its connections have to send leaves in one send, and arrives in one receipt. It
-/// breaks for all of them. Belongs to the lane thread, but for what is said to be any thread's.
+/// Belongs to the lane thread, but for what is said to be any thread's. All that its connections
+/// have to send leaves in one send, and arrives in one receipt; it breaks for all of them.
 class Link {
  public:
   /// `epoch`: in every frame, the same at the other end.
@@ -40,7 +40,7 @@ class Link {
   bool hasMore() const { return socket_.mayHaveMore(); }
   /// The socket has not taken all, and tells when it takes more.
   bool isFull() const { return socket_.isFull(); }
-  /// The other end is told so.
+  /// Ends the socket, so that the other end is told.
   void end() { socket_.cut(); }
 
  private:

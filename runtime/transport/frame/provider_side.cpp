@@ -16,7 +16,7 @@ ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, std::uint32_t numbe
     if (one.column >= 0)
       slots_[static_cast<unsigned>(one.column)].resize(wordBytes(one.resultSize) / 8);
   }
-  // Also tells when commands have been taken, for a provider that publishes no rows.
+  // This also tells when commands have been taken, if a provider publishes no rows.
   channel_->wantsRows.raise();
 }
 

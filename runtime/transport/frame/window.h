@@ -29,7 +29,7 @@ class Window {
     ++taken_;
     return taken_ - told_ <= kFrames;
   }
-  /// Half a window: the other end need not stop for it.
+  /// True from half a window on, so that the other end need not stop for it.
   bool owesAcknowledgement() const { return taken_ - told_ >= kFrames / 2; }
 
  private:

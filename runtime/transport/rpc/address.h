@@ -22,7 +22,7 @@ struct Address {
 
   /// The form that parse() takes.
   std::string text() const;
-  /// It needs no name service.
+  /// True if it needs no name service.
   bool isNumeric() const;
 
   Kind kind = Kind::Unix;
@@ -33,8 +33,8 @@ struct Address {
 };
 
 /// One or several, separated by commas: "tls://10.0.0.1:7700,tls://10.0.0.2:7700". Throws
-/// SetupError as Address::parse() does, or if they are not of one kind: who is kept from the first
-/// must not be led to one that is less safe.
+/// SetupError as Address::parse() does, or if they are not of one kind: whoever keeps us from the
+/// first must not lead us to one that is less safe.
 std::vector<Address> parseAddresses(const std::string& text);
 
 /// Where this end of `socket`, which leads to `far`, is: of the same kind, with port 0. Unix:

@@ -39,7 +39,7 @@ class ByteStream {
   /// True if a receive that fills less than it could has emptied the socket.
   bool shortMeansEmpty() const { return session_ == nullptr; }
 
-  /// No more will be sent, and the peer is told.
+  /// Tells the peer that no more will be sent.
   void end();
   /// Neither direction is used any more.
   void cut();

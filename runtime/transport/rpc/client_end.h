@@ -15,11 +15,11 @@ class ClientEnd : public kj::Refcounted {
  public:
   explicit ClientEnd(std::shared_ptr<Channel> channel) : channel_(std::move(channel)) {}
 
-  /// How it stands with the provider's component.
+  /// Tells the client how it stands with the provider's component.
   void tell(ChannelStatus status) { channel_->tell(status); }
-  /// How the provider's clock stands to this process's.
+  /// Takes over how the provider's clock stands to this process's.
   void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
-  /// What the provider's end has counted.
+  /// Takes over what the provider's end has counted.
   void tally(const Tally& tally) { channel_->counts->told.store(tally); }
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
@@ -29,7 +29,7 @@ class ClientEnd : public kj::Refcounted {
 
  protected:
   bool isClosed() const { return closed_; }
-  /// Before the client is told.
+  /// Called before the client is told.
   virtual void ending() {}
 
   const std::shared_ptr<Channel> channel_;

@@ -87,7 +87,7 @@ template <Number S, std::uint32_t R, std::uint32_t C>
 bool isValid(const BoundedMatrix<S, R, C>& slot, FieldPath* = nullptr);
 inline bool isValid(SlotNothing, FieldPath*) { return true; }
 
-// What is there is the thing itself, so a path says no more of it.
+// A path says nothing of an optional, since what is there is the thing itself.
 template <class S, class Check>
 bool allOf(const SlotOptional<S>& slot, FieldPath*, const Check& check) {
   return slot.present == 0 || check(slot.value);

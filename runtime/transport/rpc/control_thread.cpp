@@ -61,7 +61,7 @@ ControlThread::~ControlThread() noexcept {
 }
 
 void ControlThread::post(kj::Function<void()> work) {
-  // Rung under the lock, so that the destructor's own post comes after every other one has let go.
+  // Ring under the lock, so that the destructor's own post comes after every other one has let go.
   std::lock_guard lock(mutex_);
   posted_.push_back(kj::mv(work));
   anyPosted_.store(true, std::memory_order_release);
@@ -75,7 +75,7 @@ void ControlThread::requireOther() const {
 void ControlThread::add(Pump& pump) { pumps_.push_back(&pump); }
 
 void ControlThread::remove(Pump& pump) {
-  // A hole, not an erase: the caller may be in the middle of runPumps().
+  // Leave a hole instead of erasing: the caller may be in the middle of runPumps().
   std::replace(pumps_.begin(), pumps_.end(), &pump, static_cast<Pump*>(nullptr));
 }
 

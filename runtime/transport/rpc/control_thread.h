@@ -70,7 +70,7 @@ class ControlThread {
   /// error.
   void spawn(kj::Promise<void> task) { loop_->tasks.add(kj::mv(task)); }
   void add(Pump& pump);
-  /// Also from within a pump.
+  /// May be called from within a pump.
   void remove(Pump& pump);
 
  private:

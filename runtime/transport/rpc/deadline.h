@@ -11,8 +11,8 @@ namespace suture::rpc {
 
 inline kj::Duration toKj(Duration duration) { return duration.count() * kj::NANOSECONDS; }
 
-/// What `promise` ends in, or after `limit` a rejection (OVERLOADED, as KJ's own timeouts) that
-/// says `text`.
+/// Ends as `promise` does, or rejects after `limit` with `text` (as OVERLOADED, like KJ's own
+/// timeouts).
 template <class T>
 kj::Promise<T> within(kj::Timer& timer, Duration limit, kj::Promise<T> promise, std::string text) {
   auto late = timer.afterDelay(toKj(limit)).then([text = std::move(text)]() -> kj::Promise<T> {

@@ -37,7 +37,7 @@ class AttachedDescriptors {
   std::size_t size() const { return waiting_.size(); }
   const Attached& front() const { return waiting_.front(); }
   void pop() { waiting_.pop_front(); }
-  /// Behind the others.
+  /// Adds it behind the others.
   void add(Attached attached) { waiting_.push_back(kj::mv(attached)); }
   /// Takes all that belong to bytes before `end`.
   kj::Array<kj::AutoCloseFd> takeUntil(std::uint64_t end);

@@ -104,7 +104,7 @@ bool EventPort::look() {
   return loop_.isRunnable();
 }
 
-// Takes the edges that KJ's own epoll has as well: look() follows.
+// Takes the edges here alone: KJ's own epoll has them as well, for look().
 bool EventPort::mayFind() {
   epoll_event events[16];
   return epoll_wait(arrivals_, events, std::size(events), 0) != 0;

@@ -28,7 +28,7 @@ class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
     ~Output() = default;
   };
 
-  /// Hides KJ's own, of which only the thread of the loop can ask whether anything has happened.
+  /// Hides KJ's own, which only the thread of the loop can ask whether anything has happened.
   class FdObserver : public kj::UnixEventPort::FdObserver {
    public:
     FdObserver(EventPort& port, int descriptor, kj::uint asked);

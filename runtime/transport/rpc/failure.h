@@ -11,7 +11,7 @@ namespace suture::rpc {
 /// A rejection with a text for people.
 kj::Exception failure(kj::Exception::Type type, const std::string& text);
 
-/// The peer is gone or must go.
+/// Says that the peer is gone, or must go.
 inline kj::Exception disconnected(const std::string& text) {
   return failure(kj::Exception::Type::DISCONNECTED, text);
 }

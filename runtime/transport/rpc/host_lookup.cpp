@@ -60,7 +60,7 @@ std::vector<Address> lookUp(const Address& address) {
   return places;
 }
 
-/// To the name service; outlives who asked.
+/// A question to the name service; it outlives whoever asked.
 struct HostLookup::Question {
   explicit Question(const Address& of) : address(of) {}
 
@@ -73,7 +73,7 @@ struct HostLookup::Question {
     const std::uint64_t one = 1;
     [[maybe_unused]] const auto written = write(answered, &one, sizeof one);
   }
-  /// Once it can be read.
+  /// To be called once `answered` can be read.
   void take() const {
     std::uint64_t count;
     [[maybe_unused]] const auto taken = read(answered, &count, sizeof count);

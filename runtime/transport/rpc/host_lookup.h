@@ -15,8 +15,8 @@ namespace suture::rpc {
 /// service says, the best first. Blocks for as long as that takes. Throws SetupError.
 std::vector<Address> lookUp(const Address& address);
 
-/// The same for those who must not block: asks in a thread of its own, which ends when the name
-/// service answers; of each object there is at most one. Belongs to the thread of `port`.
+/// Belongs to the thread of `port`. The same for those who must not block: asks in a thread of its
+/// own, at most one for each object, which ends when the name service answers.
 class HostLookup {
  public:
   HostLookup(EventPort& port, const Address& address);

@@ -52,7 +52,7 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
                          "talk to " + address().text() + ": " + tooMany());
   }
   const Room room = links_++ < maxLinks_ ? Room::Is : Room::IsNot;
-  // What fails here, for want of memory perhaps, is the end of this one alone.
+  // What fails here, perhaps for want of memory, ends this connection alone.
   auto served = kj::evalNow([&] {
     return address().kind == Address::Kind::Tls ? secure(kj::mv(socket), room)
                                                 : open(ByteStream(kj::mv(socket)), room);
@@ -60,7 +60,7 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
   tasks_.add(served.attach(kj::defer([this] { --links_; })));
 }
 
-// They wait in the kernel's queue.
+// Those who connect then wait in the kernel's queue.
 void LinkServer::cannotAccept(int error) {
   refusals_.add("who connects to " + address().text(),
                 std::string("wait until this process can accept connections again: ") +

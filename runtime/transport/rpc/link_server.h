@@ -16,8 +16,8 @@ namespace suture::rpc {
 struct Caller {
   PeerIdentity identity;
   std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
-  /// Set by who serves it once it has said what it wants. A link on which nobody does so is closed
-  /// after StreamLimits::helloMilliseconds.
+  /// Set by whoever serves the peer, once that has said what it wants. A link on which nobody does
+  /// so is closed after StreamLimits::helloMilliseconds.
   bool known = false;
 };
 

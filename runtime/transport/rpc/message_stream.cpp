@@ -30,7 +30,7 @@ capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
   return options;
 }
 
-// The first bytes of a ClientHello or of an alert.
+// True for the first bytes of a ClientHello or of an alert.
 bool isTls(std::span<const std::byte> bytes) {
   return bytes.size() >= 2 && (bytes[0] == std::byte{0x16} || bytes[0] == std::byte{0x15}) &&
          bytes[1] == std::byte{0x03};
@@ -112,7 +112,7 @@ void MessageStream::refuse(std::string why) {
   kj::throwFatalException(disconnected(refusal_));
 }
 
-// From then on more is read at once.
+// Reads more at once as soon as the peer is known.
 void MessageStream::noteWhetherKnown() {
   if (guard_.known == nullptr || !*guard_.known) return;
   guard_.known = nullptr;
@@ -135,9 +135,9 @@ MessageStream::Received MessageStream::receive() {
   if (count < 0 && errno == EINTR) return Received::Some;
   if (count < 0 && errno != EAGAIN) kj::throwFatalException(bytes_.lost(errno));
 
-  // The socket is known to be empty after EAGAIN, and after a short read unless it ended with
-  // descriptors, or the end has been seen: then only another receive reports it. An edge that fires
-  // while no promise waits is dropped, so make it now.
+  // The socket is empty after EAGAIN, and after a short read unless that ended with descriptors; or
+  // unless the end has been seen, which only another receive reports. An edge that fires while no
+  // promise waits is dropped, so make the promise now.
   bool ended = true;
   KJ_IF_MAYBE (hint, readObserver_.atEndHint()) ended = *hint;
   const bool shortRead = count > 0 && static_cast<std::size_t>(count) < space.size() &&
@@ -189,7 +189,7 @@ void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int>
   }
 }
 
-// Never cancelled: in steady traffic one timer covers many messages, and finds that they have left.
+// Never cancels the timer: in steady traffic it covers many messages, and finds them gone.
 void MessageStream::scheduleRide() {
   if (rideScheduled_) return;
   rideScheduled_ = true;

@@ -42,8 +42,8 @@ struct StrangerGuard {
 /// kj::Exception from the pending read; nothing it sent beyond that point is looked at.
 class MessageStream final : private EventPort::Output {
  public:
-  /// `begun`: what has been received already. Of a peer that was called all messages may be as
-  /// long, and nothing bounds the sum.
+  /// `begun`: what has been received already. A peer that was called is no stranger: all of its
+  /// messages may be long, and nothing bounds their sum.
   MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits = {},
                 std::span<const std::byte> begun = {}, StrangerGuard guard = {});
   ~MessageStream() noexcept(false);
@@ -68,7 +68,7 @@ class MessageStream final : private EventPort::Output {
   /// Tells why a read has rejected, if the peer broke a limit; else "".
   const std::string& refusal() const { return refusal_; }
 
-  /// Copies the message, and of `descriptors` (Unix sockets only) the handles. If the connection is
+  /// Copies the message, and duplicates `descriptors` (Unix sockets only). If the connection is
   /// lost, nothing happens: the reader hears of it.
   void write(Segments message, Leaves when = Leaves::WithTheTurn,
              kj::ArrayPtr<const int> descriptors = nullptr);

@@ -35,7 +35,7 @@ class OpeningReader {
   }
 
  private:
-  /// As far as it has come.
+  /// True if it is an opening, as far as it has come.
   bool isOpening() const {
     return std::memcmp(beginning_.data(), kOpening.data(), std::min(read_, kOpening.size())) == 0;
   }

@@ -12,13 +12,13 @@
 
 namespace suture::rpc {
 
-/// Which of those that await a connection is meant: a secret that is good for one.
+/// A secret that is good for one connection, and says which of those that await one is meant.
 using Token = std::array<std::byte, 16>;
 
 /// A connection that begins so is no link: a token follows. No message can begin with it.
 inline constexpr std::string_view kOpening = "SUTFRAME";
 
-/// Both, as they are sent.
+/// kOpening and the token, as they are sent.
 std::array<std::byte, sizeof(Token) + 8> openingOf(const Token& token);
 
 /// A connection whose beginning has been read.

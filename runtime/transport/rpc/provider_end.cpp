@@ -7,7 +7,7 @@ void ProviderEnd::grant(Duration silence) {
   hear(BootClock::now());
 }
 
-// The two clocks may run at speeds that differ by as much, and the provider's end comes first.
+// Ends earlier by as much as the two clocks may drift apart, so that the provider stops first.
 void ProviderEnd::hear(BootTime sent) {
   constexpr int kDrift = 1000;
   if (silence_ > Duration{0}) channel_->lease.renew(sent + silence_ - silence_ / kDrift);
@@ -54,7 +54,7 @@ void ProviderEnd::end() {
 void ProviderEnd::pumpStatus() {
   const std::uint32_t faults = channel_->faults.load(std::memory_order_acquire);
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
-  // Restarted before anybody looked: the client is to know all the same.
+  // Tell the client of a fault, even if the provider was restarted before anybody looked.
   if (faults != faultsTold_ && told_ != ChannelStatus::Faulted) passOn(ChannelStatus::Faulted);
   faultsTold_ = faults;
   if (status != told_) passOn(status);

@@ -17,22 +17,22 @@ namespace suture::rpc {
 /// thread.
 class ProviderEnd : public kj::Refcounted {
  public:
-  /// Told each change of how it stands with the provider's component, and what a client cannot see
-  /// of an event.
+  /// Hears of each change of how it stands with the provider's component, and of what a client
+  /// cannot see of an event.
   struct Listener {
     virtual ~Listener() noexcept(false) = default;
     virtual void told(ChannelStatus status) = 0;
     /// The next such event repeats one that was emitted at `stamp`, for a new subscriber.
     virtual void replays(std::uint16_t event, Time stamp) = 0;
-    /// What has become of the client's commands so far. Resolves when the client has heard.
+    /// Passes on what has become of the client's commands. Resolves when the client has heard.
     virtual kj::Promise<void> tallies(const Tally& tally) = 0;
-    /// What has become of those of the connections before.
+    /// Passes on what has become of those of the connections before.
     virtual void tells(const Earlier& earlier) = 0;
   };
 
   void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }
 
-  /// How the client's clock stands to this process's.
+  /// Takes over how the client's clock stands to this process's.
   void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
   /// The client says that it waits for `silence` before it gives the provider up: without a word
   /// from it for so long, counted from now, the provider executes nothing of it any more.
@@ -49,18 +49,18 @@ class ProviderEnd : public kj::Refcounted {
   void lapse();
   /// The connection is over: the provider lets go of the channel. May be called again.
   void close();
-  /// The same for a later connection of the same interface, and the client is told, if it can still
-  /// be.
+  /// Does the same because of a later connection of the same interface, and tells the client, if it
+  /// can still be told.
   void end();
 
  protected:
   explicit ProviderEnd(std::shared_ptr<Channel> channel) : channel_(std::move(channel)) {}
 
-  /// Before the channel is closed.
+  /// Called before the channel is closed.
   virtual void ending() {}
-  /// Before the client is told that a later connection stands.
+  /// Called before the client is told that a later connection stands.
   virtual void overtaken() {}
-  /// Before the listener is told.
+  /// Called before the listener is told.
   virtual void changed(ChannelStatus) {}
   /// Tells what the status has become.
   void pumpStatus();

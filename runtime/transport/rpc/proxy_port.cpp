@@ -30,7 +30,7 @@ void ProxyPort::ending() {
   releaseAcknowledgement();
 }
 
-// What has not happened yet would have a negative age.
+// Bounds stamps by now, since what has not happened yet would have a negative age.
 Time ProxyPort::here(std::int64_t stamp) const {
   const Time received = now();
   return stamp == 0 ? received : std::min(received, fromNanoseconds(shifted(stamp, shift())));
@@ -85,7 +85,7 @@ void ProxyPort::pumpSubscription() {
   subscribe(events, columns);
 }
 
-// Leaves events, also those that were subscribed to again before this was asked.
+// Leaves events that the client has left and subscribed to again since this end last asked.
 void ProxyPort::leave(EventSet events) {
   leaving_ |= events;
   ++farewellsUnderWay_;

@@ -23,7 +23,7 @@ namespace suture::rpc {
 /// control thread; shared by the connection and by the capability that receives events.
 class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::ErrorHandler {
  public:
-  /// More newest-wins commands than this under way, and the next wait in their cells, where newer
+  /// With so many newest-wins commands under way, the next wait in their cells, where newer ones
   /// replace them.
   static constexpr unsigned kWindow = 16;
 

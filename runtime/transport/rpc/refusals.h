@@ -10,8 +10,8 @@
 
 namespace suture::rpc {
 
-/// Whoever runs the process that refuses reads of each refusal on its standard error, as the peer
-/// does in its answer; its reports have the count.
+/// Tells of each refusal, on standard error, whoever runs the process that refuses, as its answer
+/// tells the peer; the process's reports have the count.
 class Refusals {
  public:
   /// `owner` is who refuses; its lines begin so.

@@ -36,7 +36,7 @@ ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channe
     rowSlots_.emplace_back((channel_->state->columnSize(i) + 7) / 8);
     rowPointers_.push_back(nullptr);
   }
-  // Also tells when commands have been taken, for a provider that publishes no rows.
+  // This also tells when commands have been taken, if a provider publishes no rows.
   channel_->wantsRows.raise();
   control_.add(*this);
 }
@@ -50,7 +50,7 @@ void ServantPort::ending() {
   for (PendingCall& call : calls_) call = PendingCall{};
 }
 
-// The provider may be at one of the calls.
+// The provider may be executing one of the calls, so their outcome is unknown.
 void ServantPort::overtaken() { failAll(Errc::OutcomeUnknown); }
 
 void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::ColumnSet columns) {
@@ -83,7 +83,7 @@ kj::Promise<void> ServantPort::turnedAway(const Refusal& refusal) {
   return remoteError(refusal.error, refusal.invalid);
 }
 
-// A stamp from the future would never be late.
+// Bounds stamps by now, since a command from the future would never be late.
 Time ServantPort::stampOf(wire::Sent::Reader sent) const {
   const Time received = now();
   if (sent.getStamp() == 0) return received;
@@ -141,8 +141,8 @@ void ServantPort::pumpReplies() {
   }
 }
 
-// The provider noted what is invalid before it answered. Of two such answers to one command, both
-// tell what the later had.
+// The provider noted what is invalid before it answered. If it answered two calls of one command
+// so, both tell what the later had.
 kj::Exception ServantPort::failureOf(const PendingCall& call, Errc error) const {
   if (error != Errc::Invalid) return remoteError(error);
   const FieldPath last = channel_->lastInvalid.read();

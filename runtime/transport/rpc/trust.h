@@ -1,5 +1,5 @@
 #pragma once
-// What a process shows of itself, and whom it talks to. Not for those alone who know KJ.
+// What a process shows of itself, and whom it talks to. Those who do not know KJ include it too.
 
 #include <sys/types.h>
 

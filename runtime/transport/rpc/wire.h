@@ -47,7 +47,7 @@ Errc fromDefault(const Value& value, Slot& slot) {
   return store(value, slot) ? Errc{} : Errc::TooLarge;
 }
 
-/// What travels with every command.
+/// Fills in what travels with every command.
 inline void fill(wire::Sent::Builder sent, const rt::CommandRecord& record) {
   sent.setStamp(toNanoseconds(record.stamp));
   sent.setAnswer(record.call != 0);
@@ -197,8 +197,8 @@ bool allOf(const T* begin, std::size_t count, FieldPath* path, const Check& chec
   if (path != nullptr) enterElement(*path, *refused, static_cast<std::size_t>(refused - begin));
   return false;
 }
-/// Of each element, by `check(element)`; false for a list of more than it has room for. `path` is
-/// told which element it is; null for a type in which C++ does not count so.
+/// Checks each element by `check(element)`; false for a list of more than it has room for. `path`
+/// is told which element is refused; it is null for a type in which C++ does not count so.
 template <class T, std::size_t N, class Check>
 bool allOf(const std::array<T, N>& slot, FieldPath* path, const Check& check) {
   return allOf(slot.data(), N, path, check);

@@ -17,7 +17,7 @@ class WriteObserver {
       : duplicate_(fcntl(socket, F_DUPFD_CLOEXEC, 0)),
         observer_(port, duplicate_, EventPort::FdObserver::OBSERVE_WRITE) {}
 
-  /// Only when a send has just said that the socket is full.
+  /// To be called only when a send has just said that the socket is full.
   kj::Promise<void> whenWritable() { return observer_.whenBecomesWritable(); }
 
  private:

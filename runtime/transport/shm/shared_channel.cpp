@@ -15,7 +15,7 @@ std::vector<std::uint32_t> columnSizes(const rt::StateTable& table) {
   return sizes;
 }
 
-/// Those of the contract itself come first.
+/// Throws SetupError unless the columns begin with those of the contract.
 void requireColumns(const InterfaceInfo& contract, const std::string& name,
                     const std::vector<std::uint32_t>& sizes) {
   for (const CommandInfo& command : contract.commands) {

@@ -37,7 +37,7 @@ SharedOffer offerShared(ProvidedBase& provided, const InterfaceInfo& contract,
 std::size_t channelBytes(const InterfaceInfo& contract);
 std::size_t stateBytes(const SharedParts& parts);
 
-/// The client's end. Throws SetupError: not what the contract needs.
+/// Makes the client's end. Throws SetupError if `parts` are not what the contract needs.
 std::shared_ptr<Channel> takeShared(const InterfaceInfo& contract, const std::string& name,
                                     std::shared_ptr<rt::Doorbell> client, const SharedParts& parts);
 

@@ -59,7 +59,7 @@ void setTimes(X509* certificate, const Validity& validity) {
   X509_gmtime_adj(X509_getm_notAfter(certificate), static_cast<long>(end.count()));
 }
 
-/// Without extensions and signature.
+/// Makes a certificate that has neither extensions nor a signature yet.
 CertificatePtr beginCertificate(const std::string& name, EVP_PKEY* key, const Validity& validity) {
   CertificatePtr certificate(X509_new());
   require(certificate != nullptr && X509_set_version(certificate.get(), X509_VERSION_3) == 1 &&
@@ -107,7 +107,7 @@ Identity makeIdentity(const std::string& process, const Identity& ca, const Vali
   return {std::move(certificate), std::move(key)};
 }
 
-// What has a meaning in a path, or in OpenSSL's notation of names, has no place in either.
+// False for a name that holds what has a meaning in a path or in OpenSSL's notation of names.
 bool isName(const std::string& name) {
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char one) {
     return std::isalnum(one) || one == '_' || one == '-' || one == '.';

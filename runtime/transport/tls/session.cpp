@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kNotTls =
     "it does not speak TLS. Correct the address: tls:// at both ends, or at neither.";
 
-/// The peer's complaints about what it was shown, as OpenSSL numbers them.
+/// True for a complaint of the peer about what it was shown, as OpenSSL numbers them.
 bool isAboutOurCertificate(int reason) {
   switch (reason) {
     case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:
@@ -71,7 +71,7 @@ Session::Progress Session::handshake() {
   return side_ == Side::Server ? Progress::Done : awaitAcceptance();
 }
 
-// In TLS 1.3 the client is through before the server has looked at its certificate.
+// In TLS 1.3 the client is through before the server has looked at its certificate: wait for that.
 Session::Progress Session::awaitAcceptance() {
   char first;
   std::size_t count = 0;

@@ -56,7 +56,7 @@ BioMethodPtr makeSocketMethod() {
 BioPtr makeSocketBio(const BIO_METHOD* method, int socket) {
   BioPtr bio(BIO_new(method));
   if (bio == nullptr) throw std::bad_alloc();
-  // What a BIO keeps is a pointer, and this one needs a number.
+  // A BIO keeps a pointer, and this one needs a number: keep it as one.
   BIO_set_data(bio.get(),
                reinterpret_cast<void*>(  // NOLINT(performance-no-int-to-ptr)
                    static_cast<std::intptr_t>(socket)));
