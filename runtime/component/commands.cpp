@@ -102,8 +102,10 @@ bool RequiredBase::admitsResult(std::uint16_t command, const std::byte* result) 
   return channel_->admitsResult(info_.commands[command], result);
 }
 
+// A provider in this process was judged when it produced the value; the build of another process
+// may admit more than this one, and no thread before the reader's looks at what it sent.
 bool RequiredBase::admitsCopy(std::uint16_t command, const std::byte* result) const {
-  if (!channel_->foreign || info_.commands[command].admitsResult(result)) return true;
+  if (channel_->ends.here != nullptr || info_.commands[command].admitsResult(result)) return true;
   return admitsResult(command, result);  // once more, to note where
 }
 

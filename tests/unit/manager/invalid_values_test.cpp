@@ -1,8 +1,9 @@
 // A peer of another build may send what this process's contract does not admit; on `rpc`, too, no
-// handler sees it.
+// handler sees it, and no read or call answers with it.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel.h>
+#include <suture/component/read_together.h>
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <suture/transport/rpc/failure.h>
@@ -18,6 +19,7 @@
 #include "reference/arm_like.suture.h"
 #include "support/eventually.h"
 #include "support/patience.h"
+#include "unit/component/arm_client.h"
 
 namespace suture {
 namespace {
@@ -33,6 +35,10 @@ class LyingArm final : public reference::wire::ArmLike::Server {
  protected:
   kj::Promise<void> subscribe(SubscribeContext context) override {
     subscriber_ = context.getParams().getEvents();
+    return kj::READY_NOW;
+  }
+  kj::Promise<void> distance(DistanceContext context) override {
+    context.getResults().setValue(std::numeric_limits<double>::quiet_NaN());
     return kj::READY_NOW;
   }
 
@@ -91,11 +97,11 @@ class InvalidEvents : public testing::Test {
   }
 
   rpc::ControlThread control_;
-  rt::Doorbell client_;
-  const std::shared_ptr<Channel> channel_ =
-      std::make_shared<Channel>(interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
-                                Channel::Ends{.client = &client_, .provider = &control_.doorbell()},
-                                makeStateTable(interfaceInfo<reference::ArmLike>()), ~EventSet{0});
+  rt::Doorbell clientsBell_;
+  const std::shared_ptr<Channel> channel_ = std::make_shared<Channel>(
+      interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
+      Channel::Ends{.client = &clientsBell_, .provider = &control_.doorbell()},
+      makeStateTable(interfaceInfo<reference::ArmLike>()), ~EventSet{0});
   kj::Maybe<Events> subscriber_;
   kj::Own<rpc::ProxyPort> port_;
 };
@@ -107,6 +113,45 @@ TEST_F(InvalidEvents, ReachNoHandler) {
   EXPECT_EQ(channel_->events.next(), nullptr);
   EXPECT_EQ(refusalOf(1), "");
   EXPECT_NE(channel_->events.next(), nullptr);
+}
+
+class InvalidAnswers : public InvalidEvents {
+ protected:
+  InvalidAnswers() { client_.arm.attach(channel_); }
+
+  /// Publishes a row, with this for a coordinate of the pose.
+  void publish(double x) {
+    ASSERT_TRUE(eventually([this] { return isSubscribed(); }));
+    control_.run(kPatience, [this, x] {
+      auto request = KJ_ASSERT_NONNULL(subscriber_).stateRequest();
+      auto row = request.initRow();
+      row.setStamp(toNanoseconds(now()));
+      row.setEvaluated(3);
+      fillIn(row.initMeasuredCp().initPose());
+      row.getMeasuredCp().getPose().setX(x);
+      row.initMeasuredJs();
+      return request.send().ignoreResult();
+    });
+  }
+
+  ArmClient client_;
+};
+
+TEST_F(InvalidAnswers, OfAReadAreNone) {
+  EXPECT_EQ(client_.arm.measured_cp().error(), Errc::NotYet);  // which asks for it
+  publish(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(client_.arm.measured_cp().error(), Errc::Invalid);
+  EXPECT_EQ(client_.arm.lastInvalid().text().rfind("measured_cp", 0), 0u);
+  EXPECT_EQ(readTogether(client_.arm.measured_cp, client_.arm.measured_js).error(), Errc::Invalid);
+  publish(0.5);
+  EXPECT_TRUE(client_.arm.measured_cp().hasValue());
+}
+
+TEST_F(InvalidAnswers, OfACallAreNone) {
+  reference::PoseStamped to;
+  auto call = client_.arm.distance.start(to);
+  ASSERT_TRUE(eventually([&] { return call.poll() != nullptr; }));
+  EXPECT_EQ(call.poll()->error(), Errc::Invalid);
 }
 
 class InvalidCommands : public testing::Test {
