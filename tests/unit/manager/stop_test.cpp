@@ -114,6 +114,50 @@ TEST_P(Stop, EndsAfterTheCommandThatRuns) {
   EXPECT_TRUE(error == Errc::Lost || error == Errc::OutcomeUnknown) << toString(error);
 }
 
+struct OccupiedDevice final : Device, StillArm {
+  std::uint32_t reset() override {
+    handler.stay();
+    return ++resets;
+  }
+
+  LongHandler handler;
+  std::atomic<std::uint32_t> resets{0};
+  Provided<reference::ArmLike> port{*this, "Arm", *this};
+};
+
+/// A device does not wait for its handler when it stops. Who called it must not be told that
+/// nothing was executed.
+class StopOfADevice : public testing::TestWithParam<Lane> {
+ protected:
+  StopOfADevice() {
+    robot_.add("PSM", arm_);
+    console_.add("Teleop", client_);
+    robot_.start();
+    console_.start();
+    console_.connect("Teleop/Slave", "robot:PSM/Arm", GetParam());
+  }
+
+  const TemporaryDirectory directory_;
+  rpc::ControlThread control_;
+  GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
+  OccupiedDevice arm_;
+  StopConsole client_;
+  Manager robot_{"robot", names_.address()}, console_{"console", names_.address()};
+};
+
+INSTANTIATE_TEST_SUITE_P(Lanes, StopOfADevice, testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
+                         [](const auto& row) { return std::string(toString(row.param)); });
+
+TEST_P(StopOfADevice, LeavesTheOutcomeOfTheCallThatRunsOpen) {
+  auto answered = client_.slave.reset.start();
+  ASSERT_TRUE(eventually([&] { return arm_.handler.begun.load(); }));
+  arm_.stop();
+  const auto answer = answered.within(kPatience);
+  arm_.handler.end();
+  EXPECT_TRUE(eventually([&] { return arm_.resets == 1; }));
+  EXPECT_EQ(answer.error(), Errc::OutcomeUnknown);
+}
+
 /// Both ends are in one process, so the answers are exact.
 TEST(StopLocal, TurnsAwayWhatWaits) {
   OccupiedArm arm;
