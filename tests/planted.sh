@@ -23,9 +23,9 @@ plant() {
       '    if (!asked_) ask();
     return look();' '    if (!asked_) ask();
     return kj::READY_NOW;' ;;
-    missing_fence) replace runtime/rt/spsc_ring.cpp \
-      'knownTail_ = shared_->tail.load(std::memory_order_acquire)' \
-      'knownTail_ = shared_->tail.load(std::memory_order_relaxed)' ;;
+    missing_fence) replace runtime/rt/spsc_ring.h \
+      'shared_->tail.store(tail_, std::memory_order_release)' \
+      'shared_->tail.store(tail_, std::memory_order_relaxed)' ;;
     endless_lease) replace runtime/component/channel.cpp \
       'looksAtClock && lease.lapsed()' 'looksAtClock && false' ;;
     forgotten_cut) replace runtime/transport/rpc/client_end.cpp \
