@@ -6,9 +6,9 @@
 
 namespace robots {
 
-/// Whether a task's cycles follow each other. One that was frozen or suspended has not seen what
-/// its arms did meanwhile, though their data are fresh when it looks again: it must not go on as if
-/// nothing had happened. Belongs to the task's thread.
+/// Belongs to the task's thread: tells whether its cycles follow each other. A task that was frozen
+/// or suspended has not seen what its arms did meanwhile, though their data are fresh when it looks
+/// again: it must not go on as if nothing had happened.
 class CycleWatch {
  public:
   /// Once a cycle. True if the last one was longer ago than `most`, or there was none.

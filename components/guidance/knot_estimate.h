@@ -32,7 +32,7 @@ class KnotEstimate {
     const auto mean = history_.at(stamp);
     if (!mean) return;
     const Eigen::Vector3d offset = knot - *mean;
-    // What was seen before nobody looked for a while says nothing of where the knot is now.
+    // An offset from before a blindness does not count: the knot may have moved meanwhile.
     const bool goesOn = offset_ && stamp - seen_ <= age_;
     offset_ = goesOn ? *offset_ + kShareOfNew * (offset - *offset_) : offset;
     seen_ = stamp;

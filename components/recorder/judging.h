@@ -1,5 +1,5 @@
 #pragma once
-// What the judges of recordings share: how errors are summed up, and how a missed bound is told.
+// The judges of recordings share how errors are summed up, and how a missed bound is told.
 
 #include <algorithm>
 #include <cstddef>

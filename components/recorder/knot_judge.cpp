@@ -43,7 +43,7 @@ std::optional<Vector3d> knotAt(const Rows& rows, suture::Time stamp) {
   return before.knot() + share * (after->knot() - before.knot());
 }
 
-/// What the last half second shows, guided or not.
+/// Fills in what the last half second shows, guided or not.
 void judgeEnd(const Rows& rows, const Vector3d& target, KnotJudgement& judgement) {
   if (rows.empty()) return;
   const auto first = firstSince(rows, rows.back().strand.stamp - kEnd);
@@ -54,7 +54,7 @@ void judgeEnd(const Rows& rows, const Vector3d& target, KnotJudgement& judgement
   }
 }
 
-/// What all guided rows show.
+/// Fills in what all guided rows show.
 void judgeGuided(const Rows& rows, const Vector3d& target, KnotJudgement& judgement) {
   std::vector<double> sightingErrors;
   std::size_t sighted = 0;

@@ -42,8 +42,8 @@ class RecordingReader {
   /// The whole records that are new since the last call; none before the file exists. Throws
   /// suture::SetupError that names the file and the line.
   Recording next();
-  /// What is left, once nobody writes any more. Also throws if the file was never there, or ends
-  /// within a record.
+  /// Returns the rest, once nobody writes any more. Also throws if the file was never there, or
+  /// ends within a record.
   Recording rest();
 
  private:

@@ -21,8 +21,8 @@ class RecordingLines {
   /// Gives `take` each whole line that is new since the last call; none before the file exists.
   /// Throws suture::SetupError that names the file and the line if it is not what `take` reads.
   void next(const Take& take);
-  /// What is left, once nobody writes any more. Also throws if the file was never there, or ends
-  /// within a line.
+  /// Takes what is left, once nobody writes any more. Also throws if the file was never there, or
+  /// ends within a line.
   void rest(const Take& take);
 
  private:

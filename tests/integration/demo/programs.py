@@ -76,14 +76,24 @@ def children_of(parent):
             yield int(entry.name), arguments
 
 
-def all_end(pids, patience=10):
-    """True once none of the processes exists."""
+def eventually(condition, patience=10):
+    """True once the condition holds. For what another process does, of which nobody is told."""
     deadline = time.monotonic() + patience
-    while any(pathlib.Path(f"/proc/{pid}").exists() for pid in pids):
+    while not condition():
         if time.monotonic() > deadline:
             return False
         time.sleep(0.02)
     return True
+
+
+def all_end(pids):
+    """True once none of the processes exists."""
+    return eventually(lambda: not any(pathlib.Path(f"/proc/{pid}").exists() for pid in pids))
+
+
+def is_frozen(pid):
+    status = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1]
+    return status.split()[0] == "T"
 
 
 def interrupt(process):
