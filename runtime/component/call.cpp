@@ -124,13 +124,7 @@ bool RequiredBase::isDone(PendingCall& call) {
 
 Errc RequiredBase::endOfCalls() const {
   if (channel_ == nullptr) return Errc::OutcomeUnknown;
-  switch (channel_->status.load(std::memory_order_acquire)) {
-    case ChannelStatus::Connected: return Errc{};
-    // A suspended provider answers what has been sent: with Errc::Suspended.
-    case ChannelStatus::Suspended: return Errc{};
-    case ChannelStatus::Faulted: return Errc::Faulted;
-    default: return Errc::OutcomeUnknown;
-  }
+  return suture::endOfCalls(channel_->status.load(std::memory_order_acquire));
 }
 
 bool RequiredBase::cancel(PendingCall& call) {

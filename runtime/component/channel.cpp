@@ -188,6 +188,15 @@ Errc errorOf(ChannelStatus status) {
   return Errc::NotConnected;
 }
 
+Errc endOfCalls(ChannelStatus status) {
+  switch (status) {
+    case ChannelStatus::Connected:
+    case ChannelStatus::Suspended: return Errc{};
+    case ChannelStatus::Faulted: return Errc::Faulted;
+    default: return Errc::OutcomeUnknown;
+  }
+}
+
 ChannelStatus statusIn(ComponentState state) {
   switch (state) {
     case ComponentState::Suspended: return ChannelStatus::Suspended;

@@ -258,6 +258,10 @@ bool isOver(ChannelStatus status);
 /// The error that a call through a channel of this status meets; 0 if it is connected.
 Errc errorOf(ChannelStatus status);
 
+/// The error that ends a call under way without an answer; 0 if one may still come: a suspended
+/// provider answers what it was sent.
+Errc endOfCalls(ChannelStatus status);
+
 /// The status of a connection to a component in this state; Connected also before its first cycle.
 ChannelStatus statusIn(ComponentState state);
 

@@ -46,7 +46,6 @@ void ProviderEnd::close() {
 
 void ProviderEnd::end() {
   if (closed_) return;
-  overtaken();
   passOn(ChannelStatus::Closed);
   close();
 }

@@ -58,8 +58,6 @@ class ProviderEnd : public kj::Refcounted {
 
   /// Called before the channel is closed.
   virtual void ending() {}
-  /// Called before the client is told that a later connection stands.
-  virtual void overtaken() {}
   /// Called before the listener is told.
   virtual void changed(ChannelStatus) {}
   /// Tells what the status has become.

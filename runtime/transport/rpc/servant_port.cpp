@@ -50,9 +50,6 @@ void ServantPort::ending() {
   for (PendingCall& call : calls_) call = PendingCall{};
 }
 
-// The provider may be executing one of the calls, so their outcome is unknown.
-void ServantPort::overtaken() { failAll(Errc::OutcomeUnknown); }
-
 void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::ColumnSet columns) {
   sink_ = kj::mv(sink);
   const EventSet joining = events & ~channel_->subscribed();
@@ -252,9 +249,10 @@ void ServantPort::releaseRow() {
 }
 
 void ServantPort::changed(ChannelStatus status) {
-  // A suspended provider answers what it was sent; one whose client is gone may be at a call of it.
-  const Errc error = status == ChannelStatus::Lapsed ? Errc::OutcomeUnknown : errorOf(status);
-  if (error != Errc{} && error != Errc::Suspended) failAll(error);
+  const Errc end = endOfCalls(status);
+  if (end == Errc{}) return;
+  pumpReplies();  // an answer may have come just before the end
+  failAll(end);
 }
 
 void ServantPort::failAll(Errc error) {

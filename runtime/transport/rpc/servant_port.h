@@ -117,7 +117,6 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   kj::Promise<void> whenAnswered(PendingCall& call, Take take);
 
   void ending() override;
-  void overtaken() override;
   void pump() override;
   void pumpCredits();
   void pumpTally();

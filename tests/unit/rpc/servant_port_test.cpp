@@ -1,0 +1,91 @@
+// What a client in another process is told of its calls when a provider ends.
+#include <suture/transport/rpc/kj_comparisons.h>  // first
+
+#include <capnp/message.h>
+#include <gtest/gtest.h>
+#include <suture/transport/rpc/control_thread.h>
+#include <suture/transport/rpc/remote_error.h>
+#include <suture/transport/rpc/servant_port.h>
+
+#include <memory>
+
+#include "reference/arm_like.suture.h"
+#include "support/patience.h"
+
+namespace suture::rpc {
+namespace {
+
+constexpr std::uint16_t kReset = 8;
+
+/// The provider's end of a connection, whose task is played by the test.
+struct Provider {
+  explicit Provider(ControlThread& control)
+      : channel(std::make_shared<Channel>(
+            info, "client -> provider", "rpc",
+            Channel::Ends{.client = &control.doorbell(), .provider = &bell, .watcher = &bell},
+            makeStateTable(info), ~EventSet{0})),
+        port(kj::refcounted<ServantPort>(control, channel, std::make_shared<LinkCounters>())) {}
+  ~Provider() noexcept(false) { port->close(); }
+
+  kj::Promise<void> call() {
+    capnp::MallocMessageBuilder message;
+    return port->call(
+        kReset, message.initRoot<wire::Sent>().asReader(), [](std::byte*) { return Errc{}; },
+        [](const std::byte*, Time) {});
+  }
+  /// The number of the call that the provider is executing from now on.
+  std::uint32_t begin() {
+    channel->commands.fixCut();
+    return channel->commands.next()->call;
+  }
+
+  const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
+  rt::Doorbell bell;
+  const std::shared_ptr<Channel> channel;
+  kj::Own<ServantPort> port;
+};
+
+/// How a call ends that is being executed when `end` happens to the provider.
+template <class End>
+Errc outcomeOf(const End& end) {
+  ControlThread control;
+  return control.run(kPatience, [&control, &end] {
+    auto provider = kj::heap<Provider>(control);
+    kj::Promise<void> call = provider->call();
+    end(*provider, provider->begin());
+    control.doorbell().ring();
+    return call.then([] { return Errc{}; }, [](kj::Exception&& why) { return errcOf(why); })
+        .attach(kj::mv(provider));
+  });
+}
+
+TEST(ServantPort, ACallThatIsBeingExecutedAtTheEndIsOfUnknownOutcome) {
+  for (const ChannelStatus status : {ChannelStatus::Lost, ChannelStatus::Lapsed}) {
+    EXPECT_EQ(
+        outcomeOf([status](Provider& provider, std::uint32_t) { provider.channel->tell(status); }),
+        Errc::OutcomeUnknown);
+  }
+}
+
+TEST(ServantPort, AnAnswerBeforeTheEndIsTold) {
+  EXPECT_EQ(outcomeOf([](Provider& provider, std::uint32_t call) {
+              provider.channel->replyError(call, Errc::Late);
+              provider.channel->tell(ChannelStatus::Lost);
+            }),
+            Errc::Late);
+}
+
+TEST(ServantPort, ALaterConnectionLeavesTheOutcomeUnknown) {
+  EXPECT_EQ(outcomeOf([](Provider& provider, std::uint32_t) { provider.port->end(); }),
+            Errc::OutcomeUnknown);
+}
+
+TEST(ServantPort, AFaultIsTold) {
+  EXPECT_EQ(outcomeOf([](Provider& provider, std::uint32_t) {
+              provider.channel->tell(ChannelStatus::Faulted);
+            }),
+            Errc::Faulted);
+}
+
+}  // namespace
+}  // namespace suture::rpc
