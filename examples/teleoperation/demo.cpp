@@ -18,6 +18,7 @@
 #include "crew.h"
 #include "following_watch.h"
 #include "knot_picture.h"
+#include "paths.h"
 #include "plan.h"
 #include "result_file.h"
 #include "screen.h"
@@ -58,7 +59,7 @@ void declare(CLI::App& app, demo::Options& options) {
                  "the slave it drives; fig3b: three, in which both masters place a knot by what a "
                  "stereo endoscope sees; fig3c: each master drives the other process's slave")
       ->capture_default_str()
-      ->check(CLI::IsMember(demo::topologiesIn(SUTURE_DEMO_TOPOLOGIES)));
+      ->check(CLI::IsMember(demo::topologiesIn(paths::kTopologies)));
   app.add_option("--lane", options.lane,
                  "auto: the fastest lane that fits; shm: shared memory, rpc: Cap'n Proto RPC, both "
                  "even within a process")
@@ -114,7 +115,7 @@ int run(const demo::Options& options) {
   demo::blockEndSignals();
   const RunFolder folder;
   demo::Network network(options.network, options.lane);
-  demo::Plan plan(options, network, SUTURE_DEMO_TOPOLOGIES, folder.path());
+  demo::Plan plan(options, network, paths::kTopologies, folder.path());
   if (!options.picture.empty()) demo::requireKnot(plan);
   const auto length =
       std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(options.seconds));

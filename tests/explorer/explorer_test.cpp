@@ -10,6 +10,7 @@
 #include <string>
 
 #include "explorer/world.h"
+#include "paths.h"
 
 namespace explorer {
 namespace {
@@ -32,7 +33,7 @@ Outcome expectSound(std::uint64_t seed) {
 
 std::vector<std::uint64_t> failedSeeds() {
   std::vector<std::uint64_t> seeds;
-  std::ifstream file(FAILED_SEEDS);
+  std::ifstream file(paths::kFailedSeeds);
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line);
     if (std::uint64_t seed = 0; words >> seed) seeds.push_back(seed);

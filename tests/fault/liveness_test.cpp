@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "fault/operator.h"
+#include "paths.h"
 #include "support/child.h"
 #include "support/contains.h"
 #include "support/eventually.h"
@@ -64,7 +65,7 @@ class Liveness : public testing::TestWithParam<const char*> {
   const std::string hangFile_ = directory_.file("hang");
   rpc::ControlThread control_;
   GlobalManager names_;
-  Child host_{{FAULTY_HOST, names_.address(), "there", hangFile_}};
+  Child host_{{paths::kFaultyHost, names_.address(), "there", hangFile_}};
   Operator first_, second_, third_;
   Manager here_;
 };

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "fault/operator.h"
+#include "paths.h"
 #include "support/child.h"
 #include "support/eventually.h"
 #include "support/patience.h"
@@ -47,7 +48,7 @@ class Restarts : public testing::TestWithParam<const char*> {
   }
   std::unique_ptr<Child> provider(const std::string& manager) const {
     auto child = std::make_unique<Child>(
-        std::vector<std::string>{FAULTY_HOST, manager, "there", directory_.file("hang")});
+        std::vector<std::string>{paths::kFaultyHost, manager, "there", directory_.file("hang")});
     EXPECT_EQ(child->line(), "ready");
     return child;
   }
@@ -102,7 +103,8 @@ TEST_P(Restarts, OfAPeerOverAndOverCostNothing) {
 TEST_P(Restarts, OfTheGlobalManagerLeaveConnectionsAndItLearnsTheNamesAgain) {
   std::string at = address("m.sock");
   const auto manager = [&at] {
-    auto child = std::make_unique<Child>(std::vector<std::string>{SUTURE_MANAGER, "--listen", at});
+    auto child =
+        std::make_unique<Child>(std::vector<std::string>{paths::kSutureManager, "--listen", at});
     const std::string line = child->line(), said = "suture-manager: ready on ";
     EXPECT_TRUE(line.starts_with(said)) << line;
     at = line.substr(said.size());

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "fault/history.h"
+#include "paths.h"
 #include "support/child.h"
 #include "support/eventually.h"
 #include "support/temporary_directory.h"
@@ -60,7 +61,8 @@ class System {
     return managerAt(address(), prepare);
   }
   std::unique_ptr<Child> managerAt(const std::string& address, const Prepare& prepare = {}) {
-    auto child = std::make_unique<Child>(Arguments{SUTURE_MANAGER, "--listen", address}, prepare);
+    auto child =
+        std::make_unique<Child>(Arguments{paths::kSutureManager, "--listen", address}, prepare);
     EXPECT_EQ(child->line(), "suture-manager: ready on " + address);
     return child;
   }
@@ -68,7 +70,7 @@ class System {
   std::unique_ptr<Child> provider(const std::string& name = "robot", const Prepare& prepare = {},
                                   const Arguments& more = {}) {
     ++providers_;
-    Arguments all{HISTORY_PROVIDER, address(), name, newLog("p", providers_),
+    Arguments all{paths::kHistoryProvider, address(), name, newLog("p", providers_),
                   std::to_string(providers_)};
     all.insert(all.end(), more.begin(), more.end());
     return std::make_unique<Child>(all, prepare);
@@ -77,7 +79,7 @@ class System {
                                 const char* lane = "auto", const Prepare& prepare = {}) {
     ++clients_;
     return std::make_unique<Child>(
-        Arguments{HISTORY_CLIENT, address(), "client" + std::to_string(clients_),
+        Arguments{paths::kHistoryClient, address(), "client" + std::to_string(clients_),
                   newLog("c", clients_), std::to_string(clients_), "robot", mode,
                   std::to_string(silenceMilliseconds), lane},
         prepare);

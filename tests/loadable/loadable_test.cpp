@@ -9,17 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "paths.h"
 #include "support/eventually.h"
 
 namespace suture {
 namespace {
+
+const std::string kLibraries = paths::kLibraries;
 
 /// A deployment file in the folder of the libraries.
 Deployment deploymentOf(const std::string& components, const std::string& connections = "") {
   return Deployment(JsonDocument::parse("{\"processes\": [{\"name\": \"all\", \"components\": [\n" +
                                             components + "]}],\n\"connections\": [\n" +
                                             connections + "]}",
-                                        LIBRARIES "/d.json"));
+                                        kLibraries + "/d.json"));
 }
 
 std::string component(const std::string& name, const std::string& type,
@@ -44,7 +47,7 @@ std::string problemOf(const std::string& type, const std::string& library) {
   return problems.size() == 1 ? problems[0] : std::to_string(problems.size()) + " problems";
 }
 
-const std::string kError = LIBRARIES "/d.json:2: error: ";
+const std::string kError = kLibraries + "/d.json:2: error: ";
 
 TEST(Loadable, TheHeaderNamesThisRelease) { EXPECT_STREQ(kVersion, SUTURE_VERSION); }
 
@@ -52,7 +55,7 @@ TEST(Loadable, SeveralInstancesOfItsClassesRunAndAreConnected) {
   const Deployment deployment = deploymentOf(
       component("Left", "Platter", LOADABLE) + ",\n" + component("Right", "Platter", LOADABLE) +
           ",\n" + component("LeftHand", "Hand", LOADABLE) + ",\n" +
-          component("RightHand", "Hand", LIBRARIES "/" LOADABLE),
+          component("RightHand", "Hand", kLibraries + "/" LOADABLE),
       "{\"from\": \"LeftHand/Turntable\", \"to\": \"Left/Turntable\"},\n"
       "{\"from\": \"RightHand/Turntable\", \"to\": \"Right/Turntable\"}");
   Host host(deployment, "all", {});
@@ -71,22 +74,24 @@ TEST(Loadable, ParametersAreReadAsThoseOfAnyClass) {
   const auto problems = problemsOf(
       deploymentOf(platter.substr(0, platter.size() - 1) + ",\n\"parameters\": {\"angel\": 1}}"));
   ASSERT_EQ(problems.size(), 1u);
-  EXPECT_EQ(problems[0], LIBRARIES
-            "/d.json:3: error: parameters of 'P' (Platter): unknown key 'angel'; did you mean "
-            "'angle'?");
+  EXPECT_EQ(problems[0],
+            kLibraries +
+                "/d.json:3: error: parameters of 'P' (Platter): unknown key 'angel'; did you mean "
+                "'angle'?");
 }
 
 TEST(Loadable, UnknownClass) {
   EXPECT_EQ(problemOf("Plater", LOADABLE),
-            kError + "no component class 'Plater' in library '" LIBRARIES "/" LOADABLE
-                     "'; it offers 'Platter', 'Hand' and 'Spindle'; did you mean 'Platter'?");
+            kError + "no component class 'Plater' in library '" + kLibraries +
+                "/" LOADABLE
+                "'; it offers 'Platter', 'Hand' and 'Spindle'; did you mean 'Platter'?");
 }
 
 TEST(Loadable, NoSuchFile) {
   EXPECT_EQ(problemOf("Platter", "libnone.so"),
-            kError + "loading components from '" LIBRARIES
-                     "/libnone.so': there is no such file. Give the path of a shared library, "
-                     "absolute or from the deployment's folder");
+            kError + "loading components from '" + kLibraries +
+                "/libnone.so': there is no such file. Give the path of a shared library, "
+                "absolute or from the deployment's folder");
 }
 
 TEST(Loadable, NotALibrary) {
@@ -98,16 +103,18 @@ TEST(Loadable, NotALibrary) {
 
 TEST(Loadable, NoEntryPoint) {
   EXPECT_EQ(problemOf("Platter", NOT_LOADABLE),
-            kError + "loading components from '" LIBRARIES "/" NOT_LOADABLE
-                     "': it has no function suture_components(). Build it with "
-                     "suture_generate(TARGET ... LOADABLE HEADERS ...)");
+            kError + "loading components from '" + kLibraries +
+                "/" NOT_LOADABLE
+                "': it has no function suture_components(). Build it with "
+                "suture_generate(TARGET ... LOADABLE HEADERS ...)");
 }
 
 TEST(Loadable, AnotherRelease) {
   EXPECT_EQ(problemOf("Platter", OLD_LOADABLE),
-            kError + "loading components from '" LIBRARIES "/" OLD_LOADABLE
-                     "': it was built with Suture 0.0.9, this program with " SUTURE_VERSION
-                     ". Build both with the same release");
+            kError + "loading components from '" + kLibraries +
+                "/" OLD_LOADABLE
+                "': it was built with Suture 0.0.9, this program with " SUTURE_VERSION
+                ". Build both with the same release");
 }
 
 TEST(Loadable, EveryWrongLibraryIsToldAtOnce) {

@@ -7,9 +7,9 @@
 
 #include "bench/compiler/ninja_build.h"
 #include "bench/compiler/parts.h"
-#include "bench/paths.h"
 #include "bench/progress.h"
 #include "bench/table.h"
+#include "paths.h"
 
 namespace bench {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "bench/compiler/parts.h"
 #include "bench/compiler/timed_command.h"
-#include "bench/paths.h"
 #include "bench/table.h"
+#include "paths.h"
 
 namespace bench {
 namespace {

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "compiler/emit/emit.h"
+#include "paths.h"
 #include "tests/unit/emit/sample_model.h"
 
 namespace suture::compiler {
@@ -45,7 +46,7 @@ std::vector<model::Artefact> allOf(const model::Model& model) {
 }
 
 void expectCommitted(const model::Artefact& artefact) {
-  const std::string expected = contentOf(fs::path(SUTURE_GOLDEN_EXPECTED) / artefact.path);
+  const std::string expected = contentOf(fs::path(paths::kExpected) / artefact.path);
   if (expected == artefact.text) return;
   const fs::path actual = fs::path(testing::TempDir()) / "suture_golden" / artefact.path;
   fs::create_directories(actual.parent_path());

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "integration/network/console.h"
+#include "paths.h"
 #include "support/child.h"
 #include "support/eventually.h"
 #include "support/patience.h"
@@ -25,7 +26,8 @@ class ClockTest : public testing::TestWithParam<std::tuple<Duration, Lane>> {
  protected:
   ClockTest() : names_(control_, "unix:" + directory_.file("m.sock")) {}
 
-  std::unique_ptr<Child> hostAhead(std::chrono::seconds ahead, const char* program = ARM_HOST,
+  std::unique_ptr<Child> hostAhead(std::chrono::seconds ahead,
+                                   const char* program = paths::kArmHost,
                                    const std::function<void()>& prepare = {}) {
     auto child = std::make_unique<Child>(
         std::vector<std::string>{"/usr/bin/unshare", "--time", "--monotonic",
@@ -85,7 +87,7 @@ TEST_P(DriftTest, IsFollowed) {
   const auto lane = std::get<1>(GetParam());
   const auto ahead = std::chrono::duration_cast<std::chrono::seconds>(std::get<0>(GetParam()));
   const Time begin = now();
-  const auto host = hostAhead(ahead, DRIFTING_HOST, [&] {
+  const auto host = hostAhead(ahead, paths::kDriftingHost, [&] {
     setenv("DRIFT_FROM", std::to_string(toNanoseconds(begin + ahead)).c_str(), 1);
   });
   Console console;

@@ -9,6 +9,7 @@
 
 #include "integration/network/arm.h"
 #include "integration/network/console.h"
+#include "paths.h"
 #include "support/child.h"
 #include "support/eventually.h"
 #include "support/refusal.h"
@@ -21,7 +22,7 @@ using namespace std::chrono_literals;
 
 /// suture-manager, and where it listens.
 struct ManagerProcess : Child {
-  explicit ManagerProcess(const std::string& at) : Child({SUTURE_MANAGER, "--listen", at}) {
+  explicit ManagerProcess(const std::string& at) : Child({paths::kSutureManager, "--listen", at}) {
     const std::string ready = line(), expected = "suture-manager: ready on ";
     EXPECT_TRUE(ready.starts_with(expected)) << ready;
     address = ready.substr(expected.size());
@@ -50,7 +51,7 @@ class ManagersTest : public testing::TestWithParam<const char*> {
         std::string(GetParam()) == "unix" ? "unix:" + directory_.file(file) : "tcp://127.0.0.1:0");
   }
   std::unique_ptr<Child> provider() const {
-    auto child = std::make_unique<Child>(std::vector<std::string>{ARM_HOST, all_, "left"});
+    auto child = std::make_unique<Child>(std::vector<std::string>{paths::kArmHost, all_, "left"});
     EXPECT_EQ(child->line(), "ready");
     return child;
   }

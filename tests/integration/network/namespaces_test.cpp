@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "integration/network/console.h"
+#include "paths.h"
 #include "support/cable.h"
 #include "support/child.h"
 #include "support/eventually.h"
@@ -52,8 +53,8 @@ class Namespaces : public testing::TestWithParam<Case> {
   }
   /// In a namespace of its own, at the other end of the cable.
   std::unique_ptr<Child> host() {
-    const std::string program = std::string(ARM_HOST) + " '" + names_->address() + "' robot" +
-                                (isSecure() ? " " + keys() : "");
+    const std::string program = std::string(paths::kArmHost) + " '" + names_->address() +
+                                "' robot" + (isSecure() ? " " + keys() : "");
     auto child = std::make_unique<Child>(
         std::vector<std::string>{"/usr/bin/unshare", "--net", "/bin/sh", "-c",
                                  "until ip link show there >/dev/null 2>&1; do sleep 0.01; done; " +

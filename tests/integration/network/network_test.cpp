@@ -13,6 +13,7 @@
 
 #include "integration/network/arm.h"
 #include "integration/network/console.h"
+#include "paths.h"
 #include "support/child.h"
 #include "support/eventually.h"
 #include "support/patience.h"
@@ -64,7 +65,7 @@ class NetworkTest : public testing::TestWithParam<const char*> {
 
   const std::string& address() const { return names_.address(); }
   std::vector<std::string> armHost(const std::string& manager, const std::string& name) {
-    std::vector<std::string> line{ARM_HOST, manager, name};
+    std::vector<std::string> line{paths::kArmHost, manager, name};
     if (securityOf(name).keys != nullptr) line.push_back(keys_.string());
     return line;
   }
@@ -240,7 +241,7 @@ TEST_P(PlainNetworkTest, APlainCapnpClientReadsAndCommandsAnArm) {
   const auto arm = host("left");
   std::string peer = addressOf("left");
   if (peer.starts_with("tcp://")) peer = peer.substr(6);
-  Child client({PLAIN_CLIENT, peer});
+  Child client({paths::kPlainClient, peer});
   EXPECT_EQ(client.line(), "x: 0.25");
   EXPECT_EQ(client.line(), "distance: 1.00");
   EXPECT_EQ(client.line(), "heard: stopped");

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "compiler/lock/lock.h"
+#include "paths.h"
 #include "tests/unit/emit/sample_model.h"
 
 namespace suture::compiler::lock {
@@ -29,7 +30,7 @@ void compile(model::Model model) {
   }
   ASSERT_FALSE(files.empty());
   const std::string command = std::string(SUTURE_CAPNP) +
-                              " compile --src-prefix=" + folder.string() + " -I" + SUTURE_SCHEMAS +
+                              " compile --src-prefix=" + folder.string() + " -I" + paths::kSchemas +
                               " -I" + folder.string() + " -o-" + files + " > /dev/null";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   std::filesystem::remove_all(folder);

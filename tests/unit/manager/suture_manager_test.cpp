@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "paths.h"
 #include "support/child.h"
 #include "support/temporary_directory.h"
 
@@ -27,7 +28,7 @@ class Program final : public Child {
  private:
   static std::vector<std::string> commandLine(const std::string& listen,
                                               const std::vector<std::string>& more) {
-    std::vector<std::string> line{SUTURE_MANAGER, "--listen", listen};
+    std::vector<std::string> line{paths::kSutureManager, "--listen", listen};
     line.insert(line.end(), more.begin(), more.end());
     return line;
   }
