@@ -67,7 +67,7 @@ class Break(unittest.TestCase):
         self.assertIn("it is the only process, and talks to no other", process.stderr)
 
     def test_an_interrupt_meanwhile_blames_nobody(self):
-        with Demo(PROGRAMS, "--network", "unix", "--seconds", "60", "--break", "right@1s+30s") as demo:
+        with Demo(PROGRAMS, "--network", "unix", "--seconds", "60", "--break", "right@3s+30s") as demo:
             demo.await_progress()
             right = demo.child("right")
             self.assertTrue(eventually(lambda: is_frozen(right), PATIENCE))
@@ -79,7 +79,7 @@ class Break(unittest.TestCase):
             self.assertTrue(all_end(children), "processes are left")
 
     def test_a_killed_demo_leaves_no_frozen_process(self):
-        with Demo(PROGRAMS, "--network", "unix", "--seconds", "60", "--break", "right@1s+30s") as demo:
+        with Demo(PROGRAMS, "--network", "unix", "--seconds", "60", "--break", "right@3s+30s") as demo:
             demo.await_progress()
             right = demo.child("right")
             self.assertTrue(eventually(lambda: is_frozen(right), PATIENCE))
