@@ -23,18 +23,21 @@ enum class SUTURE_TYPE() ArmWarning : std::uint8_t {
   AtLimit,         ///< what it follows leads beyond a joint limit: the arm slides along it; once
                    ///< until it leads within again
   StepTooFar,      ///< a servo goal lies farther from the set-point than the rates allow
+  PowerLost,       ///< the drives have no power any more, or may not have it: the arm is disabled
+  DrivesSilent,    ///< the drives have measured nothing for 250 ms; the arm is in FAULT
 };
 
 /// Commands run in the arm's own thread before its next cycle; reads are from the end of its last
-/// one. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled
-/// and not homed; until it is enabled it ignores motion commands.
+/// one. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, undefined;
+/// once it hears of its drives, and they may have power, it is disabled and not homed. Until it is
+/// enabled it ignores motion commands.
 class SUTURE_INTERFACE() Arm {
  public:
   virtual ~Arm() = default;
 
-  /// Powers the arm; it holds its position.
+  /// Gives the drives power; the arm holds its position.
   SUTURE_COMMAND() virtual void enable() = 0;
-  /// Stops at once and ignores motion until enabled again.
+  /// Stops at once, without power, and ignores motion until enabled again.
   SUTURE_COMMAND() virtual void disable() = 0;
   /// Moves to the home position; needs an enabled arm. Ends with goal_reached.
   SUTURE_COMMAND() virtual void home() = 0;
@@ -50,11 +53,11 @@ class SUTURE_INTERFACE() Arm {
   /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.
   SUTURE_COMMAND() virtual void move_jp(const JointGoal& goal) = 0;
 
-  /// Where the joints are. Stamp: the arm's cycle.
+  /// Where the joints are. Stamp: the drives' cycle that measured them.
   SUTURE_COMMAND() virtual const JointState& measured_js() const = 0;
   /// Where the joints shall be.
   SUTURE_COMMAND() virtual const JointState& setpoint_js() const = 0;
-  /// Where the tool tip is. Stamp: the arm's cycle.
+  /// Where the tool tip is. Stamp: the drives' cycle that measured the joints.
   SUTURE_COMMAND() virtual PoseStamped measured_cp() const = 0;
   /// Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's
   /// cycle.

@@ -1,16 +1,18 @@
-#include "arm/simulated_arm.h"
+#include "arm/arm_controller.h"
 
 #include <algorithm>
 
 #include "arm/goals.h"
-#include "arm/kinematics/inverse.h"
-#include "arm/seconds.h"
+#include "kinematics/inverse.h"
+#include "timing/seconds.h"
 
 namespace robots {
 namespace {
 
 // The arm says these of what it does when it has just entered each of the states, in their order.
 constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", "following error"};
+
+bool mayHavePower(DrivePower power) { return power == DrivePower::Off || power == DrivePower::On; }
 
 template <int N>
 JointState blank(const std::array<const char*, std::size_t{N}>& names) {
@@ -21,30 +23,31 @@ JointState blank(const std::array<const char*, std::size_t{N}>& names) {
 }
 
 template <int N>
-void place(JointState& state, const Eigen::Matrix<double, N, 1>& position, suture::Time stamp) {
+void place(JointState& state, const Eigen::Matrix<double, N, 1>& position, suture::Time stamp,
+           bool valid) {
   std::copy_n(position.data(), N, state.position.begin());
   state.stamp = stamp;
-  state.valid = true;
+  state.valid = valid;
 }
 
 }  // namespace
 
 template <int N>
-SimulatedArm<N>::SimulatedArm(const ArmModel<N>& model)
+ArmController<N>::ArmController(const ArmModel<N>& model)
     : model_(model),
-      dynamics_(model.time_constant, model.rate_limit, model.chain.lower(), model.chain.upper(),
-                model.parked),
-      setpoint_(dynamics_.setpoint()),
+      setpoint_(Joints::Zero()),
       measuredJs_(blank<N>(model.joint_names)),
       setpointJs_(measuredJs_) {
   measuredJs_.velocity.resize(N);
-  state_.state = ArmState::Disabled;
 }
 
 template <int N>
-void SimulatedArm<N>::obey(StateCommand command) {
+void ArmController<N>::obey(StateCommand command) {
   const auto next = after(state_.state, command);
   if (!next) return refuse(command);
+  if (command == StateCommand::Enable && !mayHavePower(reading_.power)) {
+    return warnings_.tell(ArmWarning::PowerLost);
+  }
   if (command == StateCommand::Home) return startMove(model_.home, true);
   if (command == StateCommand::Unhome) return unhome();
   desired_ = next;
@@ -52,36 +55,36 @@ void SimulatedArm<N>::obey(StateCommand command) {
 }
 
 template <int N>
-void SimulatedArm<N>::refuse(StateCommand command) {
+void ArmController<N>::refuse(StateCommand command) {
   if (command == StateCommand::Home) return warn(ArmWarning::NotEnabled);
-  refusal_ = whyRefused(command);
+  refusal_ = whyRefused(state_.state, command);
   warnings_.tell(ArmWarning::WrongState);
 }
 
 template <int N>
-void SimulatedArm<N>::unhome() {
+void ArmController<N>::unhome() {
   state_.is_homed = false;
   state_.stamp = suture::now();
   stateChanged_ = true;
 }
 
 template <int N>
-void SimulatedArm<N>::restIn(ArmState state) {
+void ArmController<N>::restIn(ArmState state) {
   endMove(false);
-  setpoint_ = dynamics_.measured();
+  setpoint_ = reading_.position;
   setpointStamp_ = {};
   enter(state, kActivities[static_cast<std::size_t>(state)]);
 }
 
 template <int N>
-void SimulatedArm<N>::hold() {
+void ArmController<N>::hold() {
   if (!mayMove()) return;
   endMove(false);
   enter(ArmState::Enabled, "holding");
 }
 
 template <int N>
-void SimulatedArm<N>::servo_cp(const PoseStamped& goal) {
+void ArmController<N>::servo_cp(const PoseStamped& goal) {
   if (!mayMove()) return;
   if (!isPose(goal)) return warn(ArmWarning::Malformed);
   const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
@@ -90,7 +93,7 @@ void SimulatedArm<N>::servo_cp(const PoseStamped& goal) {
 }
 
 template <int N>
-void SimulatedArm<N>::servo_jp(const JointGoal& goal) {
+void ArmController<N>::servo_jp(const JointGoal& goal) {
   if (!mayMove()) return;
   const auto q = toJoints<N>(goal.position);
   if (!q) return warn(ArmWarning::Malformed);
@@ -98,7 +101,7 @@ void SimulatedArm<N>::servo_jp(const JointGoal& goal) {
 }
 
 template <int N>
-void SimulatedArm<N>::move_jp(const JointGoal& goal) {
+void ArmController<N>::move_jp(const JointGoal& goal) {
   if (!mayMove()) return;
   const auto q = toJoints<N>(goal.position);
   if (!q) return warn(ArmWarning::Malformed);
@@ -107,14 +110,14 @@ void SimulatedArm<N>::move_jp(const JointGoal& goal) {
 }
 
 template <int N>
-PoseStamped SimulatedArm<N>::forward_kinematics(const JointGoal& goal) const {
+PoseStamped ArmController<N>::forward_kinematics(const JointGoal& goal) const {
   const auto q = toJoints<N>(goal.position);
   if (!q) return {};
   return {model_.chain.forward(*q), goal.stamp, true};
 }
 
 template <int N>
-JointSolution SimulatedArm<N>::inverse_kinematics(const PoseStamped& goal) const {
+JointSolution ArmController<N>::inverse_kinematics(const PoseStamped& goal) const {
   JointSolution answer;
   if (!isPose(goal)) return answer;
   const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
@@ -125,9 +128,8 @@ JointSolution SimulatedArm<N>::inverse_kinematics(const PoseStamped& goal) const
 }
 
 template <int N>
-void SimulatedArm<N>::step(suture::Time now) {
-  if (lastStep_ != suture::Time{}) dynamics_.advance(secondsBetween(lastStep_, now));
-  lastStep_ = now;
+void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N>>& drives) {
+  take(drives);
   if (trails()) {
     restIn(ArmState::Fault);
     warnings_.tell(ArmWarning::FollowingError);
@@ -139,27 +141,51 @@ void SimulatedArm<N>::step(suture::Time now) {
     setpoint_ = move_->at(t);
     if (t >= move_->duration()) endMove(true);
   }
-  dynamics_.command(setpoint_);
   publish(now);
 }
 
-// The joints have had a cycle to follow what they were commanded.
 template <int N>
-bool SimulatedArm<N>::trails() const {
-  const Joints error = dynamics_.setpoint() - dynamics_.measured();
+void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
+  heard_ = drives.has_value();
+  if (drives) {
+    reading_ = *drives;
+    follow(drives->power);
+  } else if (powered() && state_.state != ArmState::Fault) {
+    restIn(ArmState::Fault);
+    warnings_.tell(ArmWarning::DrivesSilent);
+  }
+}
+
+// Drives that were just told to have power have it a little later.
+template <int N>
+void ArmController<N>::follow(DrivePower power) {
+  const bool isLost = !mayHavePower(power) || (hadPower_ && power == DrivePower::Off);
+  if (state_.state == ArmState::Undefined && power != DrivePower::NotReady) {
+    restIn(ArmState::Disabled);
+  } else if (powered() && isLost) {
+    restIn(ArmState::Disabled);
+    warnings_.tell(ArmWarning::PowerLost);
+  }
+  hadPower_ = powered() && power == DrivePower::On;
+  if (!powered()) setpoint_ = reading_.position;  // the brakes may have taken effect after that
+}
+
+template <int N>
+bool ArmController<N>::trails() const {
+  const Joints error = model_.chain.clamp(setpoint_) - reading_.position;
   return state_.state == ArmState::Enabled &&
          (error.cwiseAbs().array() > model_.following_error.array()).any();
 }
 
 template <int N>
-bool SimulatedArm<N>::mayMove() {
+bool ArmController<N>::mayMove() {
   if (state_.state == ArmState::Enabled) return true;
   warn(ArmWarning::NotEnabled);
   return false;
 }
 
 template <int N>
-void SimulatedArm<N>::enter(ArmState state, const char* activity) {
+void ArmController<N>::enter(ArmState state, const char* activity) {
   const bool busy = move_.has_value();
   warnings_.obey();
   if (state_.state == state && state_.sub_state == activity && state_.is_busy == busy) return;
@@ -171,7 +197,7 @@ void SimulatedArm<N>::enter(ArmState state, const char* activity) {
 }
 
 template <int N>
-void SimulatedArm<N>::startMove(const Joints& goal, bool homing) {
+void ArmController<N>::startMove(const Joints& goal, bool homing) {
   endMove(false);
   move_.emplace(setpoint_, goal, moveRatio_ * model_.rate_limit);
   moveStart_ = {};
@@ -181,7 +207,7 @@ void SimulatedArm<N>::startMove(const Joints& goal, bool homing) {
 }
 
 template <int N>
-void SimulatedArm<N>::endMove(bool reached) {
+void ArmController<N>::endMove(bool reached) {
   servoing_.end();
   streamer_ = nullptr;
   sliding_ = false;
@@ -194,7 +220,8 @@ void SimulatedArm<N>::endMove(bool reached) {
 }
 
 template <int N>
-void SimulatedArm<N>::follow(const Joints& setpoint, suture::Time goalStamp, const char* activity) {
+void ArmController<N>::follow(const Joints& setpoint, suture::Time goalStamp,
+                              const char* activity) {
   endMove(false);
   setpoint_ = setpoint;
   setpointStamp_ = goalStamp;
@@ -202,20 +229,20 @@ void SimulatedArm<N>::follow(const Joints& setpoint, suture::Time goalStamp, con
 }
 
 template <int N>
-void SimulatedArm<N>::followStream(const Joints& setpoint, suture::Time goalStamp,
-                                   const char* activity) {
+void ArmController<N>::followStream(const Joints& setpoint, suture::Time goalStamp,
+                                    const char* activity) {
   follow(setpoint, goalStamp, activity);
   streamer_ = asking();
 }
 
 template <int N>
-typename SimulatedArm<N>::ServoTarget SimulatedArm<N>::withinLimits(const Joints& q) const {
+typename ArmController<N>::ServoTarget ArmController<N>::withinLimits(const Joints& q) const {
   return {model_.chain.clamp(q), !model_.chain.within(q)};
 }
 
 template <int N>
-void SimulatedArm<N>::servo(const ServoTarget& target, suture::Time goalStamp,
-                            const char* activity) {
+void ArmController<N>::servo(const ServoTarget& target, suture::Time goalStamp,
+                             const char* activity) {
   const Joints furthest = model_.servo_horizon * model_.rate_limit;
   const Joints step = target.q - setpoint_;
   if ((step.cwiseAbs().array() > furthest.array()).any()) return warn(ArmWarning::StepTooFar);
@@ -227,23 +254,24 @@ void SimulatedArm<N>::servo(const ServoTarget& target, suture::Time goalStamp,
 }
 
 template <int N>
-void SimulatedArm<N>::clientGone(const suture::ConnectedClient& client) {
+void ArmController<N>::clientGone(const suture::ConnectedClient& client) {
   if (&client != streamer_) return;
   hold();
   warnings_.tell(ArmWarning::ClientGone);
 }
 
 template <int N>
-void SimulatedArm<N>::publish(suture::Time now) {
-  place<N>(measuredJs_, dynamics_.measured(), now);
-  Joints::Map(measuredJs_.velocity.data()) = dynamics_.velocity();
-  place<N>(setpointJs_, setpoint_, now);
-  measuredCp_ = {model_.chain.forward(dynamics_.measured()), now, true};
+void ArmController<N>::publish(suture::Time now) {
+  const bool known = state_.state != ArmState::Undefined;
+  place<N>(measuredJs_, reading_.position, reading_.stamp, heard_ && known);
+  Joints::Map(measuredJs_.velocity.data()) = reading_.velocity;
+  place<N>(setpointJs_, setpoint_, now, known);
+  measuredCp_ = {model_.chain.forward(reading_.position), reading_.stamp, measuredJs_.valid};
   const suture::Time stamp = setpointStamp_ == suture::Time{} ? now : setpointStamp_;
-  setpointCp_ = {model_.chain.forward(setpoint_), stamp, true};
+  setpointCp_ = {model_.chain.forward(setpoint_), stamp, known};
 }
 
-template class SimulatedArm<6>;
-template class SimulatedArm<7>;
+template class ArmController<6>;
+template class ArmController<7>;
 
 }  // namespace robots

@@ -1,6 +1,5 @@
 #pragma once
-// What the simulated arms have in common: the Arm contract over a kinematic chain with lagging
-// joints.
+// What the arms have in common: the Arm contract over a kinematic chain and its drives.
 
 #include <suture/base/time.h>
 #include <suture/component/connected_client.h>
@@ -11,26 +10,24 @@
 #include <string_view>
 
 #include "arm/arm.h"
-#include "arm/joint_dynamics.h"
+#include "arm/drive_reading.h"
 #include "arm/joint_move.h"
-#include "arm/kinematics/chain.h"
 #include "arm/operating_states.h"
-#include "arm/stream_watch.h"
 #include "arm/warnings.h"
+#include "kinematics/chain.h"
+#include "timing/stream_watch.h"
 
 namespace robots {
 
-/// How one arm is built and how it answers. Joint vectors in rad, or m for a prismatic joint.
+/// How one arm is built and what it may do. Joint vectors in rad, or m for a prismatic joint.
 template <int N>
 struct ArmModel {
   using Joints = Eigen::Matrix<double, N, 1>;
 
   kinematics::Chain<N> chain;
   std::array<const char*, std::size_t{N}> joint_names;
-  Joints parked;         ///< where the arm is when it starts
-  Joints home;           ///< where home() takes it
-  Joints rate_limit;     ///< rad/s or m/s
-  double time_constant;  ///< s: how far the measured joints trail the set-point
+  Joints home;        ///< where home() takes it
+  Joints rate_limit;  ///< rad/s or m/s
   /// A joint that trails its set-point by more faults the arm.
   Joints following_error = Joints::Constant(std::numeric_limits<double>::infinity());
   /// s: a servo goal may lie so far from the set-point as the joints can move in this time.
@@ -40,16 +37,15 @@ struct ArmModel {
 template <int N>
 class CrtkFace;
 
-/// A set-point that arrives in one cycle acts on the joints from that cycle on; what is measured is
-/// the exact solution at the time of the cycle, so a recording can be checked to rounding. Confined
-/// to one thread; only the constructor allocates.
+/// Turns the commands of an arm into set-points of its joints, and what its drives measure into the
+/// arm's state. Confined to one thread; only the constructor allocates.
 template <int N>
-class SimulatedArm : public Arm {
+class ArmController : public Arm {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// Parked and disabled. Throws std::invalid_argument for impossible dynamics.
-  explicit SimulatedArm(const ArmModel<N>& model);
+  /// Undefined, until step() has a reading of drives that may have power.
+  explicit ArmController(const ArmModel<N>& model);
 
   void enable() override { obey(StateCommand::Enable); }
   void disable() override { obey(StateCommand::Disable); }
@@ -71,8 +67,14 @@ class SimulatedArm : public Arm {
   /// says so. A move goes on to its end.
   void clientGone(const suture::ConnectedClient& client);
 
-  /// One cycle at time `now`, after the commands that arrived for it.
-  void step(suture::Time now);
+  /// One cycle at time `now`, after the commands that arrived for it. None: the drives are silent.
+  void step(suture::Time now, const std::optional<DriveReading<N>>& drives);
+
+  /// What the drives shall do from this cycle on: hold power, and follow the set-point.
+  bool powered() const {
+    return state_.state != ArmState::Undefined && state_.state != ArmState::Disabled;
+  }
+  const Joints& setpoint() const { return setpoint_; }
 
   /// Tells `events` (what Provided<Arm>::emit() returns) what happened since the last call.
   template <class Events>
@@ -97,6 +99,9 @@ class SimulatedArm : public Arm {
   void unhome();
   /// Changes to `state`, in which the arm holds where it is.
   void restIn(ArmState state);
+  /// Takes what the drives measured, and follows them where they stop or fall silent.
+  void take(const std::optional<DriveReading<N>>& drives);
+  void follow(DrivePower power);
   /// A joint trails its set-point by too much.
   bool trails() const;
   bool mayMove();
@@ -118,10 +123,10 @@ class SimulatedArm : public Arm {
   void publish(suture::Time now);
 
   const ArmModel<N> model_;
-  JointDynamics<N> dynamics_;
-  suture::Time lastStep_;
-
+  DriveReading<N> reading_;  // the last
   Joints setpoint_;
+  bool heard_ = false;          // of them, in this cycle
+  bool hadPower_ = false;       // since the arm wants it
   suture::Time setpointStamp_;  // of the servo goal it came from; unset otherwise
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;  // of the cycle that began move_
@@ -142,7 +147,7 @@ class SimulatedArm : public Arm {
   std::string_view refusal_;  // why the last state command was refused
 };
 
-extern template class SimulatedArm<6>;
-extern template class SimulatedArm<7>;
+extern template class ArmController<6>;
+extern template class ArmController<7>;
 
 }  // namespace robots

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "arm/goals.h"
-#include "arm/kinematics/inverse.h"
-#include "arm/seconds.h"
+#include "kinematics/inverse.h"
+#include "timing/seconds.h"
 
 namespace robots {
 namespace {
@@ -42,7 +42,7 @@ void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp) {
 }  // namespace
 
 template <int N>
-CrtkFace<N>::CrtkFace(SimulatedArm<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js()) {
+CrtkFace<N>::CrtkFace(ArmController<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js()) {
   const ArmModel<N>& model = arm_.model_;
   baseFrame_.valid = true;
   for (int i = 0; i < N; ++i) {
@@ -242,7 +242,7 @@ void CrtkFace<N>::advance(suture::Time now) {
   lastCycle_ = now;
   if (!streaming()) stream_.end();
   if (stream_.hasFallenSilent(now)) return arm_.hold();
-  const auto next = stream_.next(arm_.model_.chain, arm_.setpoint_, arm_.dynamics_.measured(), dt);
+  const auto next = stream_.next(arm_.model_.chain, arm_.setpoint_, arm_.reading_.position, dt);
   if (!next) return arm_.warn(ArmWarning::OutOfReach);
   arm_.setpoint_ = next->q;
   if (next->limited && !streamSlides_) arm_.warnings_.tell(ArmWarning::AtLimit);
@@ -262,15 +262,15 @@ template <int N>
 void CrtkFace<N>::publishMotion(suture::Time now) {
   const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
   const Eigen::Matrix3d toReference = baseFrame_.pose.linear();
-  const Eigen::Matrix<double, 6, N> spatial = arm_.model_.chain.jacobian(arm_.dynamics_.measured());
+  const Eigen::Matrix<double, 6, N> spatial = arm_.model_.chain.jacobian(arm_.reading_.position);
   Eigen::Matrix<double, 6, N> body;
   body << tip.transpose() * spatial.template topRows<3>(),
       tip.transpose() * spatial.template bottomRows<3>();
   place(spatialJacobian_, spatial, now);
   place(bodyJacobian_, body, now);
-  const SpatialVector velocity = spatial * arm_.dynamics_.velocity();
+  const SpatialVector velocity = spatial * arm_.reading_.velocity;
   const SpatialVector asked = streaming() ? stream_.twist(spatial, tip) : SpatialVector::Zero();
-  place(measuredCv_, rotated(toReference, velocity), now);
+  place(measuredCv_, rotated(toReference, velocity), arm_.reading_.stamp);
   place(setpointCv_, rotated(toReference, asked), now);
 }
 
@@ -287,7 +287,7 @@ void CrtkFace<N>::publishForce(suture::Time now) {
   measuredCs_.torque = toReference * spatialCf_.torque;
   measuredCs_.position_is_valid = measuredCs_.velocity_is_valid = true;
   measuredCs_.force_is_valid = true;
-  measuredCs_.stamp = now;
+  measuredCs_.stamp = arm_.reading_.stamp;
 }
 
 template <int N>
@@ -312,6 +312,10 @@ std::string_view CrtkFace<N>::textOf(ArmWarning reason) const {
     case ArmWarning::WrongState: return arm_.refusal_;
     case ArmWarning::FollowingError:
       return "a joint trailed its set-point by more than its bound; enable or disable the arm";
+    case ArmWarning::PowerLost:
+      return "the drives have no power, or may not have it; enable the arm when they may";
+    case ArmWarning::DrivesSilent:
+      return "the drives have been silent for too long; enable or disable the arm";
   }
   return "";
 }

@@ -9,10 +9,10 @@
 #include <optional>
 #include <string_view>
 
+#include "arm/arm_controller.h"
 #include "arm/crtk_arm.h"
 #include "arm/motion_stream.h"
 #include "arm/period_statistics.h"
-#include "arm/simulated_arm.h"
 #include "arm/stream_goals.h"
 
 namespace robots {
@@ -25,7 +25,7 @@ class CrtkFace final : public CrtkArm {
   using Joints = Eigen::Matrix<double, N, 1>;
 
   /// `arm` outlives it.
-  explicit CrtkFace(SimulatedArm<N>& arm);
+  explicit CrtkFace(ArmController<N>& arm);
 
   const JointConfiguration& configuration_js() const override { return configuration_; }
   const OperatingState& operating_state() const override { return arm_.operating_state(); }
@@ -121,7 +121,8 @@ class CrtkFace final : public CrtkArm {
 
   std::string_view textOf(ArmWarning reason) const;
   static bool isError(ArmWarning reason) {
-    return reason == ArmWarning::WrongState || reason == ArmWarning::FollowingError;
+    return reason == ArmWarning::WrongState || reason == ArmWarning::FollowingError ||
+           reason == ArmWarning::PowerLost || reason == ArmWarning::DrivesSilent;
   }
   const suture::Message& message(std::string_view text) {
     return draft_.write(text, 0, ++messages_);
@@ -140,7 +141,7 @@ class CrtkFace final : public CrtkArm {
   void publishForce(suture::Time now);
   void publishGoal(suture::Time now);
 
-  SimulatedArm<N>& arm_;
+  ArmController<N>& arm_;
   PeriodStatistics periods_;
   PoseStamped baseFrame_;
   double ratioV_ = 1, ratioA_ = 1;

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "arm/kinematics/inverse.h"
+#include "kinematics/inverse.h"
 
 namespace robots {
 

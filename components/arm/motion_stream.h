@@ -6,10 +6,10 @@
 #include <optional>
 #include <string_view>
 
-#include "arm/kinematics/chain.h"
-#include "arm/kinematics/spatial_vector.h"
 #include "arm/rate_ramp.h"
-#include "arm/stream_watch.h"
+#include "kinematics/chain.h"
+#include "kinematics/spatial_vector.h"
+#include "timing/stream_watch.h"
 
 namespace robots {
 

@@ -5,14 +5,16 @@
 #include <suture/base/time.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
+#include <suture/component/required.h>
 
 #include <chrono>
 #include <cstdint>
 
 #include "arm/arm.suture.h"
+#include "arm/arm_controller.h"
 #include "arm/crtk_arm.suture.h"
 #include "arm/crtk_face.h"
-#include "arm/simulated_arm.h"
+#include "arm/drive_link.h"
 
 namespace robots {
 
@@ -21,8 +23,6 @@ enum class SUTURE_TYPE() MtmSide : std::uint8_t { Left, Right };
 struct SUTURE_TYPE() MtmParameters {
   MtmSide side = MtmSide::Left;
   suture::Duration period = std::chrono::milliseconds(1);
-  /// How far the measured joints trail their set-point: here, the hand that moves the master.
-  SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
   /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
   /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
@@ -33,9 +33,9 @@ struct SUTURE_TYPE() MtmParameters {
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
 };
 
-/// A master tool manipulator (arm/kinematics/davinci.h). There is no hand on it: a surgeon
+/// A master tool manipulator (kinematics/davinci.h). There is no hand on it: a surgeon
 /// component drives it through servo_cp.
-class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public SimulatedArm<7> {
+class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmController<7> {
  public:
   explicit Mtm(const MtmParameters& parameters);
 
@@ -47,6 +47,8 @@ class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public Simulat
                 suture::ClientNews news) override;
 
   CrtkFace<7> face_{*this};
+  suture::Required<Drives> drives_{*this, "Drives"};
+  DriveLink<7> link_{drives_};
   suture::Provided<Arm> arm_{*this, "Arm", *this};
   suture::Provided<CrtkArm> crtk_{*this, "Crtk", face_};
 };

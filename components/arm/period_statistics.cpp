@@ -4,7 +4,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "arm/seconds.h"
+#include "timing/seconds.h"
 
 namespace robots {
 

@@ -1,6 +1,6 @@
 #include "arm/psm.h"
 
-#include "arm/kinematics/davinci.h"
+#include "kinematics/davinci.h"
 
 namespace robots {
 namespace {
@@ -10,15 +10,12 @@ ArmModel<6> model(const PsmParameters& parameters) {
   ArmModel<6> model{
       .chain = kinematics::psm(),
       .joint_names = {"yaw", "pitch", "insertion", "roll", "wrist_pitch", "wrist_yaw"},
-      .parked = ArmModel<6>::Joints::Zero(),
       .home = ArmModel<6>::Joints::Zero(),
       .rate_limit = ArmModel<6>::Joints::Constant(parameters.angular_rate),
-      .time_constant = parameters.time_constant,
       .following_error = ArmModel<6>::Joints::Constant(parameters.following_error),
       .servo_horizon = parameters.servo_horizon,
   };
   // Inside the patient from the start: the cannula is not simulated.
-  model.parked[kInsertion] = 0.1;
   model.home[kInsertion] = 0.12;
   model.rate_limit[kInsertion] = parameters.insertion_rate;
   model.following_error[kInsertion] = parameters.insertion_following_error;
@@ -28,7 +25,7 @@ ArmModel<6> model(const PsmParameters& parameters) {
 }  // namespace
 
 Psm::Psm(const PsmParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), SimulatedArm(model(parameters)) {}
+    : PeriodicTask({.period = parameters.period}), ArmController(model(parameters)) {}
 
 void Psm::onClient(const suture::ProvidedBase& /*interface*/, const suture::ConnectedClient& client,
                    suture::ClientNews news) {
@@ -38,7 +35,8 @@ void Psm::onClient(const suture::ProvidedBase& /*interface*/, const suture::Conn
 void Psm::run() {
   const suture::Time now = suture::now();
   face_.advance(now);
-  step(now);
+  step(now, link_.read());
+  link_.command(powered(), setpoint(), now);
   face_.publish(now);
   face_.announce(crtk_.emit());
   announce(arm_.emit());

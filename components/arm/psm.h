@@ -5,20 +5,20 @@
 #include <suture/base/time.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
+#include <suture/component/required.h>
 
 #include <chrono>
 
 #include "arm/arm.suture.h"
+#include "arm/arm_controller.h"
 #include "arm/crtk_arm.suture.h"
 #include "arm/crtk_face.h"
-#include "arm/simulated_arm.h"
+#include "arm/drive_link.h"
 
 namespace robots {
 
 struct SUTURE_TYPE() PsmParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// How far the measured joints trail their set-point.
-  SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
   /// Rate limit of the rotating joints.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
   /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
@@ -34,9 +34,9 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
 };
 
-/// A patient side manipulator with large needle driver (arm/kinematics/davinci.h). Its base frame
+/// A patient side manipulator with large needle driver (kinematics/davinci.h). Its base frame
 /// has its origin at the remote centre of motion.
-class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public SimulatedArm<6> {
+class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmController<6> {
  public:
   explicit Psm(const PsmParameters& parameters);
 
@@ -48,6 +48,8 @@ class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public Simulat
                 suture::ClientNews news) override;
 
   CrtkFace<6> face_{*this};
+  suture::Required<Drives> drives_{*this, "Drives"};
+  DriveLink<6> link_{drives_};
   suture::Provided<Arm> arm_{*this, "Arm", *this};
   suture::Provided<CrtkArm> crtk_{*this, "Crtk", face_};
 };

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "arm/fresh_pose.h"
-#include "arm/seconds.h"
 #include "teleop/valid_scale.h"
+#include "timing/seconds.h"
 
 namespace robots {
 namespace {

@@ -13,12 +13,12 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
-#include "arm/cycle_watch.h"
 #include "guidance/fixtures.h"
 #include "guidance/guidance.suture.h"
 #include "guidance/knot_estimate.h"
 #include "registration/registration.suture.h"
 #include "teleop/follow_law.h"
+#include "timing/cycle_watch.h"
 #include "vision/knot_vision.suture.h"
 
 namespace robots {

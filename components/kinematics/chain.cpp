@@ -1,4 +1,4 @@
-#include "arm/kinematics/chain.h"
+#include "kinematics/chain.h"
 
 namespace robots::kinematics {
 namespace {

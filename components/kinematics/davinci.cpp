@@ -1,4 +1,4 @@
-#include "arm/kinematics/davinci.h"
+#include "kinematics/davinci.h"
 
 #include <numbers>
 
@@ -39,5 +39,12 @@ Chain<6> psm() {
 Chain<7> mtmLeft() { return mtm(-0.698, 1.134, -0.262, -3.578, 1.658); }
 
 Chain<7> mtmRight() { return mtm(-1.134, 0.698, -0.314, -1.658, 3.578); }
+
+Chain<7>::Joints mtmHome() {
+  Chain<7>::Joints home = Chain<7>::Joints::Zero();
+  home[1] = 0.4;
+  home[4] = kHalfPi;
+  return home;
+}
 
 }  // namespace robots::kinematics

@@ -4,7 +4,7 @@
 // share/tool/LARGE_NEEDLE_DRIVER_400006.json). The published files round pi/2 to 1.5708; here it is
 // exact. For simulation only, never for clinical use.
 
-#include "arm/kinematics/chain.h"
+#include "kinematics/chain.h"
 
 namespace robots::kinematics {
 
@@ -19,5 +19,9 @@ Chain<7> mtmLeft();
 
 /// Master tool manipulator, right: the left one's links with mirrored limits of yaw and platform.
 Chain<7> mtmRight();
+
+/// Joints of either master that are well conditioned, and leave 0.1 m in all directions to any
+/// limit.
+Chain<7>::Joints mtmHome();
 
 }  // namespace robots::kinematics

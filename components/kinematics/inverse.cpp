@@ -1,8 +1,8 @@
-#include "arm/kinematics/inverse.h"
+#include "kinematics/inverse.h"
 
 #include <Eigen/Cholesky>
 
-#include "arm/kinematics/pose_error.h"
+#include "kinematics/pose_error.h"
 
 namespace robots::kinematics {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Inverse kinematics by damped least squares.
 
-#include "arm/kinematics/chain.h"
+#include "kinematics/chain.h"
 
 namespace robots::kinematics {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "arm/seconds.h"
 #include "recorder/judging.h"
+#include "timing/seconds.h"
 
 namespace robots {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "arm/seconds.h"
+#include "timing/seconds.h"
 
 namespace robots {
 namespace {

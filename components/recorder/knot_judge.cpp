@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "arm/seconds.h"
 #include "recorder/judging.h"
+#include "timing/seconds.h"
 
 namespace robots {
 namespace {

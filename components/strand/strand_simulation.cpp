@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "arm/seconds.h"
+#include "timing/seconds.h"
 
 namespace robots {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "arm/seconds.h"
 #include "arm/smooth_step.h"
 #include "surgeon/pause.h"
+#include "timing/seconds.h"
 
 namespace robots {
 namespace {

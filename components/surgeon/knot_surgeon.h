@@ -12,8 +12,8 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
-#include "arm/cycle_watch.h"
 #include "guidance/guidance.suture.h"
+#include "timing/cycle_watch.h"
 
 namespace robots {
 

@@ -1,7 +1,7 @@
 #include "surgeon/surgeon.h"
 
-#include "arm/seconds.h"
 #include "surgeon/pause.h"
+#include "timing/seconds.h"
 
 namespace robots {
 

@@ -11,8 +11,8 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
-#include "arm/cycle_watch.h"
 #include "surgeon/hand_path.h"
+#include "timing/cycle_watch.h"
 
 namespace robots {
 

@@ -12,9 +12,9 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
-#include "arm/cycle_watch.h"
 #include "teleop/follow_law.h"
 #include "teleop/teleoperation.suture.h"
+#include "timing/cycle_watch.h"
 
 namespace robots {
 

@@ -62,7 +62,7 @@ void declare(CLI::App& app, demo::Options& options) {
       ->check(CLI::IsMember(demo::topologiesIn(paths::kTopologies)));
   app.add_option("--lane", options.lane,
                  "auto: the fastest lane that fits; shm: shared memory, rpc: Cap'n Proto RPC, both "
-                 "even within a process")
+                 "even within a process, but for an arm and its drives")
       ->capture_default_str()
       ->check(CLI::IsMember({"auto", "shm", "frame", "rpc"}));
   app.add_option(

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "arm/seconds.h"
 #include "canvas.h"
 #include "recorder/knot_recording.h"
 #include "strand/strand.h"
+#include "timing/seconds.h"
 #include "vision/painter.h"
 
 namespace demo {

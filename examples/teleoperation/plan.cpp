@@ -16,14 +16,20 @@ using suture::ComponentEntry;
 using suture::ConnectionEntry;
 using suture::ProcessEntry;
 
-// s: of each task that controls an arm, in the topologies' files. A task of another period, such as
-// a camera, keeps it: how old its data may be is in the file too, and does not follow the rate.
+// s: of each task that controls an arm, in the topologies' files; drives have less. A slower task,
+// such as a camera, keeps its period: how old its data may be is in the file too, and does not
+// follow the rate.
 constexpr double kControlPeriod = 0.001;
 
 void setRate(json& component, double rate) {
   const json::json_pointer period("/parameters/period");
-  if (!component.contains(period) || component[period] != kControlPeriod) return;
-  component[period] = 1 / rate;
+  if (!component.contains(period) || component[period] > kControlPeriod) return;
+  component[period] = component[period].get<double>() / kControlPeriod / rate;
+}
+
+/// An arm and its drives share a process in every topology, and exchange more than all others do.
+void setLane(json& connection, const std::string& lane) {
+  if (!connection.at("to").get<std::string>().ends_with("/Drives")) connection["lane"] = lane;
 }
 
 /// Makes keys for all processes of a system in the run's folder.
@@ -54,7 +60,7 @@ std::filesystem::path write(const Options& options, Network& network,
     for (json& component : process.at("components")) setRate(component, options.rate);
   }
   json& connections = *system.emplace("connections", json::array()).first;
-  for (json& connection : connections) connection["lane"] = options.lane;
+  for (json& connection : connections) setLane(connection, options.lane);
   auto file = folder / "deployment.json";
   std::ofstream(file) << system.dump(2) << '\n';
   return file;
@@ -156,10 +162,10 @@ void Plan::findFollowings(const std::filesystem::path& folder) {
       const std::string teleop = process.name + ":" + component.name;
       const std::string master = connectedTo(teleop + "/Master");
       const std::string slave = connectedTo(teleop + "/Slave");
-      followings_.push_back({master, slave, teleop, folder / recordingOf(master + "/Arm"),
-                             folder / recordingOf(slave + "/Arm"),
-                             folder / recordingOf(teleop + "/Teleoperation"),
-                             parameterOf<double>(this->component(slave), "time_constant")});
+      followings_.push_back(
+          {master, slave, teleop, folder / recordingOf(master + "/Arm"),
+           folder / recordingOf(slave + "/Arm"), folder / recordingOf(teleop + "/Teleoperation"),
+           parameterOf<double>(this->component(connectedTo(slave + "/Drives")), "time_constant")});
     }
   }
 }

@@ -32,7 +32,7 @@ std::vector<std::string> topologiesIn(const std::filesystem::path& folder);
 struct Following {
   std::string master, slave, teleop;  ///< "process:component"
   std::filesystem::path masterRecording, slaveRecording, teleopRecording;
-  double timeConstant;  ///< s, as declared for the slave
+  double timeConstant;  ///< s, as declared for the slave's drives
 };
 
 /// A slave whose cycles are recorded.
@@ -49,9 +49,8 @@ struct KnotPlacing {
 };
 
 /// The topology's deployment file with the run's rate, lane, manager and keys, written into the
-/// run's folder. The rate is that of each task whose period the topology's file states as 1 ms:
-/// such a file states the period of each task that is to follow the rate, and all others keep
-/// theirs.
+/// run's folder. The rate is that of each task whose period the topology's file states as 1 ms;
+/// one with a shorter period, as drives have, runs faster in proportion. All others keep theirs.
 class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it

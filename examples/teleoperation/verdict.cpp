@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "arm/seconds.h"
 #include "recorder/recording.h"
+#include "timing/seconds.h"
 
 namespace demo {
 namespace {

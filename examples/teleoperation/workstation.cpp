@@ -6,6 +6,8 @@
 
 #include "arm/mtm.suture.h"
 #include "arm/psm.suture.h"
+#include "drives/mtm_drives.suture.h"
+#include "drives/psm_drives.suture.h"
 #include "guidance/knot_guide.suture.h"
 #include "recorder/knot_recorder.suture.h"
 #include "recorder/recorder.suture.h"
@@ -21,6 +23,8 @@ int main(int argc, char** argv) {
   const std::array classes{
       suture::componentClass<robots::Mtm>(),
       suture::componentClass<robots::Psm>(),
+      suture::componentClass<robots::MtmDrives>(),
+      suture::componentClass<robots::PsmDrives>(),
       suture::componentClass<robots::Teleop>(),
       suture::componentClass<robots::Surgeon>(),
       suture::componentClass<robots::Recorder>(),

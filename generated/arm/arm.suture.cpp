@@ -73,6 +73,8 @@ static_assert(static_cast<std::uint8_t>(ArmWarning::WrongState) == 4);
 static_assert(static_cast<std::uint8_t>(ArmWarning::FollowingError) == 5);
 static_assert(static_cast<std::uint8_t>(ArmWarning::AtLimit) == 6);
 static_assert(static_cast<std::uint8_t>(ArmWarning::StepTooFar) == 7);
+static_assert(static_cast<std::uint8_t>(ArmWarning::PowerLost) == 8);
+static_assert(static_cast<std::uint8_t>(ArmWarning::DrivesSilent) == 9);
 
 }  // namespace
 
@@ -114,6 +116,8 @@ wire::ArmWarning wireArmWarning(std::uint8_t slot) {
     case ArmWarning::FollowingError: return wire::ArmWarning::FOLLOWING_ERROR;
     case ArmWarning::AtLimit: return wire::ArmWarning::AT_LIMIT;
     case ArmWarning::StepTooFar: return wire::ArmWarning::STEP_TOO_FAR;
+    case ArmWarning::PowerLost: return wire::ArmWarning::POWER_LOST;
+    case ArmWarning::DrivesSilent: return wire::ArmWarning::DRIVES_SILENT;
   }
   return wire::ArmWarning{};
 }
@@ -128,6 +132,8 @@ bool isKnownArmWarning(std::uint8_t slot) {
     case ArmWarning::FollowingError:
     case ArmWarning::AtLimit:
     case ArmWarning::StepTooFar:
+    case ArmWarning::PowerLost:
+    case ArmWarning::DrivesSilent:
       return true;
   }
   return false;
@@ -151,6 +157,10 @@ Errc fromWire(wire::ArmWarning in, std::uint8_t& slot) {
         static_cast<std::uint8_t>(ArmWarning::AtLimit), Errc{};
     case wire::ArmWarning::STEP_TOO_FAR: return slot =
         static_cast<std::uint8_t>(ArmWarning::StepTooFar), Errc{};
+    case wire::ArmWarning::POWER_LOST: return slot =
+        static_cast<std::uint8_t>(ArmWarning::PowerLost), Errc{};
+    case wire::ArmWarning::DRIVES_SILENT: return slot =
+        static_cast<std::uint8_t>(ArmWarning::DrivesSilent), Errc{};
   }
   return Errc::Invalid;
 }
@@ -734,11 +744,12 @@ constexpr EventInfo kArmEvents[] = {
 // The self-description, as in arm/arm.suture.json.
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
-"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled\nand not homed; until it is enabled it ignores motion commands.",
-"hash": "e9f7172c4630239080c455b9e909eaec", "commands": [{"name": "enable", "kind": "void",
-"ordinal": 1, "doc": "Powers the arm; it holds its position.", "queue": 16}, {"name": "disable",
-"kind": "void", "ordinal": 2, "doc": "Stops at once and ignores motion until enabled again.",
-"queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, undefined;\nonce it hears of its drives, and they may have power, it is disabled and not homed. Until it is\nenabled it ignores motion commands.",
+"hash": "0e2a36dfe81e908684a738f811010407", "commands": [{"name": "enable", "kind": "void",
+"ordinal": 1, "doc": "Gives the drives power; the arm holds its position.", "queue": 16}, {
+"name": "disable", "kind": "void", "ordinal": 2,
+"doc": "Stops at once, without power, and ignores motion until enabled again.", "queue": 16}, {
+"name": "home", "kind": "void", "ordinal": 3,
 "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.", "queue": 16}, {
 "name": "hold", "kind": "void", "ordinal": 4,
 "doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
@@ -754,12 +765,13 @@ constexpr char kArmDescription[] = R"json(
 "doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16}, {"name": "measured_js", "kind": "read", "ordinal": 8, "wire": "measuredJs",
-"doc": "Where the joints are. Stamp: the arm's cycle.", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js", "kind": "read", "ordinal": 9,
-"wire": "setpointJs", "doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
-"name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read", "ordinal": 10,
-"wire": "measuredCp", "doc": "Where the tool tip is. Stamp: the arm's cycle.", "result": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp",
+"doc": "Where the joints are. Stamp: the drives' cycle that measured them.", "result": {"type": {
+"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js",
+"kind": "read", "ordinal": 9, "wire": "setpointJs", "doc": "Where the joints shall be.", "result": {
+"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp",
+"kind": "read", "ordinal": 10, "wire": "measuredCp",
+"doc": "Where the tool tip is. Stamp: the drives' cycle that measured the joints.", "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp",
 "kind": "read", "ordinal": 11, "wire": "setpointCp",
 "doc": "Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's\ncycle.",
 "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
@@ -800,7 +812,11 @@ constexpr char kArmDescription[] = R"json(
 "name": "AtLimit", "value": 6, "wire": "atLimit",
 "doc": "what it follows leads beyond a joint limit: the arm slides along it; once\nuntil it leads within again"
 }, {"name": "StepTooFar", "value": 7, "wire": "stepTooFar",
-"doc": "a servo goal lies farther from the set-point than the rates allow"}]}], "structs": [{
+"doc": "a servo goal lies farther from the set-point than the rates allow"}, {"name": "PowerLost",
+"value": 8, "wire": "powerLost",
+"doc": "the drives have no power any more, or may not have it: the arm is disabled"}, {
+"name": "DrivesSilent", "value": 9, "wire": "drivesSilent",
+"doc": "the drives have measured nothing for 250 ms; the arm is in FAULT"}]}], "structs": [{
 "name": "robots::PoseStamped",
 "doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
 "name": "pose", "doc": "Tool tip in the base frame.", "type": {"kind": "isometry",
@@ -897,12 +913,13 @@ constexpr char kArmDescription[] = R"json(
 "id": "@0xa4117f14f97ed1bb", "kind": "enum", "name": "ArmWarning", "members": [{"at": 0,
 "name": "notEnabled"}, {"at": 1, "name": "outOfReach"}, {"at": 2, "name": "malformed"}, {"at": 3,
 "name": "clientGone"}, {"at": 4, "name": "wrongState"}, {"at": 5, "name": "followingError"}, {
-"at": 6, "name": "atLimit"}, {"at": 7, "name": "stepTooFar"}]}, {"id": "@0x8943f2eac122865a",
-"kind": "struct", "name": "JointGoal", "members": [{"at": 0, "name": "position",
-"is": "List(Float64) unit \"rad\""}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
-"id": "@0x871d0a082eb81ee3", "kind": "struct", "name": "JointSolution", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
-"is": "UInt32"}, {"at": 2, "name": "found", "is": "Bool"}]}]})json";
+"at": 6, "name": "atLimit"}, {"at": 7, "name": "stepTooFar"}, {"at": 8, "name": "powerLost"}, {
+"at": 9, "name": "drivesSilent"}]}, {"id": "@0x8943f2eac122865a", "kind": "struct",
+"name": "JointGoal", "members": [{"at": 0, "name": "position", "is": "List(Float64) unit \"rad\""},
+{"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0x871d0a082eb81ee3",
+"kind": "struct", "name": "JointSolution", "members": [{"at": 0, "name": "position",
+"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}, {
+"at": 2, "name": "found", "is": "Bool"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -913,7 +930,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "e9f7172c4630239080c455b9e909eaec",
+      .hash = "0e2a36dfe81e908684a738f811010407",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,

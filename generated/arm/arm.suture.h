@@ -94,9 +94,9 @@ class Required<robots::Arm> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Powers the arm; it holds its position.
+  /// Gives the drives power; the arm holds its position.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
-  /// Stops at once and ignores motion until enabled again.
+  /// Stops at once, without power, and ignores motion until enabled again.
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
   /// Moves to the home position; needs an enabled arm. Ends with goal_reached.
   Command<&Contract::home, NoSlot> home{*this, static_cast<std::uint16_t>(Id::home)};
@@ -113,13 +113,13 @@ class Required<robots::Arm> : public RequiredBase {
   /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.
   Command<&Contract::move_jp, robots::ArmMoveJpArguments> move_jp{
       *this, static_cast<std::uint16_t>(Id::move_jp)};
-  /// Where the joints are. Stamp: the arm's cycle.
+  /// Where the joints are. Stamp: the drives' cycle that measured them.
   ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
       *this, static_cast<std::uint16_t>(Id::measured_js)};
   /// Where the joints shall be.
   ReadCommand<&Contract::setpoint_js, robots::JointStateSlot> setpoint_js{
       *this, static_cast<std::uint16_t>(Id::setpoint_js)};
-  /// Where the tool tip is. Stamp: the arm's cycle.
+  /// Where the tool tip is. Stamp: the drives' cycle that measured the joints.
   ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
       *this, static_cast<std::uint16_t>(Id::measured_cp)};
   /// Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's

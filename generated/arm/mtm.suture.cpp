@@ -29,7 +29,6 @@ static_assert(static_cast<std::uint8_t>(MtmSide::Left) == 0);
 static_assert(static_cast<std::uint8_t>(MtmSide::Right) == 1);
 static_assert(std::is_same_v<decltype(MtmParameters::side), MtmSide>);
 static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanoseconds>);
-static_assert(std::is_same_v<decltype(MtmParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::servo_horizon), double>);
@@ -40,7 +39,6 @@ bool store(const MtmParameters& value, MtmParametersSlot& slot) {
   bool fits = true;
   fits &= store(value.side, slot.side);
   fits &= store(value.period, slot.period);
-  fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.following_error, slot.following_error);
   fits &= store(value.servo_horizon, slot.servo_horizon);
@@ -50,7 +48,6 @@ bool store(const MtmParameters& value, MtmParametersSlot& slot) {
 void load(const MtmParametersSlot& slot, MtmParameters& value) {
   load(slot.side, value.side);
   load(slot.period, value.period);
-  load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
   load(slot.following_error, value.following_error);
   load(slot.servo_horizon, value.servo_horizon);
@@ -86,7 +83,6 @@ Errc fromWire(wire::MtmSide in, std::uint8_t& slot) {
 void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
   out.setSide(wireMtmSide(slot.side));
   out.setPeriod(slot.period);
-  out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
   out.setFollowingError(slot.following_error);
   out.setServoHorizon(slot.servo_horizon);
@@ -94,7 +90,6 @@ void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
 
 Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
-  slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.following_error = in.getFollowingError();
   slot.servo_horizon = in.getServoHorizon();
@@ -103,7 +98,6 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
 
 bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
   if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
-  if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
   return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
@@ -123,7 +117,6 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value) {
   suture::JsonReader reader = in;
   reader.field("side", value.side);
   reader.field("period", value.period);
-  reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("servo_horizon", value.servo_horizon, 0.001, 10);

@@ -7,6 +7,7 @@
 #include "arm/mtm.h"
 #include "arm/arm.suture.h"
 #include "arm/crtk_arm.suture.h"
+#include "drives/drives.suture.h"
 
 namespace suture {
 class JsonReader;
@@ -17,7 +18,6 @@ namespace robots {
 struct MtmParametersSlot {
   std::uint8_t side;       // MtmSide
   std::int64_t period;     // std::chrono::nanoseconds, ns
-  double time_constant;    // s
   double angular_rate;     // rad/s
   double following_error;  // rad
   double servo_horizon;    // s

@@ -25,7 +25,6 @@ namespace {
 
 // What this compiler sees must be what suturec read.
 static_assert(std::is_same_v<decltype(PsmParameters::period), std::chrono::nanoseconds>);
-static_assert(std::is_same_v<decltype(PsmParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
@@ -37,7 +36,6 @@ static_assert(std::is_same_v<decltype(PsmParameters::servo_horizon), double>);
 bool store(const PsmParameters& value, PsmParametersSlot& slot) {
   bool fits = true;
   fits &= store(value.period, slot.period);
-  fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.following_error, slot.following_error);
   fits &= store(value.insertion_rate, slot.insertion_rate);
@@ -48,7 +46,6 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
 
 void load(const PsmParametersSlot& slot, PsmParameters& value) {
   load(slot.period, value.period);
-  load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
   load(slot.following_error, value.following_error);
   load(slot.insertion_rate, value.insertion_rate);
@@ -60,7 +57,6 @@ void load(const PsmParametersSlot& slot, PsmParameters& value) {
 
 void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
   out.setPeriod(slot.period);
-  out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
   out.setFollowingError(slot.following_error);
   out.setInsertionRate(slot.insertion_rate);
@@ -70,7 +66,6 @@ void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
 
 Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
-  slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.following_error = in.getFollowingError();
   slot.insertion_rate = in.getInsertionRate();
@@ -80,7 +75,6 @@ Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration)
 }
 
 bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
   if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
@@ -97,7 +91,6 @@ namespace robots {
 void fromJson(const suture::JsonReader& in, PsmParameters& value) {
   suture::JsonReader reader = in;
   reader.field("period", value.period);
-  reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);

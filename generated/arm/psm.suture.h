@@ -7,6 +7,7 @@
 #include "arm/psm.h"
 #include "arm/arm.suture.h"
 #include "arm/crtk_arm.suture.h"
+#include "drives/drives.suture.h"
 
 namespace suture {
 class JsonReader;
@@ -16,7 +17,6 @@ namespace robots {
 
 struct PsmParametersSlot {
   std::int64_t period;               // std::chrono::nanoseconds, ns
-  double time_constant;              // s
   double angular_rate;               // rad/s
   double following_error;            // rad
   double insertion_rate;             // m/s

@@ -30,19 +30,24 @@ enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.underl
   # until it leads within again
   stepTooFar @7 $Meta.cxx("StepTooFar") $Meta.value(7);
   # a servo goal lies farther from the set-point than the rates allow
+  powerLost @8 $Meta.cxx("PowerLost") $Meta.value(8);
+  # the drives have no power any more, or may not have it: the arm is disabled
+  drivesSilent @9 $Meta.cxx("DrivesSilent") $Meta.value(9);
+  # the drives have measured nothing for 250 ms; the arm is in FAULT
 }
 
 interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
   # Commands run in the arm's own thread before its next cycle; reads are from the end of its last
-  # one. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, disabled
-  # and not homed; until it is enabled it ignores motion commands.
+  # one. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, undefined;
+  # once it hears of its drives, and they may have power, it is disabled and not homed. Until it is
+  # enabled it ignores motion commands.
 
   subscribe @0 (events :ArmEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   enable @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Powers the arm; it holds its position.
+  # Gives the drives power; the arm holds its position.
   disable @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Stops at once and ignores motion until enabled again.
+  # Stops at once, without power, and ignores motion until enabled again.
   home @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Moves to the home position; needs an enabled arm. Ends with goal_reached.
   hold @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
@@ -60,13 +65,13 @@ interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
   # Plans and executes a smooth motion from the set-point. Ends with goal_reached.
   measuredJs @8 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
-  # Where the joints are. Stamp: the arm's cycle.
+  # Where the joints are. Stamp: the drives' cycle that measured them.
   setpointJs @9 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("setpoint_js") $Meta.kind("read");
   # Where the joints shall be.
   measuredCp @10 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("measured_cp") $Meta.kind("read");
-  # Where the tool tip is. Stamp: the arm's cycle.
+  # Where the tool tip is. Stamp: the drives' cycle that measured the joints.
   setpointCp @11 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("setpoint_cp") $Meta.kind("read");
   # Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's

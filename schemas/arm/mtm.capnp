@@ -14,9 +14,8 @@ enum MtmSide @0xbfac2efab040ce66 $Meta.cxx("robots::MtmSide") $Meta.underlying("
 struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
   side @0 :MtmSide;
   period @1 :Int64 $Meta.period("1/1000000000");
-  timeConstant @2 :Float64 = 0.01 $Meta.cxx("time_constant")
-      $Meta.range(lowest = 1e-04, highest = 10) $Meta.unit("s");
-  # How far the measured joints trail their set-point: here, the hand that moves the master.
+  removed2 @2 :Float64 = 0.01 $Meta.cxx("time_constant") $Meta.range(lowest = 1e-04, highest = 10)
+      $Meta.removed("timeConstant") $Meta.unit("s");
   angularRate @3 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
       $Meta.unit("rad/s");
   followingError @4 :Float64 = 0.8 $Meta.cxx("following_error")

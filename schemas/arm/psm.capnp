@@ -8,9 +8,8 @@ $Meta.header("arm/psm.h");
 
 struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   period @0 :Int64 $Meta.period("1/1000000000");
-  timeConstant @1 :Float64 = 0.01 $Meta.cxx("time_constant")
-      $Meta.range(lowest = 1e-04, highest = 10) $Meta.unit("s");
-  # How far the measured joints trail their set-point.
+  removed1 @1 :Float64 = 0.01 $Meta.cxx("time_constant") $Meta.range(lowest = 1e-04, highest = 10)
+      $Meta.removed("timeConstant") $Meta.unit("s");
   angularRate @2 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
       $Meta.unit("rad/s");
   # Rate limit of the rotating joints.

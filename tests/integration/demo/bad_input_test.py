@@ -13,6 +13,8 @@ import unittest
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 
 ARM = {"name": "PSM1", "class": "Psm"}
+DRIVES = {"name": "PSM1Drives", "class": "PsmDrives"}
+DRIVEN = ("p:PSM1/Drives", "p:PSM1Drives/Drives")
 TELEOP = {"name": "Teleop", "class": "Teleop"}
 
 
@@ -57,28 +59,28 @@ class Workstation(unittest.TestCase):
         self.assertIn("did you mean 'Psm'?", error)
 
     def test_wrong_parameter(self):
-        error = self.error_of(system([dict(ARM, parameters={"time_constnt": 1})]))
+        error = self.error_of(system([dict(DRIVES, parameters={"time_constnt": 1})]))
         self.assertIn("unknown key 'time_constnt'; did you mean 'time_constant'?", error)
 
     def test_unknown_interface(self):
-        error = self.error_of(system([ARM, TELEOP], [("p:Teleop/Slave", "p:PSM1/Amr"),
+        error = self.error_of(system([ARM, DRIVES, TELEOP], [DRIVEN, ("p:Teleop/Slave", "p:PSM1/Amr"),
                                                      ("p:Teleop/Master", "p:PSM1/Arm")]))
         self.assertIn("component 'PSM1' has provided interfaces 'Arm'", error)
         self.assertIn("Did you mean 'Arm'?", error)
 
     def test_required_interface_without_a_connection(self):
-        error = self.error_of(system([ARM, TELEOP], [("p:Teleop/Slave", "p:PSM1/Arm")]))
+        error = self.error_of(system([ARM, DRIVES, TELEOP], [DRIVEN, ("p:Teleop/Slave", "p:PSM1/Arm")]))
         self.assertIn("required interface 'p:Teleop/Master' (robots::Arm) has no provider", error)
 
     def test_contracts_that_differ(self):
         recorder = {"name": "R", "class": "Recorder",
                     "parameters": {"file": str(self.folder / "r.jsonl")}}
-        error = self.error_of(system([ARM, recorder], [("p:R/Teleoperation", "p:PSM1/Arm"),
+        error = self.error_of(system([ARM, DRIVES, recorder], [DRIVEN, ("p:R/Teleoperation", "p:PSM1/Arm"),
                                                        ("p:R/Arm", "p:PSM1/Arm")]))
         self.assertIn("it requires robots::Teleoperation and is offered robots::Arm", error)
 
     def test_process_that_must_be_named(self):
-        deployment = system([ARM], manager="unix:/tmp/nobody.sock")
+        deployment = system([ARM, DRIVES], [DRIVEN], manager="unix:/tmp/nobody.sock")
         deployment["processes"].append({"name": "q", "components": []})
         self.assertIn("there are several processes: 'p' and 'q'; say which one with --process",
                       self.error_of(deployment))
@@ -87,7 +89,7 @@ class Workstation(unittest.TestCase):
     def test_manager_that_is_not_running(self):
         address = f"unix:{self.folder}/nobody.sock"
         began = time.monotonic()
-        error = self.error_of(system([ARM], manager=address))
+        error = self.error_of(system([ARM, DRIVES], [DRIVEN], manager=address))
         self.assertLess(time.monotonic() - began, 30)
         self.assertIn(f"{self.file}:", error)
         self.assertIn(address, error)

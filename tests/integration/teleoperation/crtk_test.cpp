@@ -22,10 +22,12 @@ using namespace std::chrono_literals;
 struct Operator final : suture::Device {
   Operator() {
     arm.on().goal_reached([this](const bool& reached) { goals.push_back(reached); });
+    arm.on().operating_state([this](const OperatingState& now) { state = now.state; });
     arm.on().error([this](const suture::Message& message) { errors.push_back(message.text); });
     arm.on().trajectory_j_ratio([this](const double& value) { ratio = value; });
   }
   suture::Required<CrtkArm> arm{*this, "Arm"};
+  ArmState state = ArmState::Undefined;
   std::vector<bool> goals;
   std::vector<std::string> errors;
   double ratio = 0;
@@ -35,12 +37,13 @@ struct Operator final : suture::Device {
 class Crtk : public testing::TestWithParam<bool> {
  protected:
   void SetUp() override {
-    here_.add("PSM", psm_);
+    psm_.addTo(here_, "PSM");
     suture::Manager& client = GetParam() ? here_ : there_;
     client.add("Operator", operator_);
     here_.start();
     if (!GetParam()) there_.start();
     client.connect("Operator/Arm", GetParam() ? "PSM/Crtk" : "here:PSM/Crtk");
+    ASSERT_TRUE(heard([this] { return operator_.state == ArmState::Disabled; }));
   }
   void TearDown() override {
     there_.stop();
@@ -56,7 +59,7 @@ class Crtk : public testing::TestWithParam<bool> {
   suture::GlobalManager names_{control_, "tcp://127.0.0.1:0"};
   suture::Manager here_{"here", names_.address()};
   suture::Manager there_{"there", names_.address()};
-  Psm psm_{PsmParameters{}};
+  DrivenPsm psm_;
   Operator operator_;
 };
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "arm/psm.h"
+#include "integration/teleoperation/driven_arm.h"
 #include "integration/teleoperation/scripted_arm.h"
 #include "support/pass.h"
 #include "support/stepped.h"
@@ -39,7 +39,7 @@ class GoneConsole : public testing::TestWithParam<suture::Lane> {
   static constexpr suture::Duration kSilence = 50ms;  // half of what ends a stream by itself
 
   GoneConsole() {
-    robot_.add("PSM", psm_);
+    psm_.addTo(robot_, "PSM");
     robot_.add("Panel", panel_);
     robot_.connect("Panel/Arm", "PSM/Arm");
     robot_.start();
@@ -60,7 +60,7 @@ class GoneConsole : public testing::TestWithParam<suture::Lane> {
   bool follows() {
     return suture::clockOfTest().until([&] { return activity() == "servo_cp"; });
   }
-  std::string activity() { return psm_.operating_state().sub_state; }
+  std::string activity() { return psm_.arm.operating_state().sub_state; }
   void expectHolds() {
     EXPECT_EQ(activity(), "holding");
     panel_.processEvents();
@@ -71,7 +71,7 @@ class GoneConsole : public testing::TestWithParam<suture::Lane> {
   suture::TestClock::Process consolesProcess_{suture::clockOfTest()};
   suture::rpc::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
-  Psm psm_{PsmParameters{}};
+  DrivenPsm psm_;
   Panel panel_;
   ScriptedArm master_;
   Teleop teleop_{TeleopParameters{}};
@@ -101,17 +101,17 @@ TEST_P(GoneConsole, ThatStandsStillLeavesAnArmThatHoldsWhenTheLeaseEnds) {
 }
 
 TEST(GoneTask, ThatIsDisconnectedLeavesAnArmThatHoldsInItsNextCycle) {
-  Psm psm{PsmParameters{}};
+  DrivenPsm psm;
   ScriptedArm master;
   Teleop teleop{TeleopParameters{}};
   suture::Manager manager("workstation");
-  manager.add("PSM", psm);
+  psm.addTo(manager, "PSM");
   manager.add("MTM", master);
   manager.add("Teleop", teleop);
   manager.connect("Teleop/Master", "MTM/Arm");
   manager.connect("Teleop/Slave", "PSM/Arm");
   manager.start();
-  const auto activity = [&] { return psm.operating_state().sub_state; };
+  const auto activity = [&] { return psm.arm.operating_state().sub_state; };
   EXPECT_TRUE(suture::clockOfTest().until([&] { return activity() == "servo_cp"; }));
   manager.disconnect("Teleop/Slave");
   pass(3ms);

@@ -11,9 +11,8 @@
 #include <memory>
 #include <string>
 
-#include "arm/mtm.h"
-#include "arm/psm.h"
 #include "guidance/knot_guide.h"
+#include "integration/teleoperation/driven_arm.h"
 #include "recorder/knot_judge.h"
 #include "recorder/knot_recorder.h"
 #include "registration/registration_table.h"
@@ -50,12 +49,12 @@ class Knot : public testing::TestWithParam<suture::Lane> {
 
   void begin(const GuideParameters& parameters) {
     guide_ = std::make_unique<KnotGuide>(parameters);
-    left_.add("MTML", leftMaster_);
-    left_.add("PSM2", leftSlave_);
+    leftMaster_.addTo(left_, "MTML");
+    leftSlave_.addTo(left_, "PSM2");
     left_.add("Surgeon", surgeon_);
     left_.add("Guide", *guide_);
-    right().add("MTMR", rightMaster_);
-    right().add("PSM1", rightSlave_);
+    rightMaster_.addTo(right(), "MTMR");
+    rightSlave_.addTo(right(), "PSM1");
     vision().add("Registration", registration_);
     vision().add("Strand", strand_);
     vision().add("Endoscope", endoscope_);
@@ -90,8 +89,8 @@ class Knot : public testing::TestWithParam<suture::Lane> {
   suture::TestClock::Process eyesProcess_{suture::clockOfTest()};
   suture::rpc::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
-  Mtm leftMaster_{{.side = MtmSide::Left}}, rightMaster_{{.side = MtmSide::Right}};
-  Psm leftSlave_{PsmParameters{}}, rightSlave_{PsmParameters{}};
+  DrivenMtm leftMaster_{MtmSide::Left}, rightMaster_{MtmSide::Right};
+  DrivenPsm leftSlave_, rightSlave_;
   KnotSurgeon surgeon_{{.carry = {0.01, 0, -0.07}, .sway = 0.01}};
   std::unique_ptr<KnotGuide> guide_;
   RegistrationTable registration_{frames()};
@@ -176,28 +175,28 @@ TEST_P(Knot, IsNotGuidedByWhatNobodySees) {
   suture::pass(1s);
   left_.disconnect("Guide/Vision");
   ASSERT_TRUE(becomes(GuidanceState::Blind));
-  const Vector3d leftHeld = leftSlave_.setpoint_cp().pose.translation();
-  const Vector3d rightHeld = rightSlave_.setpoint_cp().pose.translation();
+  const Vector3d leftHeld = leftSlave_.arm.setpoint_cp().pose.translation();
+  const Vector3d rightHeld = rightSlave_.arm.setpoint_cp().pose.translation();
   suture::pass(1s);
   EXPECT_TRUE(is(GuidanceState::Blind));
-  EXPECT_TRUE(leftSlave_.setpoint_cp().pose.translation().isApprox(leftHeld, 1e-9));
-  EXPECT_TRUE(rightSlave_.setpoint_cp().pose.translation().isApprox(rightHeld, 1e-9));
+  EXPECT_TRUE(leftSlave_.arm.setpoint_cp().pose.translation().isApprox(leftHeld, 1e-9));
+  EXPECT_TRUE(rightSlave_.arm.setpoint_cp().pose.translation().isApprox(rightHeld, 1e-9));
 }
 
 /// Both hands have 70 mm to go, and go them once.
 TEST_P(UnguidedKnot, IsCarriedOnAfterAnInterruptionAndNotCarriedAnew) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
-  const double start = leftMaster_.setpoint_cp().pose.translation().z();
+  const double start = leftMaster_.arm.setpoint_cp().pose.translation().z();
   suture::pass(2s);
   left_.disconnect("Guide/Vision");
   ASSERT_TRUE(becomes(GuidanceState::Blind));
-  const double interrupted = leftMaster_.setpoint_cp().pose.translation().z();
+  const double interrupted = leftMaster_.arm.setpoint_cp().pose.translation().z();
   EXPECT_NEAR(interrupted - start, -0.035, 0.015);
   left_.connect("Guide/Vision", "Tracker/Vision");
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   suture::pass(4s);
-  EXPECT_NEAR(leftMaster_.setpoint_cp().pose.translation().z() - start, -0.07, 1e-6);
+  EXPECT_NEAR(leftMaster_.arm.setpoint_cp().pose.translation().z() - start, -0.07, 1e-6);
 }
 
 TEST_P(Knot, IsNotRecordedAsGuidedByAGuideThatIsGone) {

@@ -8,8 +8,7 @@
 #include <chrono>
 #include <string>
 
-#include "arm/mtm.h"
-#include "arm/psm.h"
+#include "integration/teleoperation/driven_arm.h"
 #include "recorder/judge.h"
 #include "recorder/recorder.h"
 #include "support/pass.h"
@@ -28,14 +27,14 @@ using namespace std::chrono_literals;
 class Law : public testing::TestWithParam<suture::Lane> {
  protected:
   Law() {
-    console_.add("MTM", master_);
+    master_.addTo(console_, "MTM");
     console_.add("Surgeon", surgeon_);
     console_.add("Teleop", teleop_);
     console_.add("MasterRecorder", masterRecorder_);
     console_.connect("Surgeon/Master", "MTM/Arm");
     console_.connect("Teleop/Master", "MTM/Arm");
     console_.connect("MasterRecorder/Arm", "MTM/Arm");
-    robot().add("PSM", slave_);
+    slave_.addTo(robot(), "PSM");
     robot().add("SlaveRecorder", slaveRecorder_);
     robot().connect("SlaveRecorder/Arm", "PSM/Arm");
     console_.start();
@@ -66,8 +65,8 @@ class Law : public testing::TestWithParam<suture::Lane> {
   const suture::TemporaryDirectory directory_;
   suture::rpc::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
-  Mtm master_{MtmParameters{}};
-  Psm slave_{PsmParameters{}};
+  DrivenMtm master_;
+  DrivenPsm slave_;
   Surgeon surgeon_{SurgeonParameters{}};
   Teleop teleop_{{.scale = 0.4}};
   Recorder masterRecorder_{{.file = masterFile()}}, slaveRecorder_{{.file = slaveFile()}};
@@ -85,7 +84,7 @@ TEST_P(Law, HoldsForARecordedRun) {
   EXPECT_EQ(slaveRecorder().dropped(), 0u);
   const Recording slave = readRecording(slaveFile());
   const Judgement judgement = judge(readRecording(masterFile()).arm, slave.followed, slave.arm,
-                                    PsmParameters{}.time_constant);
+                                    PsmDrivesParameters{}.time_constant);
   for (const std::string& violation : violations(judgement)) ADD_FAILURE() << violation;
   EXPECT_GT(judgement.compared, 2500u);
 }

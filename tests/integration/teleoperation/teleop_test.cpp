@@ -66,9 +66,9 @@ TEST(Teleop, DisableLeavesTheSlaveWhereItIs) {
   ASSERT_TRUE(reaches(station, TeleopState::Following));
   ASSERT_TRUE(station.client.teleop.disable());
   ASSERT_TRUE(reaches(station, TeleopState::Disabled));
-  ASSERT_TRUE(cyclesPass(station.psm, 3));  // whatever was under way has arrived
+  ASSERT_TRUE(cyclesPass(station.psm.arm, 3));  // whatever was under way has arrived
   const PoseStamped before = ask(station.client.slave.setpoint_cp);
-  ASSERT_TRUE(cyclesPass(station.psm, 50));
+  ASSERT_TRUE(cyclesPass(station.psm.arm, 50));
   EXPECT_TRUE(ask(station.client.slave.setpoint_cp).pose.isApprox(before.pose, 1e-12));
   EXPECT_EQ(slaveState(station), ArmState::Enabled);
 }

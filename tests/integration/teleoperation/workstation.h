@@ -11,8 +11,7 @@
 #include <thread>
 
 #include "arm/arm.suture.h"
-#include "arm/mtm.h"
-#include "arm/psm.h"
+#include "integration/teleoperation/driven_arm.h"
 #include "support/eventually.h"
 #include "surgeon/surgeon.h"
 #include "teleop/teleop.h"
@@ -30,8 +29,8 @@ class Client : public suture::Device {
 
 struct Workstation {
   explicit Workstation(const TeleopParameters& parameters) : teleop(parameters) {
-    manager.add("MTM", mtm);
-    manager.add("PSM", psm);
+    mtm.addTo(manager, "MTM");
+    psm.addTo(manager, "PSM");
     manager.add("Surgeon", surgeon);
     manager.add("Teleop", teleop);
     manager.add("Client", client);
@@ -44,8 +43,8 @@ struct Workstation {
   }
   ~Workstation() { manager.stop(); }
 
-  Mtm mtm{MtmParameters{}};
-  Psm psm{PsmParameters{}};
+  DrivenMtm mtm;
+  DrivenPsm psm;
   Surgeon surgeon{SurgeonParameters{}};
   Teleop teleop;
   Client client;

@@ -6,10 +6,11 @@
 #include <string>
 
 #include "arm/arm.suture.h"
+#include "arm/arm_controller.h"
 #include "arm/crtk_arm.suture.h"
 #include "arm/crtk_face.h"
-#include "arm/simulated_arm.h"
 #include "rt/task_thread/arm_user.h"
+#include "unit/arm/trailing_joints.h"
 
 namespace proof {
 
@@ -18,17 +19,17 @@ robots::ArmModel<7> masterArm();
 
 /// Does in each cycle what robots::Mtm does, and `also`.
 template <class Kind>
-class ArmTask final : public Kind, public robots::SimulatedArm<7> {
+class ArmTask final : public Kind, public robots::ArmController<7> {
  public:
   template <class... Options>
-  explicit ArmTask(const Options&... options) : Kind(options...), SimulatedArm(masterArm()) {}
+  explicit ArmTask(const Options&... options) : Kind(options...), ArmController(masterArm()) {}
   ~ArmTask() override { this->stop(); }
 
   void run() override {
     if (also) also();
     const suture::Time now = suture::now();
     face_.advance(now);
-    step(now);
+    joints_.step(*this, now);
     face_.publish(now);
     face_.announce(crtk.emit());
     announce(arm_.emit());
@@ -38,6 +39,7 @@ class ArmTask final : public Kind, public robots::SimulatedArm<7> {
 
  private:
   robots::CrtkFace<7> face_{*this};
+  robots::test::TrailingJoints<7> joints_{masterArm(), Joints::Constant(0.1)};
   suture::Provided<robots::Arm> arm_{*this, "Arm", *this};
 
  public:

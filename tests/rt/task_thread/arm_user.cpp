@@ -3,7 +3,7 @@
 #include <iterator>
 #include <string>
 
-#include "arm/kinematics/davinci.h"
+#include "kinematics/davinci.h"
 #include "rt/task_thread/arm_tasks.h"
 
 namespace proof {
@@ -15,10 +15,8 @@ robots::ArmModel<7> masterArm() {
   return {.chain = robots::kinematics::mtmLeft(),
           .joint_names = {"outer_yaw", "shoulder_pitch", "elbow_pitch", "platform", "wrist_pitch",
                           "wrist_yaw", "roll"},
-          .parked = Joints::Constant(0.1),
           .home = Joints::Constant(0.2),
-          .rate_limit = Joints::Constant(4),
-          .time_constant = 0.01};
+          .rate_limit = Joints::Constant(4)};
 }
 
 ArmUser::ArmUser(suture::Required<robots::CrtkArm>& arm) : arm_(arm) {

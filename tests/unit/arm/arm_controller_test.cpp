@@ -1,15 +1,16 @@
 // The Arm contract on a simulated arm, called directly: readiness, motion, refusal, what it
 // announces.
 
-#include "arm/simulated_arm.h"
+#include "arm/arm_controller.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <limits>
 
-#include "arm/kinematics/pose_error.h"
+#include "kinematics/pose_error.h"
 #include "unit/arm/psm_model.h"
+#include "unit/arm/trailing_joints.h"
 
 namespace robots::test {
 namespace {
@@ -28,16 +29,17 @@ struct Heard {
   void warning(ArmWarning warning) { warnings.push_back(warning); }
 };
 
-class SimulatedArmTest : public testing::Test {
+class ArmControllerTest : public testing::Test {
  protected:
   void cycles(int count) {
     for (int i = 0; i < count; ++i) {
       time_ += 1ms;
-      arm_.step(time_);
+      joints_.step(arm_, time_);
       arm_.announce(heard_);
     }
   }
   void makeReady() {
+    cycles(1);
     arm_.enable();
     arm_.home();
     while (!arm_.operating_state().is_homed) cycles(1);
@@ -56,21 +58,22 @@ class SimulatedArmTest : public testing::Test {
   Joints measured() const { return Joints::Map(arm_.measured_js().position.data()); }
 
   suture::Time time_ = suture::fromNanoseconds(1'000'000'000);
-  SimulatedArm<6> arm_{psmModel()};
+  ArmController<6> arm_{psmModel()};
+  TrailingJoints<6> joints_{psmModel(), psmParked()};
   Heard heard_;
 };
 
-TEST_F(SimulatedArmTest, StartsDisabledParkedAndSaysSo) {
+TEST_F(ArmControllerTest, StartsDisabledParkedAndSaysSo) {
   cycles(1);
   ASSERT_EQ(heard_.states.size(), 1u);
   EXPECT_EQ(heard_.states[0].state, ArmState::Disabled);
   EXPECT_FALSE(heard_.states[0].is_homed);
-  EXPECT_TRUE(measured().isApprox(psmModel().parked));
+  EXPECT_TRUE(measured().isApprox(psmParked()));
   EXPECT_EQ(arm_.measured_cp().stamp, time_);
   EXPECT_TRUE(arm_.measured_cp().valid);
 }
 
-TEST_F(SimulatedArmTest, AServoStreamThatFallsSilentEndsAsHold) {
+TEST_F(ArmControllerTest, AServoStreamThatFallsSilentEndsAsHold) {
   makeReady();
   const auto follow = [&](const char* activity, const auto& servo) {
     for (int i = 0; i < 20; ++i) {
@@ -92,7 +95,7 @@ TEST_F(SimulatedArmTest, AServoStreamThatFallsSilentEndsAsHold) {
   follow("servo_jp", [&] { arm_.servo_jp(joints); });
 }
 
-TEST_F(SimulatedArmTest, AMoveThatFollowsAServoGoalIsNotEndedByItsSilence) {
+TEST_F(ArmControllerTest, AMoveThatFollowsAServoGoalIsNotEndedByItsSilence) {
   makeReady();
   arm_.servo_cp(goalAt({0.001, 0, 0}));
   cycles(1);
@@ -103,17 +106,17 @@ TEST_F(SimulatedArmTest, AMoveThatFollowsAServoGoalIsNotEndedByItsSilence) {
   EXPECT_EQ(arm_.operating_state().sub_state, "moving");
 }
 
-TEST_F(SimulatedArmTest, IgnoresMotionUntilEnabledAndWarnsOnce) {
+TEST_F(ArmControllerTest, IgnoresMotionUntilEnabledAndWarnsOnce) {
   cycles(1);
   for (int i = 0; i < 5; ++i) {
     arm_.servo_cp(goalAt({0.01, 0, 0}));
     cycles(1);
   }
   EXPECT_EQ(heard_.warnings, std::vector{ArmWarning::NotEnabled});
-  EXPECT_TRUE(measured().isApprox(psmModel().parked));
+  EXPECT_TRUE(measured().isApprox(psmParked()));
 }
 
-TEST_F(SimulatedArmTest, HomesAndReportsTheGoal) {
+TEST_F(ArmControllerTest, HomesAndReportsTheGoal) {
   cycles(1);
   arm_.enable();
   arm_.home();
@@ -125,7 +128,7 @@ TEST_F(SimulatedArmTest, HomesAndReportsTheGoal) {
   EXPECT_TRUE(measured().isApprox(psmModel().home, 1e-9));
 }
 
-TEST_F(SimulatedArmTest, ServoCpLagsByTheTimeConstantAndCarriesTheStamp) {
+TEST_F(ArmControllerTest, ServoCpLagsByTheTimeConstantAndCarriesTheStamp) {
   makeReady();
   const PoseStamped start = arm_.measured_cp();
   const PoseStamped goal = goalAt({0.001, 0, 0});
@@ -141,7 +144,7 @@ TEST_F(SimulatedArmTest, ServoCpLagsByTheTimeConstantAndCarriesTheStamp) {
   EXPECT_LT(kinematics::poseError(arm_.measured_cp().pose, goal.pose).norm(), 1e-8);
 }
 
-TEST_F(SimulatedArmTest, RefusesWhatIsFarOutOfReachAndKeepsItsSetpoint) {
+TEST_F(ArmControllerTest, RefusesWhatIsFarOutOfReachAndKeepsItsSetpoint) {
   makeReady();
   const PoseStamped before = arm_.setpoint_cp();
   for (int i = 0; i < 3; ++i) {
@@ -156,7 +159,7 @@ TEST_F(SimulatedArmTest, RefusesWhatIsFarOutOfReachAndKeepsItsSetpoint) {
   EXPECT_EQ(heard_.warnings.size(), 2u) << "a refusal after it obeyed again is news";
 }
 
-TEST_F(SimulatedArmTest, RefusesWhatIsNotAGoal) {
+TEST_F(ArmControllerTest, RefusesWhatIsNotAGoal) {
   makeReady();
   const PoseStamped before = arm_.setpoint_cp();
   PoseStamped invalid = goalAt({0.001, 0, 0});
@@ -177,7 +180,7 @@ TEST_F(SimulatedArmTest, RefusesWhatIsNotAGoal) {
   EXPECT_TRUE(arm_.setpoint_cp().pose.isApprox(before.pose));
 }
 
-TEST_F(SimulatedArmTest, MovesSmoothlyWithinHalfOfTheRateLimit) {
+TEST_F(ArmControllerTest, MovesSmoothlyWithinHalfOfTheRateLimit) {
   makeReady();
   Joints goal = psmModel().home;
   goal[0] = 1.0;
@@ -193,7 +196,7 @@ TEST_F(SimulatedArmTest, MovesSmoothlyWithinHalfOfTheRateLimit) {
   EXPECT_TRUE(measured().isApprox(goal, 1e-9));
 }
 
-TEST_F(SimulatedArmTest, ServoReplacesAMove) {
+TEST_F(ArmControllerTest, ServoReplacesAMove) {
   makeReady();
   Joints goal = psmModel().home;
   goal[0] = 1.0;
@@ -205,7 +208,7 @@ TEST_F(SimulatedArmTest, ServoReplacesAMove) {
   EXPECT_TRUE(measured().isApprox(psmModel().home, 1e-9));
 }
 
-TEST_F(SimulatedArmTest, DisableStopsAtOnceAndNeedsEnableToGoOn) {
+TEST_F(ArmControllerTest, DisableStopsAtOnceAndNeedsEnableToGoOn) {
   makeReady();
   arm_.servo_cp(goalAt({0.01, 0, 0}));
   cycles(3);
@@ -219,7 +222,7 @@ TEST_F(SimulatedArmTest, DisableStopsAtOnceAndNeedsEnableToGoOn) {
   EXPECT_TRUE(arm_.operating_state().is_homed);
 }
 
-TEST_F(SimulatedArmTest, AnswersKinematicQuestions) {
+TEST_F(ArmControllerTest, AnswersKinematicQuestions) {
   makeReady();
   const PoseStamped tip = arm_.forward_kinematics(toGoal(psmModel().home));
   ASSERT_TRUE(tip.valid);
@@ -230,7 +233,7 @@ TEST_F(SimulatedArmTest, AnswersKinematicQuestions) {
   EXPECT_FALSE(arm_.forward_kinematics({{1, 2}, {}}).valid);
 }
 
-TEST_F(SimulatedArmTest, JointStatesAreWhole) {
+TEST_F(ArmControllerTest, JointStatesAreWhole) {
   makeReady();
   const JointState& state = arm_.measured_js();
   EXPECT_EQ(state.name.size(), 6u);

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "arm/kinematics/pose_error.h"
+#include "kinematics/pose_error.h"
 #include "unit/arm/psm_model.h"
+#include "unit/arm/trailing_joints.h"
 
 namespace robots::test {
 
@@ -41,8 +42,8 @@ struct Deaf {
 };
 
 /// Obeys whom the test says.
-struct CommandedArm final : SimulatedArm<6> {
-  using SimulatedArm::SimulatedArm;
+struct CommandedArm final : ArmController<6> {
+  using ArmController::ArmController;
   const suture::ConnectedClient* commander = nullptr;
 
  private:
@@ -52,6 +53,7 @@ struct CommandedArm final : SimulatedArm<6> {
 class CrtkFaceTest : public testing::Test {
  protected:
   CrtkFaceTest() {
+    cycles(1);
     crtk_.enable();
     crtk_.home();
     while (!crtk_.operating_state().is_homed) cycles(1);
@@ -63,7 +65,7 @@ class CrtkFaceTest : public testing::Test {
     for (int i = 0; i < count; ++i) {
       time_ += 1ms;
       crtk_.advance(time_);
-      arm_.step(time_);
+      joints_.step(arm_, time_);
       crtk_.publish(time_);
       crtk_.announce(heard_);
       arm_.announce(Deaf{});
@@ -87,6 +89,7 @@ class CrtkFaceTest : public testing::Test {
   }
 
   CommandedArm arm_{psmModel()};
+  TrailingJoints<6> joints_{psmModel(), psmParked()};
   CrtkFace<6> crtk_{arm_};
   suture::Time time_ = suture::now();
   HeardCrtk heard_;

@@ -1,6 +1,6 @@
 // Simulated joints: the declared lag, rates and limits are what the data show.
 
-#include "arm/joint_dynamics.h"
+#include "drives/joint_dynamics.h"
 
 #include <gtest/gtest.h>
 

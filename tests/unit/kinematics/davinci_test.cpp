@@ -1,12 +1,12 @@
 // Forward kinematics and Jacobian of the da Vinci arms against KDL.
 
-#include "arm/kinematics/davinci.h"
+#include "kinematics/davinci.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "arm/kinematics/pose_error.h"
+#include "kinematics/pose_error.h"
 #include "unit/kinematics/kdl_oracle.h"
 
 namespace robots::kinematics::test {

@@ -1,13 +1,13 @@
 // Inverse kinematics: undoes the forward one, stays within limits, and says when it cannot.
 
-#include "arm/kinematics/inverse.h"
+#include "kinematics/inverse.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "arm/kinematics/davinci.h"
-#include "arm/kinematics/pose_error.h"
+#include "kinematics/davinci.h"
+#include "kinematics/pose_error.h"
 #include "unit/kinematics/kdl_oracle.h"
 
 namespace robots::kinematics::test {

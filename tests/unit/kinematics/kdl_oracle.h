@@ -8,7 +8,7 @@
 #include <kdl/chainjnttojacsolver.hpp>
 #include <random>
 
-#include "arm/kinematics/chain.h"
+#include "kinematics/chain.h"
 
 namespace robots::kinematics::test {
 

@@ -6,9 +6,9 @@
 
 #include <numbers>
 
-#include "arm/kinematics/davinci.h"
-#include "arm/kinematics/inverse.h"
-#include "arm/kinematics/pose_error.h"
+#include "kinematics/davinci.h"
+#include "kinematics/inverse.h"
+#include "kinematics/pose_error.h"
 
 namespace robots::test {
 namespace {

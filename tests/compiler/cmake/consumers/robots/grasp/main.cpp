@@ -1,4 +1,4 @@
-#include <arm/kinematics/davinci.h>
+#include <kinematics/davinci.h>
 
 #include <cstdio>
 

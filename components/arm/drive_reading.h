@@ -1,0 +1,22 @@
+#pragma once
+// What an arm has heard of its drives.
+
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+
+#include "drives/drives.h"
+
+namespace robots {
+
+/// Joints in chain order: rad and rad/s, or m and m/s for a prismatic one.
+template <int N>
+struct DriveReading {
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  Joints position = Joints::Zero(), velocity = Joints::Zero();
+  DrivePower power = DrivePower::NotReady;
+  suture::Time stamp;  ///< the drives' cycle
+};
+
+}  // namespace robots

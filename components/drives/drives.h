@@ -1,0 +1,63 @@
+#pragma once
+// The contract of an arm's joint drives: what closes the loops of its joints, and what gives them
+// power. Research simulation, not a safety function: see README.md.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+
+#include <array>
+#include <cstdint>
+
+#include "robot_types/joints.h"
+
+namespace robots {
+
+enum class SUTURE_TYPE() DrivePower : std::uint8_t {
+  NotReady,  ///< since they started, nobody has permitted them power
+  Stopped,   ///< by the emergency stop, or because nobody permits power any more
+  Off,       ///< without power, as they are permitted to have: the brakes hold the joints
+  On,        ///< the joints follow their goals
+};
+
+/// What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m
+/// and m/s.
+struct SUTURE_TYPE() DriveFeedback {
+  /// The first `joints` entries count.
+  SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
+  SUTURE_FIELD(unit("rad/s")) std::array<double, kMaxJoints> velocity{};
+  std::uint32_t joints = 0;
+  DrivePower power = DrivePower::NotReady;
+  /// The drives' cycle.
+  suture::Time stamp;
+};
+
+/// Where the joints shall be.
+struct SUTURE_TYPE() DriveGoal {
+  /// The first `joints` entries count.
+  SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
+  std::uint32_t joints = 0;
+  suture::Time stamp;
+};
+
+/// Commands run in the drives' own thread before its next cycle; the read is from the end of its
+/// last one.
+class SUTURE_INTERFACE() Drives {
+ public:
+  virtual ~Drives() = default;
+
+  /// Releases the brakes; the joints hold where they are. Drives that may not have power stay as
+  /// they are.
+  SUTURE_COMMAND() virtual void power_on() = 0;
+  /// The brakes hold the joints where they are.
+  SUTURE_COMMAND() virtual void power_off() = 0;
+  /// Streams goals, newest wins. Without power, or with the wrong number of joints, one changes
+  /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
+  SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jp(const DriveGoal& goal) = 0;
+
+  SUTURE_COMMAND() virtual const DriveFeedback& feedback() const = 0;
+
+  /// Each change, and the last one to whoever connects.
+  SUTURE_EVENT(latched(), name("power")) suture::EventOf<DrivePower> power_event;
+};
+
+}  // namespace robots

@@ -1,0 +1,38 @@
+#pragma once
+// The simulated joint drives of a slave arm.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+
+#include <chrono>
+
+#include "drives/drives.suture.h"
+#include "drives/simulated_drives.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() PsmDrivesParameters {
+  suture::Duration period = std::chrono::microseconds(667);
+  /// How far the measured joints trail their goal.
+  SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
+  /// How fast the rotating joints can be.
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+  /// How fast the insertion can be.
+  SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
+};
+
+/// The drives of a patient side manipulator. The instrument is in the patient from the start, as
+/// the cannula is not simulated.
+class SUTURE_COMPONENT() PsmDrives final : public suture::PeriodicTask, public SimulatedDrives<6> {
+ public:
+  explicit PsmDrives(const PsmDrivesParameters& parameters);
+
+  void run() override;
+
+ private:
+  suture::Provided<Drives> drives_{*this, "Drives", *this};
+};
+
+}  // namespace robots

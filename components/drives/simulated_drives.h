@@ -1,0 +1,63 @@
+#pragma once
+// What the drives of the simulated arms have in common: joints that trail their goals, and brakes.
+
+#include <suture/base/time.h>
+
+#include "drives/drives.h"
+#include "drives/joint_dynamics.h"
+#include "timing/stream_watch.h"
+
+namespace robots {
+
+/// How the joints of one arm answer. Joint vectors in rad, or m for a prismatic joint.
+template <int N>
+struct DriveModel {
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  Joints lower, upper;   ///< the mechanical limits
+  Joints parked;         ///< where the joints are when the drives start
+  Joints rate_limit;     ///< rad/s or m/s
+  double time_constant;  ///< s: how far the measured joints trail their goal
+};
+
+/// A goal that arrives in one cycle acts on the joints from that cycle on; what is measured is the
+/// exact solution at the time of the cycle. Confined to one thread; never allocates.
+template <int N>
+class SimulatedDrives : public Drives {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  /// Parked, without power. Throws std::invalid_argument for impossible dynamics.
+  explicit SimulatedDrives(const DriveModel<N>& model);
+
+  void power_on() override;
+  void power_off() override;
+  void servo_jp(const DriveGoal& goal) override;
+  const DriveFeedback& feedback() const override { return feedback_; }
+
+  /// One cycle at time `now`, after the commands that arrived for it.
+  void step(suture::Time now);
+
+  /// Tells `events` (what Provided<Drives>::emit() returns) what happened since the last call.
+  template <class Events>
+  void announce(Events&& events) {
+    if (powerChanged_) events.power(feedback_.power);
+    powerChanged_ = false;
+  }
+
+ private:
+  void enter(DrivePower power);
+  void hold() { goal_ = dynamics_.measured(); }
+
+  JointDynamics<N> dynamics_;
+  Joints goal_;
+  StreamWatch stream_;
+  suture::Time lastStep_;
+  DriveFeedback feedback_;
+  bool powerChanged_ = true;
+};
+
+extern template class SimulatedDrives<6>;
+extern template class SimulatedDrives<7>;
+
+}  // namespace robots

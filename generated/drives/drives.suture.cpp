@@ -1,0 +1,513 @@
+// Written by suturec from drives/drives.h. Do not edit.
+#include "drives/drives.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "drives/drives.capnp.h"
+
+namespace robots {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::FieldPath;
+using suture::checkSlot;
+using suture::load;
+using suture::newSlot;
+using suture::refusedAt;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::numberOf;
+using suture::rpc::shifted;
+using suture::rpc::toWire;
+using suture::shiftSlot;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<DrivePower>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(DrivePower::NotReady) == 0);
+static_assert(static_cast<std::uint8_t>(DrivePower::Stopped) == 1);
+static_assert(static_cast<std::uint8_t>(DrivePower::Off) == 2);
+static_assert(static_cast<std::uint8_t>(DrivePower::On) == 3);
+static_assert(std::is_same_v<decltype(DriveFeedback::position), std::array<double, 8>>);
+static_assert(std::is_same_v<decltype(DriveFeedback::velocity), std::array<double, 8>>);
+static_assert(std::is_same_v<decltype(DriveFeedback::joints), std::uint32_t>);
+static_assert(std::is_same_v<decltype(DriveFeedback::power), DrivePower>);
+static_assert(std::is_same_v<decltype(DriveFeedback::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(DriveGoal::position), std::array<double, 8>>);
+static_assert(std::is_same_v<decltype(DriveGoal::joints), std::uint32_t>);
+static_assert(std::is_same_v<decltype(DriveGoal::stamp), std::chrono::steady_clock::time_point>);
+
+}  // namespace
+
+bool store(const DriveFeedback& value, DriveFeedbackSlot& slot) {
+  bool fits = true;
+  fits &= store(value.position, slot.position);
+  fits &= store(value.velocity, slot.velocity);
+  fits &= store(value.joints, slot.joints);
+  fits &= store(value.power, slot.power);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const DriveFeedbackSlot& slot, DriveFeedback& value) {
+  load(slot.position, value.position);
+  load(slot.velocity, value.velocity);
+  load(slot.joints, value.joints);
+  load(slot.power, value.power);
+  load(slot.stamp, value.stamp);
+}
+
+void shiftStamps(DriveFeedbackSlot& slot, Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
+
+bool store(const DriveGoal& value, DriveGoalSlot& slot) {
+  bool fits = true;
+  fits &= store(value.position, slot.position);
+  fits &= store(value.joints, slot.joints);
+  fits &= store(value.stamp, slot.stamp);
+  return fits;
+}
+
+void load(const DriveGoalSlot& slot, DriveGoal& value) {
+  load(slot.position, value.position);
+  load(slot.joints, value.joints);
+  load(slot.stamp, value.stamp);
+}
+
+void shiftStamps(DriveGoalSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+
+bool store(const DriveGoal& goal, DrivesServoJpArguments& slot) { return store(goal, slot.goal); }
+
+void shiftStamps(DrivesServoJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+
+// --- between slots and Cap'n Proto
+
+wire::DrivePower wireDrivePower(std::uint8_t slot) {
+  switch (static_cast<DrivePower>(slot)) {
+    case DrivePower::NotReady: return wire::DrivePower::NOT_READY;
+    case DrivePower::Stopped: return wire::DrivePower::STOPPED;
+    case DrivePower::Off: return wire::DrivePower::OFF;
+    case DrivePower::On: return wire::DrivePower::ON;
+  }
+  return wire::DrivePower{};
+}
+
+bool isKnownDrivePower(std::uint8_t slot) {
+  switch (static_cast<DrivePower>(slot)) {
+    case DrivePower::NotReady:
+    case DrivePower::Stopped:
+    case DrivePower::Off:
+    case DrivePower::On:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::DrivePower in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::DrivePower::NOT_READY: return slot =
+        static_cast<std::uint8_t>(DrivePower::NotReady), Errc{};
+    case wire::DrivePower::STOPPED: return slot =
+        static_cast<std::uint8_t>(DrivePower::Stopped), Errc{};
+    case wire::DrivePower::OFF: return slot = static_cast<std::uint8_t>(DrivePower::Off), Errc{};
+    case wire::DrivePower::ON: return slot = static_cast<std::uint8_t>(DrivePower::On), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
+  toWire(slot.position, out.initPosition(8));
+  toWire(slot.velocity, out.initVelocity(8));
+  out.setJoints(slot.joints);
+  out.setPower(wireDrivePower(slot.power));
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot, Duration shift) {
+  slot.joints = in.getJoints();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return firstError({
+      fromWire(in.getPosition(), slot.position),
+      fromWire(in.getVelocity(), slot.velocity),
+      fromWire(in.getPower(), slot.power),
+  });
+}
+
+bool isValid(const DriveFeedbackSlot& slot, FieldPath* path) {
+  if (!isValid(slot.position, path)) return refusedAt(path, "position");
+  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
+  return isKnownDrivePower(slot.power) || refusedAt(path, "power");
+}
+
+void toWire(const DriveGoalSlot& slot, wire::DriveGoal::Builder out) {
+  toWire(slot.position, out.initPosition(8));
+  out.setJoints(slot.joints);
+  out.setStamp(slot.stamp);
+}
+
+Errc fromWire(wire::DriveGoal::Reader in, DriveGoalSlot& slot, Duration shift) {
+  slot.joints = in.getJoints();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  return fromWire(in.getPosition(), slot.position);
+}
+
+bool isValid(const DriveGoalSlot& slot, FieldPath* path) {
+  return isValid(slot.position, path) || refusedAt(path, "position");
+}
+
+namespace {
+
+bool acceptsDrivesServoJp(const DrivesServoJpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsDrivesPowerEvent(const std::uint8_t& slot, FieldPath*) {
+  return isKnownDrivePower(slot);
+}
+
+// --- Drives over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class DrivesSink final : public suture::rpc::EventSink {
+ public:
+  explicit DrivesSink(wire::DrivesEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(DrivesEvent::power): {
+        const auto& slot = slotIn<std::uint8_t>(payload);
+        auto request = subscriber_.powerRequest();
+        request.setValue(wireDrivePower(slot));
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
+    if (row.hasValue(0)) {
+      const auto& slot = slotIn<DriveFeedbackSlot>(columns[0]);
+      toWire(slot, out.initFeedback());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::DrivesEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class DrivesServant final : public wire::Drives::Server {
+ public:
+  explicit DrivesServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<DrivesSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> powerOn(PowerOnContext context) override {
+    auto in = context.getParams();
+    return port_->command(numberOf(DrivesCommand::power_on), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> powerOff(PowerOffContext context) override {
+    auto in = context.getParams();
+    return port_->command(numberOf(DrivesCommand::power_off), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> servoJp(ServoJpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<DrivesServoJpArguments>(memory);
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+    };
+    return port_->command(numberOf(DrivesCommand::servo_jp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> feedback(FeedbackContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<DriveFeedbackSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(DrivesCommand::feedback), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  kj::Own<ServantPort> port_;
+};
+
+// --- Drives over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class DrivesReceiver final : public wire::DrivesEvents::Server {
+ public:
+  explicit DrivesReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
+      auto& slot = port_->column<DriveFeedbackSlot>(0);
+      const Errc error =
+          in.hasFeedback() ? fromWire(in.getFeedback(), slot, port_->shift()) : Errc::Invalid;
+      columns.enter(0, error);
+    }
+    port_->publish(in.getStamp(), columns);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> power(PowerContext context) override {
+    auto in = context.getParams();
+    return port_->event<std::uint8_t>(numberOf(DrivesEvent::power), [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class DrivesProxy final : public suture::rpc::Proxy {
+ public:
+  DrivesProxy(wire::Drives::Client provider, ProxyPort& port)
+      : provider_(kj::mv(provider)), port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<DrivesReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<DrivesCommand>(record.command)) {
+      case DrivesCommand::power_on: {
+        auto request = provider_.powerOnRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case DrivesCommand::power_off: {
+        auto request = provider_.powerOffRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case DrivesCommand::servo_jp: {
+        const auto& slot = slotIn<DrivesServoJpArguments>(record.arguments());
+        auto request = provider_.servoJpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case DrivesCommand::feedback: {
+        auto request = provider_.feedbackRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<DriveFeedbackSlot>(call, response.getStamp(),
+                                          [&](DriveFeedbackSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  wire::Drives::Client provider_;
+  ProxyPort& port_;
+};
+
+class DrivesBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<DrivesServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<DrivesProxy>(contract.castAs<wire::Drives>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<DrivesSink>(subscriber.castAs<wire::DrivesEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Drives>();
+  }
+};
+
+const suture::rpc::Binding& drivesBinding() {
+  static const DrivesBinding kBinding;
+  return kBinding;
+}
+
+constexpr CommandInfo kDrivesCommands[] = {
+    {.name = "power_on", .kind = CommandKind::Void, .depth = 16},
+    {.name = "power_off", .kind = CommandKind::Void, .depth = 16},
+    {.name = "servo_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<DrivesServoJpArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<DrivesServoJpArguments, acceptsDrivesServoJp>,
+     .shiftArguments = shiftSlot<DrivesServoJpArguments>},
+    {.name = "feedback",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<DriveFeedbackSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<DriveFeedbackSlot, isValid>,
+     .shiftResult = shiftSlot<DriveFeedbackSlot>},
+};
+
+constexpr EventInfo kDrivesEvents[] = {
+    {.name = "power",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsDrivesPowerEvent>},
+};
+
+// The self-description, as in drives/drives.suture.json.
+constexpr char kDrivesDescription[] = R"json(
+{"name": "robots::Drives",
+"doc": "Commands run in the drives' own thread before its next cycle; the read is from the end of its\nlast one.",
+"hash": "ba4bfae203fee0b8dcf2d6dbca749a47", "commands": [{"name": "power_on", "kind": "void",
+"ordinal": 1, "wire": "powerOn",
+"doc": "Releases the brakes; the joints hold where they are. Drives that may not have power stay as\nthey are.",
+"queue": 16}, {"name": "power_off", "kind": "void", "ordinal": 2, "wire": "powerOff",
+"doc": "The brakes hold the joints where they are.", "queue": 16}, {"name": "servo_jp",
+"kind": "write", "ordinal": 3, "wire": "servoJp",
+"doc": "Streams goals, newest wins. Without power, or with the wrong number of joints, one changes\nnothing. A stream that falls silent for 0.1 s leaves the joints where they are.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::DriveGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "feedback", "kind": "read", "ordinal": 4,
+"result": {"type": {"kind": "struct", "name": "robots::DriveFeedback"}}, "queue": 16}], "events": [
+{"name": "power", "kind": "write", "ordinal": 1,
+"doc": "Each change, and the last one to whoever connects.", "payload": {"type": {"kind": "enum",
+"name": "robots::DrivePower"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "robots::DrivePower", "underlying": "UInt8", "enumerators": [{"name": "NotReady",
+"value": 0, "wire": "notReady", "doc": "since they started, nobody has permitted them power"}, {
+"name": "Stopped", "value": 1, "wire": "stopped",
+"doc": "by the emergency stop, or because nobody permits power any more"}, {"name": "Off",
+"value": 2, "wire": "off",
+"doc": "without power, as they are permitted to have: the brakes hold the joints"}, {"name": "On",
+"value": 3, "wire": "on", "doc": "the joints follow their goals"}]}], "structs": [{
+"name": "robots::DriveGoal", "doc": "Where the joints shall be.", "fields": [{"name": "position",
+"doc": "The first `joints` entries count.", "type": {"kind": "array", "element": {"kind": "Float64"
+}, "length": 8}, "unit": "rad"}, {"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {
+"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::DriveFeedback",
+"doc": "What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m\nand m/s.",
+"fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
+"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "velocity",
+"type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad/s"}, {
+"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "power", "type": {
+"kind": "enum", "name": "robots::DrivePower"}, "default": "NotReady"}, {"name": "stamp",
+"doc": "The drives' cycle.", "type": {"kind": "time", "clock": "steady"}}]}], "wire": [{
+"id": "@0x91efda82df1adc01", "kind": "interface", "name": "Drives", "cxx": "robots::Drives",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xe59a5d931070aa84"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "powerOn", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
+"name": "powerOff", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "servoJp", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0xe3033c33c5a1f822"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "feedback", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xc6e6797127c781ed"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xe59a5d931070aa84", "kind": "interface", "name": "DrivesEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf51328c4223872e4"}]}, {"at": 1,
+"name": "power", "parameters": [{"at": 0, "name": "value", "is": "@0xd2f9073be1a76833"}]}]}, {
+"id": "@0xf51328c4223872e4", "kind": "struct", "name": "DrivesStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "feedback", "is": "@0xc6e6797127c781ed"}]}, {
+"id": "@0xc6e6797127c781ed", "kind": "struct", "name": "DriveFeedback", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "velocity",
+"is": "List(Float64) unit \"rad/s\" shape \"8\""}, {"at": 2, "name": "joints", "is": "UInt32"}, {
+"at": 3, "name": "power", "is": "@0xd2f9073be1a76833"}, {"at": 4, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0xd2f9073be1a76833", "kind": "enum",
+"name": "DrivePower", "members": [{"at": 0, "name": "notReady"}, {"at": 1, "name": "stopped"}, {
+"at": 2, "name": "off"}, {"at": 3, "name": "on"}]}, {"id": "@0xe3033c33c5a1f822", "kind": "struct",
+"name": "DriveGoal", "members": [{"at": 0, "name": "position",
+"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}, {
+"at": 2, "name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+
+}  // namespace
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Drives>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "robots::Drives",
+      .hash = "ba4bfae203fee0b8dcf2d6dbca749a47",
+      .description = robots::kDrivesDescription,
+      .commands = robots::kDrivesCommands,
+      .events = robots::kDrivesEvents,
+      .binding = &robots::drivesBinding,
+  };
+  return kInfo;
+}
+
+Errc Provided<robots::Drives>::execute(std::uint16_t command, const std::byte* arguments,
+                                       std::byte* result) {
+  using ::robots::DrivesCommand;
+  switch (static_cast<DrivesCommand>(command)) {
+    case DrivesCommand::power_on: {
+      implementation_.power_on();
+      return Errc{};
+    }
+    case DrivesCommand::power_off: {
+      implementation_.power_off();
+      return Errc{};
+    }
+    case DrivesCommand::servo_jp: {
+      const auto& slot = slotIn<robots::DrivesServoJpArguments>(arguments);
+      load(slot.goal, scratch_.servo_jp_goal);
+      implementation_.servo_jp(scratch_.servo_jp_goal);
+      return Errc{};
+    }
+    case DrivesCommand::feedback: {
+      auto& slot = newSlot<robots::DriveFeedbackSlot>(result);
+      return store(implementation_.feedback(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,150 @@
+// Written by suturec from drives/drives.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "drives/drives.h"
+
+namespace robots {
+
+/// What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m
+/// and m/s.
+struct DriveFeedbackSlot {
+  std::array<double, 8> position;  // rad
+  std::array<double, 8> velocity;  // rad/s
+  std::uint32_t joints;
+  std::uint8_t power;  // DrivePower
+  std::int64_t stamp;  // suture::Time, ns
+};
+
+bool store(const DriveFeedback& value, DriveFeedbackSlot& slot);
+void load(const DriveFeedbackSlot& slot, DriveFeedback& value);
+void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift);
+
+/// Where the joints shall be.
+struct DriveGoalSlot {
+  std::array<double, 8> position;  // rad
+  std::uint32_t joints;
+  std::int64_t stamp;  // suture::Time, ns
+};
+
+bool store(const DriveGoal& value, DriveGoalSlot& slot);
+void load(const DriveGoalSlot& slot, DriveGoal& value);
+void shiftStamps(DriveGoalSlot& slot, suture::Duration shift);
+
+// --- Drives: the arguments of its commands ---
+
+struct DrivesServoJpArguments {
+  DriveGoalSlot goal;
+};
+
+bool store(const DriveGoal& goal, DrivesServoJpArguments& slot);
+void shiftStamps(DrivesServoJpArguments& slot, suture::Duration shift);
+
+/// The numbers of Drives's commands in every table and record.
+enum class DrivesCommand : std::uint16_t {
+  power_on,
+  power_off,
+  servo_jp,
+  feedback,
+};
+
+/// The numbers of Drives's events.
+enum class DrivesEvent : std::uint16_t {
+  power,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Drives>();
+
+/// What a client of robots::Drives calls.
+template <>
+class Required<robots::Drives> : public RequiredBase {
+  using Contract = robots::Drives;
+  using Id = robots::DrivesCommand;
+  using EventId = robots::DrivesEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Releases the brakes; the joints hold where they are. Drives that may not have power stay as
+  /// they are.
+  Command<&Contract::power_on, NoSlot> power_on{*this, static_cast<std::uint16_t>(Id::power_on)};
+  /// The brakes hold the joints where they are.
+  Command<&Contract::power_off, NoSlot> power_off{*this, static_cast<std::uint16_t>(Id::power_off)};
+  /// Streams goals, newest wins. Without power, or with the wrong number of joints, one changes
+  /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
+  Command<&Contract::servo_jp, robots::DrivesServoJpArguments> servo_jp{
+      *this, static_cast<std::uint16_t>(Id::servo_jp)};
+  ReadCommand<&Contract::feedback, robots::DriveFeedbackSlot> feedback{
+      *this, static_cast<std::uint16_t>(Id::feedback)};
+
+  /// The events of robots::Drives, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : power{required, static_cast<std::uint16_t>(EventId::power)} {}
+
+    /// Each change, and the last one to whoever connects.
+    Subscription<std::uint8_t, robots::DrivePower> power;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::Drives from a component.
+template <>
+class Provided<robots::Drives> : public ProvidedBase {
+  using Contract = robots::Drives;
+  using EventId = robots::DrivesEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of robots::Drives, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : power{provided, static_cast<std::uint16_t>(EventId::power)} {}
+
+    /// Each change, and the last one to whoever connects.
+    Emitter<std::uint8_t, robots::DrivePower> power;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    robots::DriveGoal servo_jp_goal;
+  };
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_{};
+};
+
+}  // namespace suture

@@ -1,0 +1,134 @@
+// Written by suturec from drives/mtm_drives.h. Do not edit.
+#include "drives/mtm_drives.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "drives/mtm_drives.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<MasterSide>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(MasterSide::Left) == 0);
+static_assert(static_cast<std::uint8_t>(MasterSide::Right) == 1);
+static_assert(std::is_same_v<decltype(MtmDrivesParameters::side), MasterSide>);
+static_assert(std::is_same_v<decltype(MtmDrivesParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(MtmDrivesParameters::time_constant), double>);
+static_assert(std::is_same_v<decltype(MtmDrivesParameters::angular_rate), double>);
+
+}  // namespace
+
+bool store(const MtmDrivesParameters& value, MtmDrivesParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.side, slot.side);
+  fits &= store(value.period, slot.period);
+  fits &= store(value.time_constant, slot.time_constant);
+  fits &= store(value.angular_rate, slot.angular_rate);
+  return fits;
+}
+
+void load(const MtmDrivesParametersSlot& slot, MtmDrivesParameters& value) {
+  load(slot.side, value.side);
+  load(slot.period, value.period);
+  load(slot.time_constant, value.time_constant);
+  load(slot.angular_rate, value.angular_rate);
+}
+
+// --- between slots and Cap'n Proto
+
+wire::MasterSide wireMasterSide(std::uint8_t slot) {
+  switch (static_cast<MasterSide>(slot)) {
+    case MasterSide::Left: return wire::MasterSide::LEFT;
+    case MasterSide::Right: return wire::MasterSide::RIGHT;
+  }
+  return wire::MasterSide{};
+}
+
+bool isKnownMasterSide(std::uint8_t slot) {
+  switch (static_cast<MasterSide>(slot)) {
+    case MasterSide::Left:
+    case MasterSide::Right:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::MasterSide in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::MasterSide::LEFT: return slot = static_cast<std::uint8_t>(MasterSide::Left), Errc{};
+    case wire::MasterSide::RIGHT: return slot =
+        static_cast<std::uint8_t>(MasterSide::Right), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const MtmDrivesParametersSlot& slot, wire::MtmDrivesParameters::Builder out) {
+  out.setSide(wireMasterSide(slot.side));
+  out.setPeriod(slot.period);
+  out.setTimeConstant(slot.time_constant);
+  out.setAngularRate(slot.angular_rate);
+}
+
+Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.time_constant = in.getTimeConstant();
+  slot.angular_rate = in.getAngularRate();
+  return fromWire(in.getSide(), slot.side);
+}
+
+bool isValid(const MtmDrivesParametersSlot& slot, FieldPath* path) {
+  if (!isKnownMasterSide(slot.side)) return refusedAt(path, "side");
+  if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
+  return inRange(slot.angular_rate, 0.01, 20) || refusedAt(path, "angular_rate");
+}
+
+}  // namespace robots
+
+namespace robots {
+
+inline void fromJson(const suture::JsonReader& in, MasterSide& value) {
+  static constexpr MasterSide kValues[] = {MasterSide::Left, MasterSide::Right};
+  const int index = suture::enumeratorFromJson(in, {"Left", "Right"});
+  if (index >= 0) value = kValues[index];
+}
+
+void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("side", value.side);
+  reader.field("period", value.period);
+  reader.field("time_constant", value.time_constant, 0.0001, 10);
+  reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::MtmDrives>() {
+  return {"MtmDrives", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::MtmDrivesParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new robots::MtmDrives(values));
+          }};
+}
+
+}  // namespace suture

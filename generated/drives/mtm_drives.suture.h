@@ -1,0 +1,36 @@
+// Written by suturec from drives/mtm_drives.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "drives/mtm_drives.h"
+#include "drives/drives.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct MtmDrivesParametersSlot {
+  std::uint8_t side;     // MasterSide
+  std::int64_t period;   // std::chrono::nanoseconds, ns
+  double time_constant;  // s
+  double angular_rate;   // rad/s
+};
+
+bool store(const MtmDrivesParameters& value, MtmDrivesParametersSlot& slot);
+void load(const MtmDrivesParametersSlot& slot, MtmDrivesParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::MtmDrives>();
+
+}  // namespace suture

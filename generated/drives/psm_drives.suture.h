@@ -1,0 +1,36 @@
+// Written by suturec from drives/psm_drives.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "drives/psm_drives.h"
+#include "drives/drives.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct PsmDrivesParametersSlot {
+  std::int64_t period;    // std::chrono::nanoseconds, ns
+  double time_constant;   // s
+  double angular_rate;    // rad/s
+  double insertion_rate;  // m/s
+};
+
+bool store(const PsmDrivesParameters& value, PsmDrivesParametersSlot& slot);
+void load(const PsmDrivesParametersSlot& slot, PsmDrivesParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::PsmDrives>();
+
+}  // namespace suture

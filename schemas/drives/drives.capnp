@@ -1,0 +1,80 @@
+@0xed5bfd1260b9675a;
+# The wire contract of drives/drives.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+using Rpc = import "/suture/rpc.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("drives/drives.h");
+
+enum DrivePower @0xd2f9073be1a76833 $Meta.cxx("robots::DrivePower") $Meta.underlying("UInt8") {
+  notReady @0 $Meta.cxx("NotReady") $Meta.value(0);
+  # since they started, nobody has permitted them power
+  stopped @1 $Meta.cxx("Stopped") $Meta.value(1);
+  # by the emergency stop, or because nobody permits power any more
+  off @2 $Meta.cxx("Off") $Meta.value(2);
+  # without power, as they are permitted to have: the brakes hold the joints
+  on @3 $Meta.cxx("On") $Meta.value(3);
+  # the joints follow their goals
+}
+
+struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
+  # What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m
+  # and m/s.
+
+  position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
+  # The first `joints` entries count.
+  velocity @1 :List(Float64) $Meta.shape("8") $Meta.unit("rad/s");
+  joints @2 :UInt32;
+  power @3 :DrivePower;
+  stamp @4 :Int64 $Meta.clock("steady");
+  # The drives' cycle.
+}
+
+struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {
+  # Where the joints shall be.
+
+  position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
+  # The first `joints` entries count.
+  joints @1 :UInt32;
+  stamp @2 :Int64 $Meta.clock("steady");
+}
+
+interface Drives @0x91efda82df1adc01 $Meta.cxx("robots::Drives") {
+  # Commands run in the drives' own thread before its next cycle; the read is from the end of its
+  # last one.
+
+  subscribe @0 (events :DrivesEvents, eventMask :UInt64, stateMask :UInt64) -> ();
+  # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
+  powerOn @1 (sent :Rpc.Sent) -> () $Meta.cxx("power_on") $Meta.kind("void") $Meta.queue(16);
+  # Releases the brakes; the joints hold where they are. Drives that may not have power stay as
+  # they are.
+  powerOff @2 (sent :Rpc.Sent) -> () $Meta.cxx("power_off") $Meta.kind("void") $Meta.queue(16);
+  # The brakes hold the joints where they are.
+  servoJp @3 (goal :DriveGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp") $Meta.kind("write")
+      $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
+  # Streams goals, newest wins. Without power, or with the wrong number of joints, one changes
+  # nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
+  feedback @4 (sent :Rpc.Sent) -> (value :DriveFeedback, stamp :Int64) $Meta.kind("read");
+}
+
+interface DrivesEvents @0xe59a5d931070aa84 $Meta.eventsOf("robots::Drives") {
+  # What a subscriber of Drives receives.
+
+  state @0 (row :DrivesStateRow) -> ();
+  # A new row of the columns asked for.
+  power @1 (value :DrivePower) -> () $Meta.latched $Meta.queue(16);
+  # Each change, and the last one to whoever connects.
+}
+
+struct DrivesStateRow @0xf51328c4223872e4 $Meta.stateOf("robots::Drives") {
+  # One row of the state table: what the read commands of Drives answer.
+
+  stamp @0 :Int64;
+  # When the row was written: the provider's steady clock, ns.
+  evaluated @1 :UInt64;
+  # Bit i: column i was evaluated.
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
+  feedback @3 :DriveFeedback;
+}

@@ -1,0 +1,25 @@
+@0xbee89178facac135;
+# The wire contract of drives/mtm_drives.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("drives/mtm_drives.h");
+
+enum MasterSide @0x93df6efffc351cf4 $Meta.cxx("robots::MasterSide") $Meta.underlying("UInt8") {
+  # Which of a surgeon's two masters: their joints have mirrored limits.
+
+  left @0 $Meta.cxx("Left") $Meta.value(0);
+  right @1 $Meta.cxx("Right") $Meta.value(1);
+}
+
+struct MtmDrivesParameters @0xe72c8047229da521 $Meta.cxx("robots::MtmDrivesParameters") {
+  side @0 :MasterSide;
+  period @1 :Int64 = 667000 $Meta.period("1/1000000000");
+  timeConstant @2 :Float64 = 0.01 $Meta.cxx("time_constant")
+      $Meta.range(lowest = 1e-04, highest = 10) $Meta.unit("s");
+  # How far the measured joints trail their goal: here, the hand that moves the master.
+  angularRate @3 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
+      $Meta.unit("rad/s");
+  # How fast the joints can be.
+}

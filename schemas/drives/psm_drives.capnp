@@ -1,0 +1,20 @@
+@0xebccbe254fa9def8;
+# The wire contract of drives/psm_drives.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("drives/psm_drives.h");
+
+struct PsmDrivesParameters @0x85a1d19046bdb4e7 $Meta.cxx("robots::PsmDrivesParameters") {
+  period @0 :Int64 = 667000 $Meta.period("1/1000000000");
+  timeConstant @1 :Float64 = 0.01 $Meta.cxx("time_constant")
+      $Meta.range(lowest = 1e-04, highest = 10) $Meta.unit("s");
+  # How far the measured joints trail their goal.
+  angularRate @2 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
+      $Meta.unit("rad/s");
+  # How fast the rotating joints can be.
+  insertionRate @3 :Float64 = 0.4 $Meta.cxx("insertion_rate")
+      $Meta.range(lowest = 0.001, highest = 2) $Meta.unit("m/s");
+  # How fast the insertion can be.
+}

@@ -1,0 +1,40 @@
+#pragma once
+// An arm with its drives, as each workstation has them.
+
+#include <suture/manager/manager.h>
+
+#include <string>
+
+#include "arm/mtm.h"
+#include "arm/psm.h"
+#include "drives/mtm_drives.h"
+#include "drives/psm_drives.h"
+
+namespace robots::test {
+
+template <class Arm, class Drives>
+struct DrivenArm {
+  /// As `name`, in one process.
+  void addTo(suture::Manager& manager, const std::string& name) {
+    manager.add(name, arm);
+    manager.add(name + "Drives", drives);
+    manager.connect(name + "/Drives", name + "Drives/Drives");
+  }
+
+  Arm arm;
+  Drives drives;
+};
+
+struct DrivenPsm : DrivenArm<Psm, PsmDrives> {
+  explicit DrivenPsm(const PsmParameters& parameters = {})
+      : DrivenArm{Psm(parameters), PsmDrives(PsmDrivesParameters{})} {}
+};
+
+struct DrivenMtm : DrivenArm<Mtm, MtmDrives> {
+  explicit DrivenMtm(MtmSide side = MtmSide::Left)
+      : DrivenArm{
+            Mtm({.side = side}),
+            MtmDrives({.side = side == MtmSide::Left ? MasterSide::Left : MasterSide::Right})} {}
+};
+
+}  // namespace robots::test

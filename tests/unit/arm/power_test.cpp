@@ -1,0 +1,115 @@
+// An arm whose drives have no power, may not have it, or say nothing.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "unit/arm/crtk_face_fixture.h"
+
+namespace robots::test {
+namespace {
+
+class PowerTest : public CrtkFaceTest {
+ protected:
+  ArmState state() const { return crtk_.operating_state().state; }
+  void expectError(const char* part) {
+    ASSERT_FALSE(heard_.errors.empty());
+    EXPECT_NE(heard_.errors.back().find(part), std::string::npos) << heard_.errors.back();
+  }
+  /// As if the drives had not answered.
+  void silence() {
+    time_ += 1ms;
+    arm_.step(time_, std::nullopt);
+    crtk_.announce(heard_);
+    arm_.announce(Deaf{});
+  }
+};
+
+TEST(Power, AnArmIsUndefinedUntilItsDrivesMayHavePower) {
+  ArmController<6> arm{psmModel()};
+  TrailingJoints<6> joints{psmModel(), psmParked()};
+  suture::Time time = suture::now();
+  const auto stateWith = [&](DrivePower power) {
+    joints.force(power);
+    joints.step(arm, time += 1ms);
+    return arm.operating_state().state;
+  };
+  arm.step(time, std::nullopt);
+  EXPECT_EQ(arm.operating_state().state, ArmState::Undefined);
+  EXPECT_FALSE(arm.measured_cp().valid);
+  EXPECT_FALSE(arm.setpoint_cp().valid);
+  EXPECT_EQ(stateWith(DrivePower::NotReady), ArmState::Undefined);
+  arm.enable();
+  EXPECT_EQ(stateWith(DrivePower::NotReady), ArmState::Undefined);
+  EXPECT_EQ(stateWith(DrivePower::Off), ArmState::Disabled);
+  EXPECT_TRUE(arm.measured_cp().valid);
+  EXPECT_EQ(arm.measured_cp().stamp, time);
+}
+
+TEST_F(PowerTest, IsWantedWhereTheArmHoldsByItself) {
+  EXPECT_TRUE(arm_.powered());
+  crtk_.pause();
+  EXPECT_TRUE(arm_.powered());
+  crtk_.disable();
+  EXPECT_FALSE(arm_.powered());
+}
+
+TEST_F(PowerTest, ThatTheDrivesMayNotHaveDisablesTheArm) {
+  for (const DrivePower power : {DrivePower::Stopped, DrivePower::NotReady}) {
+    joints_.force(power);
+    cycles(1);
+    EXPECT_EQ(state(), ArmState::Disabled);
+    expectError("may not have it");
+    crtk_.enable();
+    cycles(1);
+    EXPECT_EQ(state(), ArmState::Disabled) << "it is refused";
+    joints_.force(std::nullopt);
+    cycles(1);
+    EXPECT_EQ(state(), ArmState::Disabled) << "it does not come back by itself";
+    crtk_.enable();
+    cycles(1);
+    EXPECT_EQ(state(), ArmState::Enabled);
+  }
+}
+
+TEST_F(PowerTest, ThatTheDrivesLostDisablesTheArmOnlyIfTheyHadIt) {
+  joints_.force(DrivePower::Off);
+  cycles(1);
+  EXPECT_EQ(state(), ArmState::Disabled);
+  crtk_.enable();
+  cycles(5);
+  EXPECT_EQ(state(), ArmState::Enabled) << "the drives have not switched on yet";
+}
+
+TEST_F(PowerTest, SilentDrivesFaultTheArm) {
+  silence();
+  EXPECT_EQ(state(), ArmState::Fault);
+  EXPECT_FALSE(crtk_.measured_cp().valid);
+  expectError("silent");
+  cycles(1);
+  EXPECT_EQ(state(), ArmState::Fault);
+  EXPECT_TRUE(crtk_.measured_cp().valid);
+  crtk_.enable();
+  cycles(1);
+  EXPECT_EQ(state(), ArmState::Enabled);
+}
+
+TEST_F(PowerTest, SilentDrivesChangeNothingOfADisabledArm) {
+  crtk_.disable();
+  silence();
+  EXPECT_EQ(state(), ArmState::Disabled);
+}
+
+TEST_F(PowerTest, WithoutItTheSetPointIsWhereTheJointsAre) {
+  JointGoal away{positions(), {}};
+  away.position[0] += 0.3;
+  crtk_.servo_jp(away);
+  cycles(3);
+  crtk_.disable();
+  cycles(2);
+  EXPECT_EQ(crtk_.setpoint_js().position, crtk_.measured_js().position);
+}
+
+}  // namespace
+}  // namespace robots::test

@@ -1,0 +1,39 @@
+#pragma once
+// Stands in for the drives of an arm that a test steps itself.
+
+#include "arm/arm_controller.h"
+#include "drives/joint_dynamics.h"
+#include "timing/seconds.h"
+
+namespace robots::test {
+
+/// Joints that trail the arm's set-points by 10 ms. Never allocates.
+template <int N>
+class TrailingJoints {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  TrailingJoints(const ArmModel<N>& model, const Joints& parked)
+      : dynamics_(0.01, model.rate_limit, model.chain.lower(), model.chain.upper(), parked) {}
+
+  /// One cycle of the arm at time `now`; its set-point acts on the joints from then on.
+  void step(ArmController<N>& arm, suture::Time now) {
+    if (last_ != suture::Time{}) dynamics_.advance(secondsBetween(last_, now));
+    last_ = now;
+    arm.step(now, DriveReading<N>{dynamics_.measured(), dynamics_.velocity(), power(arm), now});
+    dynamics_.command(arm.setpoint());
+  }
+  /// The drives say so from now on, whatever the arm wants.
+  void force(std::optional<DrivePower> power) { forced_ = power; }
+
+ private:
+  DrivePower power(const ArmController<N>& arm) const {
+    return forced_.value_or(arm.powered() ? DrivePower::On : DrivePower::Off);
+  }
+
+  JointDynamics<N> dynamics_;
+  suture::Time last_;
+  std::optional<DrivePower> forced_;
+};
+
+}  // namespace robots::test
