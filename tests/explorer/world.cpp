@@ -155,8 +155,10 @@ class World {
 
   /// What the console's ledger says has become of its commands is what has become of them.
   void balance() {
+    // The robot may tell of the last answer after it, and a connection that ends may tell of it
+    // only when it is there again.
     const suture::Time deadline = suture::now() + kRecovery;
-    while (of(*console_).underWay > 0 && suture::now() < deadline) suture::pass(1ms);
+    while (!isSettled() && suture::now() < deadline) suture::pass(1ms);
     const suture::ConnectionReport console = of(*console_), robot = of(robot_->manager);
     const std::uint64_t known = console.executed + console.failed;
     require(console.underWay == 0, "all commands have an outcome");
@@ -171,9 +173,16 @@ class World {
                 " others");
     require(robot.executed + robot.failed == robot_->arm.executions(),
             "the robot has counted what its arm executed");
-    require(console.heard.executed == robot.executed && console.heard.late == robot.late &&
-                console.heard.refused == robot.refused,
-            "the console has heard all that the robot has counted");
+    require(hasHeard(console, robot), "the console has heard all that the robot has counted");
+  }
+  static bool hasHeard(const suture::ConnectionReport& console,
+                       const suture::ConnectionReport& robot) {
+    return console.heard.executed == robot.executed && console.heard.late == robot.late &&
+           console.heard.refused == robot.refused;
+  }
+  bool isSettled() const {
+    const suture::ConnectionReport console = of(*console_);
+    return console.underWay == 0 && hasHeard(console, of(robot_->manager));
   }
   void require(bool holds, const std::string& what) {
     if (!holds) outcome_.broken.push_back("not so: " + what);
