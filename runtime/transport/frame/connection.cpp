@@ -19,7 +19,7 @@ std::size_t rowBytes(const InterfaceInfo& contract) {
 }  // namespace
 
 std::size_t mostPayload(const InterfaceInfo& contract) {
-  std::size_t most = std::max(sizeof(Subscription), rowBytes(contract));
+  std::size_t most = std::max({sizeof(Subscription), sizeof(Tally), rowBytes(contract)});
   for (const CommandInfo& one : contract.commands) {
     most = std::max<std::size_t>({most, one.argumentsSize, one.resultSize});
   }

@@ -103,6 +103,28 @@ TEST_F(LinkTest, CarriesEachConnectionsOwn) {
   EXPECT_EQ(other.heard(), 1);
 }
 
+/// What has become of the commands is larger than anything that such a contract has.
+TEST_F(LinkTest, TellsWhatHasBecomeOfTheCommandsOfATinyContract) {
+  const std::vector<CommandInfo> commands{{.name = "press", .kind = CommandKind::Void, .depth = 4}};
+  InterfaceInfo contract{};
+  contract.name = "Button";
+  contract.commands = commands;
+  rt::Doorbell bell;
+  const auto makeEnd = [&] {
+    return std::make_shared<Channel>(
+        contract, "client -> provider", "frame",
+        Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell},
+        makeStateTable(contract), EventSet{0});
+  };
+  const auto client = makeEnd(), provider = makeEnd();
+  far->join(std::make_shared<ProviderSide>(provider, 1));
+  near->join(std::make_shared<ClientSide>(client, 1));
+  ++provider->commands.counters.executed;
+  exchange();
+  EXPECT_FALSE(near->broken());
+  EXPECT_EQ(client->counts->told.load().executed, 1u);
+}
+
 TEST_F(LinkTest, TakesWhoJoinsWhileItCarriesOthers) {
   Pair& late = *(add(7), pairs.back());
   exchange();
