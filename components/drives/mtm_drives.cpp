@@ -21,9 +21,12 @@ DriveModel<7> model(const MtmDrivesParameters& parameters) {
 }  // namespace
 
 MtmDrives::MtmDrives(const MtmDrivesParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), SimulatedDrives(model(parameters)) {}
+    : PeriodicTask({.period = parameters.period}),
+      SimulatedDrives(model(parameters)),
+      permit_(stop_, parameters.permit) {}
 
 void MtmDrives::run() {
+  permit(permit_.granted());
   step(suture::now());
   announce(drives_.emit());
 }

@@ -5,11 +5,14 @@
 #include <suture/base/time.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
+#include <suture/component/required.h>
 
 #include <chrono>
 #include <cstdint>
 
+#include "coordinator/emergency_stop.suture.h"
 #include "drives/drives.suture.h"
+#include "drives/permit_watch.h"
 #include "drives/simulated_drives.h"
 
 namespace robots {
@@ -24,6 +27,9 @@ struct SUTURE_TYPE() MtmDrivesParameters {
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
   /// How fast the joints can be.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+  /// How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
+  /// nobody can be hurt.
+  suture::Duration permit = std::chrono::milliseconds(30);
 };
 
 /// The drives of a master tool manipulator.
@@ -34,6 +40,8 @@ class SUTURE_COMPONENT() MtmDrives final : public suture::PeriodicTask, public S
   void run() override;
 
  private:
+  SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};
+  PermitWatch permit_;
   suture::Provided<Drives> drives_{*this, "Drives", *this};
 };
 

@@ -22,9 +22,12 @@ DriveModel<6> model(const PsmDrivesParameters& parameters) {
 }  // namespace
 
 PsmDrives::PsmDrives(const PsmDrivesParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), SimulatedDrives(model(parameters)) {}
+    : PeriodicTask({.period = parameters.period}),
+      SimulatedDrives(model(parameters)),
+      permit_(stop_, parameters.permit) {}
 
 void PsmDrives::run() {
+  permit(permit_.granted());
   step(suture::now());
   announce(drives_.emit());
 }

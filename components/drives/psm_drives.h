@@ -5,10 +5,13 @@
 #include <suture/base/time.h>
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
+#include <suture/component/required.h>
 
 #include <chrono>
 
+#include "coordinator/emergency_stop.suture.h"
 #include "drives/drives.suture.h"
+#include "drives/permit_watch.h"
 #include "drives/simulated_drives.h"
 
 namespace robots {
@@ -21,6 +24,9 @@ struct SUTURE_TYPE() PsmDrivesParameters {
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
   /// How fast the insertion can be.
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
+  /// How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
+  /// nobody can be hurt.
+  suture::Duration permit = std::chrono::milliseconds(30);
 };
 
 /// The drives of a patient side manipulator. The instrument is in the patient from the start, as
@@ -32,6 +38,8 @@ class SUTURE_COMPONENT() PsmDrives final : public suture::PeriodicTask, public S
   void run() override;
 
  private:
+  SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};
+  PermitWatch permit_;
   suture::Provided<Drives> drives_{*this, "Drives", *this};
 };
 

@@ -10,7 +10,6 @@ SimulatedDrives<N>::SimulatedDrives(const DriveModel<N>& model)
       goal_(dynamics_.measured()) {
   static_assert(N <= int{kMaxJoints});
   feedback_.joints = N;
-  feedback_.power = DrivePower::Off;
 }
 
 template <int N>
@@ -29,6 +28,13 @@ void SimulatedDrives<N>::servo_jp(const DriveGoal& goal) {
   if (feedback_.power != DrivePower::On || goal.joints != N || !q.allFinite()) return;
   goal_ = q;
   stream_.ask();
+}
+
+template <int N>
+void SimulatedDrives<N>::permit(bool granted) {
+  const bool mayHavePower = feedback_.power == DrivePower::Off || feedback_.power == DrivePower::On;
+  if (granted && !mayHavePower) enter(DrivePower::Off);
+  if (!granted && mayHavePower) enter(DrivePower::Stopped);
 }
 
 template <int N>

@@ -27,13 +27,18 @@ class SimulatedDrives : public Drives {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// Parked, without power. Throws std::invalid_argument for impossible dynamics.
+  /// Parked, without power, and not permitted to have any. Throws std::invalid_argument for
+  /// impossible dynamics.
   explicit SimulatedDrives(const DriveModel<N>& model);
 
   void power_on() override;
   void power_off() override;
   void servo_jp(const DriveGoal& goal) override;
   const DriveFeedback& feedback() const override { return feedback_; }
+
+  /// Whether power is permitted, before each cycle. Without it the drives stop, and stay without
+  /// power when it is permitted again.
+  void permit(bool granted);
 
   /// One cycle at time `now`, after the commands that arrived for it.
   void step(suture::Time now);

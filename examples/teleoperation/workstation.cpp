@@ -6,6 +6,7 @@
 
 #include "arm/mtm.suture.h"
 #include "arm/psm.suture.h"
+#include "coordinator/coordinator.suture.h"
 #include "drives/mtm_drives.suture.h"
 #include "drives/psm_drives.suture.h"
 #include "guidance/knot_guide.suture.h"
@@ -23,6 +24,7 @@ int main(int argc, char** argv) {
   const std::array classes{
       suture::componentClass<robots::Mtm>(),
       suture::componentClass<robots::Psm>(),
+      suture::componentClass<robots::Coordinator>(),
       suture::componentClass<robots::MtmDrives>(),
       suture::componentClass<robots::PsmDrives>(),
       suture::componentClass<robots::Teleop>(),

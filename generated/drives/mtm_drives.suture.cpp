@@ -31,6 +31,7 @@ static_assert(std::is_same_v<decltype(MtmDrivesParameters::side), MasterSide>);
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::angular_rate), double>);
+static_assert(std::is_same_v<decltype(MtmDrivesParameters::permit), std::chrono::nanoseconds>);
 
 }  // namespace
 
@@ -40,6 +41,7 @@ bool store(const MtmDrivesParameters& value, MtmDrivesParametersSlot& slot) {
   fits &= store(value.period, slot.period);
   fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
+  fits &= store(value.permit, slot.permit);
   return fits;
 }
 
@@ -48,6 +50,7 @@ void load(const MtmDrivesParametersSlot& slot, MtmDrivesParameters& value) {
   load(slot.period, value.period);
   load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
+  load(slot.permit, value.permit);
 }
 
 // --- between slots and Cap'n Proto
@@ -83,12 +86,14 @@ void toWire(const MtmDrivesParametersSlot& slot, wire::MtmDrivesParameters::Buil
   out.setPeriod(slot.period);
   out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
+  out.setPermit(slot.permit);
 }
 
 Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
+  slot.permit = in.getPermit();
   return fromWire(in.getSide(), slot.side);
 }
 
@@ -114,6 +119,7 @@ void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value) {
   reader.field("period", value.period);
   reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.field("permit", value.permit);
   reader.finish();
 }
 
@@ -127,7 +133,9 @@ ComponentClass componentClass<robots::MtmDrives>() {
             robots::MtmDrivesParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::unique_ptr<Component>(new robots::MtmDrives(values));
+            std::unique_ptr<Component> component(new robots::MtmDrives(values));
+            makeOptional(*component, {"Stop"});
+            return component;
           }};
 }
 

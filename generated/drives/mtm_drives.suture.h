@@ -5,6 +5,7 @@
 #include <suture/component/component_class.h>
 
 #include "drives/mtm_drives.h"
+#include "coordinator/emergency_stop.suture.h"
 #include "drives/drives.suture.h"
 
 namespace suture {
@@ -18,6 +19,7 @@ struct MtmDrivesParametersSlot {
   std::int64_t period;   // std::chrono::nanoseconds, ns
   double time_constant;  // s
   double angular_rate;   // rad/s
+  std::int64_t permit;   // std::chrono::nanoseconds, ns
 };
 
 bool store(const MtmDrivesParameters& value, MtmDrivesParametersSlot& slot);

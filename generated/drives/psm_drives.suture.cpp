@@ -28,6 +28,7 @@ static_assert(std::is_same_v<decltype(PsmDrivesParameters::period), std::chrono:
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::insertion_rate), double>);
+static_assert(std::is_same_v<decltype(PsmDrivesParameters::permit), std::chrono::nanoseconds>);
 
 }  // namespace
 
@@ -37,6 +38,7 @@ bool store(const PsmDrivesParameters& value, PsmDrivesParametersSlot& slot) {
   fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.insertion_rate, slot.insertion_rate);
+  fits &= store(value.permit, slot.permit);
   return fits;
 }
 
@@ -45,6 +47,7 @@ void load(const PsmDrivesParametersSlot& slot, PsmDrivesParameters& value) {
   load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
   load(slot.insertion_rate, value.insertion_rate);
+  load(slot.permit, value.permit);
 }
 
 // --- between slots and Cap'n Proto
@@ -54,6 +57,7 @@ void toWire(const PsmDrivesParametersSlot& slot, wire::PsmDrivesParameters::Buil
   out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
   out.setInsertionRate(slot.insertion_rate);
+  out.setPermit(slot.permit);
 }
 
 Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersSlot& slot, Duration) {
@@ -61,6 +65,7 @@ Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersSlot& slo
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.insertion_rate = in.getInsertionRate();
+  slot.permit = in.getPermit();
   return Errc{};
 }
 
@@ -80,6 +85,7 @@ void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value) {
   reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
+  reader.field("permit", value.permit);
   reader.finish();
 }
 
@@ -93,7 +99,9 @@ ComponentClass componentClass<robots::PsmDrives>() {
             robots::PsmDrivesParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::unique_ptr<Component>(new robots::PsmDrives(values));
+            std::unique_ptr<Component> component(new robots::PsmDrives(values));
+            makeOptional(*component, {"Stop"});
+            return component;
           }};
 }
 

@@ -22,4 +22,7 @@ struct MtmDrivesParameters @0xe72c8047229da521 $Meta.cxx("robots::MtmDrivesParam
   angularRate @3 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
       $Meta.unit("rad/s");
   # How fast the joints can be.
+  permit @4 :Int64 = 30000000 $Meta.period("1/1000000000");
+  # How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
+  # nobody can be hurt.
 }

@@ -17,4 +17,7 @@ struct PsmDrivesParameters @0x85a1d19046bdb4e7 $Meta.cxx("robots::PsmDrivesParam
   insertionRate @3 :Float64 = 0.4 $Meta.cxx("insertion_rate")
       $Meta.range(lowest = 0.001, highest = 2) $Meta.unit("m/s");
   # How fast the insertion can be.
+  permit @4 :Int64 = 30000000 $Meta.period("1/1000000000");
+  # How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
+  # nobody can be hurt.
 }

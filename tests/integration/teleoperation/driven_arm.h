@@ -25,16 +25,20 @@ struct DrivenArm {
   Drives drives;
 };
 
+/// `permit`: how old that of the emergency stop may be; 0: none is needed.
 struct DrivenPsm : DrivenArm<Psm, PsmDrives> {
-  explicit DrivenPsm(const PsmParameters& parameters = {})
-      : DrivenArm{Psm(parameters), PsmDrives(PsmDrivesParameters{})} {}
+  explicit DrivenPsm(suture::Duration permit = {})
+      : DrivenArm{Psm(PsmParameters{}), PsmDrives({.permit = permit})} {}
 };
 
 struct DrivenMtm : DrivenArm<Mtm, MtmDrives> {
-  explicit DrivenMtm(MtmSide side = MtmSide::Left)
-      : DrivenArm{
-            Mtm({.side = side}),
-            MtmDrives({.side = side == MtmSide::Left ? MasterSide::Left : MasterSide::Right})} {}
+  explicit DrivenMtm(MtmSide side = MtmSide::Left, suture::Duration permit = {})
+      : DrivenArm{Mtm({.side = side}), MtmDrives({.side = driven(side), .permit = permit})} {}
+
+ private:
+  static MasterSide driven(MtmSide side) {
+    return side == MtmSide::Left ? MasterSide::Left : MasterSide::Right;
+  }
 };
 
 }  // namespace robots::test

@@ -33,6 +33,8 @@ struct Heard {
 
 class SimulatedDrivesTest : public testing::Test {
  protected:
+  SimulatedDrivesTest() { drives_.permit(true); }
+
   void cycles(int count) {
     for (int i = 0; i < count; ++i) {
       time_ += 1ms;
@@ -113,6 +115,37 @@ TEST_F(SimulatedDrivesTest, AStreamThatFallsSilentLeavesTheJoints) {
   cycles(20);
   EXPECT_EQ(position(), held);
   EXPECT_EQ(drives_.feedback().power, DrivePower::On);
+}
+
+TEST(Permit, IsAwaitedByDrivesThatStart) {
+  SimulatedDrives<6> drives{model()};
+  EXPECT_EQ(drives.feedback().power, DrivePower::NotReady);
+  drives.permit(false);
+  drives.power_on();
+  EXPECT_EQ(drives.feedback().power, DrivePower::NotReady);
+  drives.permit(true);
+  EXPECT_EQ(drives.feedback().power, DrivePower::Off);
+}
+
+TEST_F(SimulatedDrivesTest, WithoutAPermitTheyStopAtOnceAndAreNotStartedByAnother) {
+  drives_.power_on();
+  follow(0.2, 5);
+  ASSERT_GT(velocity(), 1);
+  drives_.permit(false);
+  cycles(1);
+  EXPECT_EQ(velocity(), 0);
+  const double stopped = position();
+  EXPECT_EQ(heard_.states.back(), DrivePower::Stopped);
+  drives_.power_on();
+  follow(0.2, 5);
+  EXPECT_EQ(position(), stopped);
+  drives_.permit(true);
+  follow(0.2, 5);
+  EXPECT_EQ(position(), stopped);
+  EXPECT_EQ(heard_.states.back(), DrivePower::Off);
+  drives_.power_on();
+  follow(0.2, 50);
+  EXPECT_NEAR(position(), 0.2, 1e-3);
 }
 
 TEST_F(SimulatedDrivesTest, WhatIsNoGoalMovesNothing) {

@@ -1,0 +1,33 @@
+// Written by suturec from coordinator/coordinator.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "coordinator/coordinator.h"
+#include "coordinator/emergency_stop.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct CoordinatorParametersSlot {
+  std::int64_t period;  // std::chrono::nanoseconds, ns
+};
+
+bool store(const CoordinatorParameters& value, CoordinatorParametersSlot& slot);
+void load(const CoordinatorParametersSlot& slot, CoordinatorParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, CoordinatorParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Coordinator>();
+
+}  // namespace suture

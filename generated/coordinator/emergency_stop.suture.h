@@ -1,0 +1,127 @@
+// Written by suturec from coordinator/emergency_stop.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "coordinator/emergency_stop.h"
+
+namespace robots {
+
+/// Whether drives may have power. It counts for as long as it is fresh, so that whoever does not
+/// hear of it any more stops too.
+struct PermitSlot {
+  std::uint8_t granted;  // bool
+  std::int64_t stamp;    // suture::Time, ns
+};
+
+bool store(const Permit& value, PermitSlot& slot);
+void load(const PermitSlot& slot, Permit& value);
+void shiftStamps(PermitSlot& slot, suture::Duration shift);
+
+/// The emergency stop was pressed, or released.
+struct StopNewsSlot {
+  std::uint8_t pressed;  // bool
+  std::int64_t stamp;    // suture::Time, ns
+};
+
+bool store(const StopNews& value, StopNewsSlot& slot);
+void load(const StopNewsSlot& slot, StopNews& value);
+void shiftStamps(StopNewsSlot& slot, suture::Duration shift);
+
+/// The numbers of EmergencyStop's commands in every table and record.
+enum class EmergencyStopCommand : std::uint16_t {
+  press,
+  release,
+  permit,
+};
+
+/// The numbers of EmergencyStop's events.
+enum class EmergencyStopEvent : std::uint16_t {
+  stop,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::EmergencyStop>();
+
+/// What a client of robots::EmergencyStop calls.
+template <>
+class Required<robots::EmergencyStop> : public RequiredBase {
+  using Contract = robots::EmergencyStop;
+  using Id = robots::EmergencyStopCommand;
+  using EventId = robots::EmergencyStopEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// All drives stop, and none has power until release().
+  Command<&Contract::press, NoSlot> press{*this, static_cast<std::uint16_t>(Id::press)};
+  /// An operator's decision: drives may have power again. Nothing moves by that: arms stay disabled
+  /// until somebody enables them.
+  Command<&Contract::release, NoSlot> release{*this, static_cast<std::uint16_t>(Id::release)};
+  /// Renewed in each cycle.
+  ReadCommand<&Contract::permit, robots::PermitSlot> permit{
+      *this, static_cast<std::uint16_t>(Id::permit)};
+
+  /// The events of robots::EmergencyStop, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : stop{required, static_cast<std::uint16_t>(EventId::stop)} {}
+
+    /// Each change, and the last one to whoever connects.
+    Subscription<robots::StopNewsSlot, robots::StopNews> stop;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::EmergencyStop from a component.
+template <>
+class Provided<robots::EmergencyStop> : public ProvidedBase {
+  using Contract = robots::EmergencyStop;
+  using EventId = robots::EmergencyStopEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of robots::EmergencyStop, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : stop{provided, static_cast<std::uint16_t>(EventId::stop)} {}
+
+    /// Each change, and the last one to whoever connects.
+    Emitter<robots::StopNewsSlot, robots::StopNews> stop;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+  Events events_{*this};
+};
+
+}  // namespace suture

@@ -1,0 +1,12 @@
+@0xbfb1450190ad6776;
+# The wire contract of coordinator/coordinator.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("coordinator/coordinator.h");
+
+struct CoordinatorParameters @0xd3f3d59d64dba2a2 $Meta.cxx("robots::CoordinatorParameters") {
+  period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
+  # How often the permit is renewed, and how long a command to stop may wait.
+}

@@ -1,0 +1,59 @@
+@0x8e9b10c9db20d7b2;
+# The wire contract of coordinator/emergency_stop.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+using Rpc = import "/suture/rpc.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("coordinator/emergency_stop.h");
+
+struct Permit @0xd02fe436dab69cbc $Meta.cxx("robots::Permit") {
+  # Whether drives may have power. It counts for as long as it is fresh, so that whoever does not
+  # hear of it any more stops too.
+
+  granted @0 :Bool;
+  stamp @1 :Int64 $Meta.clock("steady");
+  # The cycle that it was renewed in.
+}
+
+struct StopNews @0xcd5512b8a090183f $Meta.cxx("robots::StopNews") {
+  # The emergency stop was pressed, or released.
+
+  pressed @0 :Bool;
+  stamp @1 :Int64 $Meta.clock("steady");
+}
+
+interface EmergencyStop @0x85a101cfc49eccfc $Meta.cxx("robots::EmergencyStop") {
+  # Commands run in the coordinator's thread before its next cycle.
+
+  subscribe @0 (events :EmergencyStopEvents, eventMask :UInt64, stateMask :UInt64) -> ();
+  # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
+  press @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  # All drives stop, and none has power until release().
+  release @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  # An operator's decision: drives may have power again. Nothing moves by that: arms stay disabled
+  # until somebody enables them.
+  permit @3 (sent :Rpc.Sent) -> (value :Permit, stamp :Int64) $Meta.kind("read");
+  # Renewed in each cycle.
+}
+
+interface EmergencyStopEvents @0xd5baa187cf46a24d $Meta.eventsOf("robots::EmergencyStop") {
+  # What a subscriber of EmergencyStop receives.
+
+  state @0 (row :EmergencyStopStateRow) -> ();
+  # A new row of the columns asked for.
+  stop @1 (value :StopNews) -> () $Meta.latched $Meta.queue(16);
+  # Each change, and the last one to whoever connects.
+}
+
+struct EmergencyStopStateRow @0xf44715265e64d420 $Meta.stateOf("robots::EmergencyStop") {
+  # One row of the state table: what the read commands of EmergencyStop answer.
+
+  stamp @0 :Int64;
+  # When the row was written: the provider's steady clock, ns.
+  evaluated @1 :UInt64;
+  # Bit i: column i was evaluated.
+  tooLarge @2 :UInt64;
+  # Bit i: column i did not fit its declared capacity.
+  permit @3 :Permit;
+}

@@ -1,0 +1,210 @@
+// The emergency stop: four arms of two workstations, and a coordinator at a desk, over each lane.
+
+#include <gtest/gtest.h>
+#include <suture/component/device.h>
+#include <suture/manager/global_manager.h>
+#include <suture/manager/manager.h>
+#include <suture/transport/rpc/control_thread.h>
+
+#include <array>
+#include <chrono>
+#include <string>
+
+#include "coordinator/coordinator.h"
+#include "integration/teleoperation/driven_arm.h"
+#include "support/pass.h"
+#include "support/stepped.h"
+#include "support/temporary_directory.h"
+
+namespace robots::test {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::pass;
+
+/// Stands for the operator.
+struct OperatorPanel final : suture::Device {
+  suture::Required<EmergencyStop> button{*this, "Stop"};
+  suture::Required<Arm> left{*this, "Left"}, right{*this, "Right"};
+};
+
+/// Desk, left and right workstation are three processes, but on Lane::Auto, where all is in one.
+class Stop : public testing::TestWithParam<suture::Lane> {
+ protected:
+  static constexpr suture::Duration kPermit = 30ms;
+  static constexpr suture::Duration kSilence = 500ms;  // longer than a permit
+
+  Stop() {
+    desk().add("Coordinator", coordinator_);
+    leftMaster_.addTo(left_, "MTML");
+    leftSlave_.addTo(left_, "PSM2");
+    left_.add("Panel", panel_);
+    rightMaster_.addTo(right(), "MTMR");
+    rightSlave_.addTo(right(), "PSM1");
+    left_.start();
+    if (!isOneProcess()) {
+      desksProcess_.run([this] { desk_.start(); });
+      rightsProcess_.run([this] { right_.start(); });
+    }
+    for (const char* const arm : {"MTML", "PSM2"}) connectStop(left_, arm + std::string("Drives"));
+    for (const char* const arm : {"MTMR", "PSM1"})
+      connectStop(right(), arm + std::string("Drives"));
+    connectStop(left_, "Panel");
+    left_.connect("Panel/Left", "PSM2/Arm");
+    connect(left_, "Panel/Right", "right", "PSM1/Arm");
+    EXPECT_TRUE(until([this] { return all(DrivePower::Off) && allAre(ArmState::Disabled); }));
+  }
+  ~Stop() override {
+    right_.stop();
+    left_.stop();
+    desk_.stop();
+  }
+
+  /// Both slaves have power, and move.
+  void beginMoving() {
+    EXPECT_TRUE(panel_.left.enable());
+    EXPECT_TRUE(panel_.right.enable());
+    EXPECT_TRUE(until([this] { return slaves(DrivePower::On); }));
+    pass(5ms);
+    JointGoal goal{std::vector<double>(6, 0.4), suture::now()};
+    goal.position[2] = 0.1;
+    EXPECT_TRUE(panel_.left.move_jp(goal));
+    EXPECT_TRUE(panel_.right.move_jp(goal));
+    EXPECT_TRUE(until([this] { return moves(leftSlave_) && moves(rightSlave_); }));
+  }
+  template <class Condition>
+  static bool until(const Condition& condition) {
+    return suture::clockOfTest().until(condition);
+  }
+  bool all(DrivePower power) { return masters(power) && slaves(power); }
+  bool masters(DrivePower power) {
+    return powerOf(leftMaster_) == power && powerOf(rightMaster_) == power;
+  }
+  bool slaves(DrivePower power) {
+    return powerOf(leftSlave_) == power && powerOf(rightSlave_) == power;
+  }
+  bool allAre(ArmState state) {
+    return stateOf(leftMaster_) == state && stateOf(rightMaster_) == state &&
+           stateOf(leftSlave_) == state && stateOf(rightSlave_) == state;
+  }
+  template <class Driven>
+  static DrivePower powerOf(const Driven& one) {
+    return one.drives.feedback().power;
+  }
+  template <class Driven>
+  static ArmState stateOf(const Driven& one) {
+    return one.arm.operating_state().state;
+  }
+  static bool moves(const DrivenPsm& slave) {
+    return std::abs(slave.drives.feedback().velocity[0]) > 0.05;
+  }
+  static bool stands(const DrivenPsm& slave) { return slave.drives.feedback().velocity[0] == 0; }
+
+  const suture::TemporaryDirectory directory_;
+  suture::TestClock::Process desksProcess_{suture::clockOfTest()};
+  suture::TestClock::Process rightsProcess_{suture::clockOfTest()};
+  suture::rpc::ControlThread control_;
+  suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
+  Coordinator coordinator_{CoordinatorParameters{}};
+  DrivenMtm leftMaster_{MtmSide::Left, kPermit}, rightMaster_{MtmSide::Right, kPermit};
+  DrivenPsm leftSlave_{kPermit}, rightSlave_{kPermit};
+  OperatorPanel panel_;
+  suture::Manager desk_{"desk", names_.address()}, left_{"left", names_.address()},
+      right_{"right", names_.address()};
+
+ private:
+  static bool isOneProcess() { return GetParam() == suture::Lane::Auto; }
+  suture::Manager& right() { return isOneProcess() ? left_ : right_; }
+  suture::Manager& desk() { return isOneProcess() ? left_ : desk_; }
+  static void connect(suture::Manager& client, const std::string& required,
+                      const std::string& process, const std::string& provided) {
+    if (isOneProcess()) return client.connect(required, provided);
+    client.connect(required, process + ":" + provided, GetParam(),
+                   suture::Manager::kDefaultPatience, {}, {.silence = kSilence});
+  }
+  static void connectStop(suture::Manager& client, const std::string& component) {
+    connect(client, component + "/Stop", "desk", "Coordinator/Stop");
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Stop,
+                         testing::Values(suture::Lane::Auto, suture::Lane::Shm, suture::Lane::Frame,
+                                         suture::Lane::Rpc),
+                         [](const auto& one) { return std::string(toString(one.param)); });
+
+TEST_P(Stop, StopsAllDrivesWithinThreeMilliseconds) {
+  beginMoving();
+  ASSERT_TRUE(panel_.button.press());
+  pass(3ms);
+  EXPECT_TRUE(all(DrivePower::Stopped));
+  EXPECT_TRUE(stands(leftSlave_) && stands(rightSlave_));
+  pass(5ms);
+  EXPECT_TRUE(allAre(ArmState::Disabled));
+}
+
+TEST_P(Stop, IsNotUndoneByAnArmOrByItsRelease) {
+  beginMoving();
+  ASSERT_TRUE(panel_.button.press());
+  pass(10ms);
+  EXPECT_TRUE(panel_.left.enable());
+  EXPECT_TRUE(panel_.right.enable());
+  pass(10ms);
+  EXPECT_TRUE(all(DrivePower::Stopped));
+  EXPECT_TRUE(allAre(ArmState::Disabled));
+  const auto released = panel_.button.release();
+  ASSERT_TRUE(released) << suture::toString(released.error());
+  pass(100ms);
+  EXPECT_TRUE(all(DrivePower::Off)) << "power is permitted, and nobody has asked for it";
+  EXPECT_TRUE(allAre(ArmState::Disabled));
+  beginMoving();
+}
+
+TEST_P(Stop, StopsDrivesWhoseArmHangs) {
+  beginMoving();
+  left_.suspend("PSM2");
+  ASSERT_TRUE(panel_.button.press());
+  pass(3ms);
+  EXPECT_EQ(powerOf(leftSlave_), DrivePower::Stopped);
+  EXPECT_TRUE(stands(leftSlave_));
+}
+
+/// Between two processes only.
+class StopAcross : public Stop {};
+INSTANTIATE_TEST_SUITE_P(Lanes, StopAcross,
+                         testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
+                         [](const auto& one) { return std::string(toString(one.param)); });
+
+TEST_P(StopAcross, IsWhatACoordinatorThatStandsStillComesTo) {
+  beginMoving();
+  desksProcess_.freeze();
+  pass(35ms);
+  EXPECT_TRUE(all(DrivePower::Stopped));
+  EXPECT_TRUE(stands(leftSlave_) && stands(rightSlave_));
+  desksProcess_.thaw();
+  pass(50ms);
+  EXPECT_TRUE(all(DrivePower::Off)) << "nothing moves by itself";
+  EXPECT_TRUE(allAre(ArmState::Disabled));
+}
+
+TEST_P(StopAcross, IsWhatACutCableComesToLongBeforeTheConnectionIsLost) {
+  beginMoving();
+  rightsProcess_.run([this] { right_.disconnect("PSM1Drives/Stop"); });
+  pass(35ms);
+  EXPECT_EQ(powerOf(rightSlave_), DrivePower::Stopped);
+  EXPECT_TRUE(stands(rightSlave_));
+  EXPECT_EQ(powerOf(leftSlave_), DrivePower::On) << "which hear of the coordinator";
+}
+
+TEST_P(StopAcross, IsWhatDrivesComeToThatStoodStill) {
+  beginMoving();
+  rightsProcess_.freeze();
+  pass(200ms);
+  rightsProcess_.thaw();
+  pass(2ms);
+  EXPECT_EQ(powerOf(rightSlave_), DrivePower::Off) << "they stopped, and may have power again";
+  EXPECT_TRUE(stands(rightSlave_));
+  EXPECT_EQ(powerOf(leftSlave_), DrivePower::On);
+}
+
+}  // namespace
+}  // namespace robots::test
