@@ -1,6 +1,7 @@
 #include "arm/arm_controller.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "arm/goals.h"
 #include "kinematics/inverse.h"
@@ -9,8 +10,9 @@
 namespace robots {
 namespace {
 
-// The arm says these of what it does when it has just entered each of the states, in their order.
-constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", "following error"};
+// The arm says these of what it does when a command has led it to each of the states, in their
+// order.
+constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", ""};
 
 bool mayHavePower(DrivePower power) { return power == DrivePower::Off || power == DrivePower::On; }
 
@@ -51,7 +53,8 @@ void ArmController<N>::obey(StateCommand command) {
   if (command == StateCommand::Home) return startMove(model_.home, true);
   if (command == StateCommand::Unhome) return unhome();
   desired_ = next;
-  if (*next != state_.state) restIn(*next);
+  if (command == StateCommand::Enable) permitted_ = reading_.permitted;
+  if (*next != state_.state) restIn(*next, kActivities[static_cast<std::size_t>(*next)]);
 }
 
 template <int N>
@@ -69,11 +72,17 @@ void ArmController<N>::unhome() {
 }
 
 template <int N>
-void ArmController<N>::restIn(ArmState state) {
+void ArmController<N>::startAnew() {
+  state_.is_homed = false;
+  restIn(ArmState::Undefined, "");
+}
+
+template <int N>
+void ArmController<N>::restIn(ArmState state, const char* activity) {
   endMove(false);
   setpoint_ = reading_.position;
   setpointStamp_ = {};
-  enter(state, kActivities[static_cast<std::size_t>(state)]);
+  enter(state, activity);
 }
 
 template <int N>
@@ -130,8 +139,11 @@ JointSolution ArmController<N>::inverse_kinematics(const PoseStamped& goal) cons
 template <int N>
 void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N>>& drives) {
   take(drives);
+  // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
+  const bool paused = now - std::exchange(lastStep_, now) > StreamWatch::kSilence;
+  if (paused && state_.state == ArmState::Enabled) restIn(ArmState::Enabled, "holding");
   if (trails()) {
-    restIn(ArmState::Fault);
+    restIn(ArmState::Fault, "following error");
     warnings_.tell(ArmWarning::FollowingError);
   }
   if (servoing_.hasFallenSilent(now)) hold();
@@ -146,28 +158,28 @@ void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N
 
 template <int N>
 void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
-  heard_ = drives.has_value();
+  const bool wasHeard = std::exchange(heard_, drives.has_value());
   if (drives) {
     reading_ = *drives;
-    follow(drives->power);
+    obeyPower();
+    // Without power the brakes hold the joints; after a silence they may be anywhere.
+    if (!powered() || !wasHeard) setpoint_ = reading_.position;
   } else if (powered() && state_.state != ArmState::Fault) {
-    restIn(ArmState::Fault);
+    restIn(ArmState::Fault, "drives silent");
     warnings_.tell(ArmWarning::DrivesSilent);
   }
 }
 
-// Drives that were just told to have power have it a little later.
+// A stop may be over before the arm looks, so it also looks at when power was permitted.
 template <int N>
-void ArmController<N>::follow(DrivePower power) {
-  const bool isLost = !mayHavePower(power) || (hadPower_ && power == DrivePower::Off);
-  if (state_.state == ArmState::Undefined && power != DrivePower::NotReady) {
-    restIn(ArmState::Disabled);
+void ArmController<N>::obeyPower() {
+  const bool isLost = !mayHavePower(reading_.power) || reading_.permitted != permitted_;
+  if (state_.state == ArmState::Undefined && mayHavePower(reading_.power)) {
+    restIn(ArmState::Disabled, "");
   } else if (powered() && isLost) {
-    restIn(ArmState::Disabled);
+    restIn(ArmState::Disabled, "");
     warnings_.tell(ArmWarning::PowerLost);
   }
-  hadPower_ = powered() && power == DrivePower::On;
-  if (!powered()) setpoint_ = reading_.position;  // the brakes may have taken effect after that
 }
 
 template <int N>
@@ -262,7 +274,7 @@ void ArmController<N>::clientGone(const suture::ConnectedClient& client) {
 
 template <int N>
 void ArmController<N>::publish(suture::Time now) {
-  const bool known = state_.state != ArmState::Undefined;
+  const bool known = reading_.stamp != suture::Time{};
   place<N>(measuredJs_, reading_.position, reading_.stamp, heard_ && known);
   Joints::Map(measuredJs_.velocity.data()) = reading_.velocity;
   place<N>(setpointJs_, setpoint_, now, known);

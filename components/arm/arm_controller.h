@@ -44,7 +44,8 @@ class ArmController : public Arm {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// Undefined, until step() has a reading of drives that may have power.
+  /// Undefined, until step() has a reading of drives that may have power: now and after
+  /// startAnew().
   explicit ArmController(const ArmModel<N>& model);
 
   void enable() override { obey(StateCommand::Enable); }
@@ -66,6 +67,8 @@ class ArmController : public Arm {
   /// `client` is gone: if the arm follows a stream of its goals, that ends as hold(), and the arm
   /// says so. A move goes on to its end.
   void clientGone(const suture::ConnectedClient& client);
+
+  void startAnew();
 
   /// One cycle at time `now`, after the commands that arrived for it. None: the drives are silent.
   void step(suture::Time now, const std::optional<DriveReading<N>>& drives);
@@ -97,11 +100,11 @@ class ArmController : public Arm {
   void obey(StateCommand command);
   void refuse(StateCommand command);
   void unhome();
-  /// Changes to `state`, in which the arm holds where it is.
-  void restIn(ArmState state);
-  /// Takes what the drives measured, and follows them where they stop or fall silent.
+  /// Changes to `state`, in which the arm holds where its joints are.
+  void restIn(ArmState state, const char* activity);
+  /// Takes what the drives measured, and goes where they lead: they stop, or fall silent.
   void take(const std::optional<DriveReading<N>>& drives);
-  void follow(DrivePower power);
+  void obeyPower();
   /// A joint trails its set-point by too much.
   bool trails() const;
   bool mayMove();
@@ -123,10 +126,11 @@ class ArmController : public Arm {
   void publish(suture::Time now);
 
   const ArmModel<N> model_;
-  DriveReading<N> reading_;  // the last
+  DriveReading<N> reading_;  // what the drives measured last
+  bool heard_ = false;       // in this cycle there is a reading
+  suture::Time permitted_;   // by which permit of power the arm was enabled
+  suture::Time lastStep_;
   Joints setpoint_;
-  bool heard_ = false;          // of them, in this cycle
-  bool hadPower_ = false;       // since the arm wants it
   suture::Time setpointStamp_;  // of the servo goal it came from; unset otherwise
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;  // of the cycle that began move_

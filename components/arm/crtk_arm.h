@@ -32,9 +32,9 @@ class SUTURE_INTERFACE(crtk()) CrtkArm : public suture::Messages {
   /// How regularly the arm's task ran in the last second.
   SUTURE_COMMAND() virtual IntervalStatistics period_statistics() const = 0;
 
-  /// Powers the arm; it holds its position.
+  /// Gives the drives power; the arm holds its position.
   SUTURE_COMMAND() virtual void enable() = 0;
-  /// Stops at once and ignores motion until enabled again.
+  /// Stops at once, without power, and ignores motion until enabled again.
   SUTURE_COMMAND() virtual void disable() = 0;
   /// Stops where the joints are and ignores motion until resume().
   SUTURE_COMMAND() virtual void pause() = 0;

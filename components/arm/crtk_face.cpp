@@ -241,7 +241,9 @@ void CrtkFace<N>::advance(suture::Time now) {
   const double dt = lastCycle_ == suture::Time{} ? 0 : secondsBetween(lastCycle_, now);
   lastCycle_ = now;
   if (!streaming()) stream_.end();
-  if (stream_.hasFallenSilent(now)) return arm_.hold();
+  // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
+  const bool paused = stream_.isActive() && dt > inSeconds(StreamWatch::kSilence);
+  if (stream_.hasFallenSilent(now) || paused) return arm_.hold();
   const auto next = stream_.next(arm_.model_.chain, arm_.setpoint_, arm_.reading_.position, dt);
   if (!next) return arm_.warn(ArmWarning::OutOfReach);
   arm_.setpoint_ = next->q;

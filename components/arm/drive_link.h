@@ -33,19 +33,19 @@ class DriveLink {
     if (sample && sample->joints == N && sample->stamp != last_.stamp) {
       heard_ = now;
       last_ = {Joints::Map(sample->position.data()), Joints::Map(sample->velocity.data()),
-               sample->power, sample->stamp};
+               sample->power, sample->permitted, sample->stamp};
     }
-    const bool isKnown = last_.stamp != suture::Time{} && now - heard_ <= kSilence;
-    return isKnown ? std::optional(last_) : std::nullopt;
+    isHeard_ = last_.stamp != suture::Time{} && now - heard_ <= kSilence;
+    return isHeard_ ? std::optional(last_) : std::nullopt;
   }
 
   /// Once a cycle, after read(). Asks for power again until it is there, as a command may be lost.
-  void command(bool powered, const Joints& setpoint, suture::Time now) {
-    if (powered && last_.power == DrivePower::Off) (void)drives_.power_on();
+  /// Drives that are silent get no goals: the arm does not know where their joints are.
+  void command(bool powered, const Joints& setpoint) {
+    if (powered && last_.power == DrivePower::Off) (void)drives_.power_on(last_.permitted);
     if (!powered && last_.power == DrivePower::On) (void)drives_.power_off();
-    if (!powered) return;
+    if (!powered || !isHeard_) return;
     Joints::Map(goal_.position.data()) = setpoint;
-    goal_.stamp = now;
     (void)drives_.servo_jp(goal_);
   }
 
@@ -55,7 +55,8 @@ class DriveLink {
   suture::Required<Drives>& drives_;
   CycleWatch cycles_;
   DriveReading<N> last_;
-  suture::Time heard_;  // when that was new
+  suture::Time heard_;  // when that was new, or the arm began to look again
+  bool isHeard_ = false;
   DriveGoal goal_;
 };
 

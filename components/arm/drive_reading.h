@@ -16,7 +16,8 @@ struct DriveReading {
 
   Joints position = Joints::Zero(), velocity = Joints::Zero();
   DrivePower power = DrivePower::NotReady;
-  suture::Time stamp;  ///< the drives' cycle
+  suture::Time permitted;  ///< when they were last permitted to have power
+  suture::Time stamp;      ///< the drives' cycle
 };
 
 }  // namespace robots

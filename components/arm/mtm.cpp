@@ -32,7 +32,7 @@ void Mtm::run() {
   const suture::Time now = suture::now();
   face_.advance(now);
   step(now, link_.read());
-  link_.command(powered(), setpoint(), now);
+  link_.command(powered(), setpoint());
   face_.publish(now);
   face_.announce(crtk_.emit());
   announce(arm_.emit());

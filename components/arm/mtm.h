@@ -40,6 +40,7 @@ class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmCont
   explicit Mtm(const MtmParameters& parameters);
 
   void run() override;
+  void onRestart() override { startAnew(); }
 
  private:
   const suture::ConnectedClient* asking() const override { return caller(); }

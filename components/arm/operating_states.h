@@ -27,10 +27,10 @@ constexpr std::optional<StateCommand> stateCommandNamed(std::string_view name) {
 }
 
 /// The state after `command` in `state`; none if the command is refused there, which changes
-/// nothing. An arm leaves UNDEFINED by itself, when it hears of its drives. FAULT is entered by the
-/// arm alone, from ENABLED or PAUSED, and left by enable and disable, or with the power of the
-/// drives; PAUSED is left by resume, not by enable, so that nobody ends another's pause by
-/// accident.
+/// nothing. An arm leaves UNDEFINED by itself, when it hears of drives that may have power. FAULT
+/// is entered by the arm alone, from ENABLED or PAUSED, and left by enable and disable, or with the
+/// power of the drives; PAUSED is left by resume, not by enable, so that nobody ends another's
+/// pause by accident.
 constexpr std::optional<ArmState> after(ArmState state, StateCommand command) {
   using enum ArmState;
   constexpr std::optional<ArmState> kNo;
@@ -48,7 +48,7 @@ constexpr std::optional<ArmState> after(ArmState state, StateCommand command) {
 
 /// Why a command is refused where after() has none, for people.
 constexpr std::string_view whyRefused(ArmState state, StateCommand command) {
-  if (state == ArmState::Undefined) return "the arm has not heard of its drives yet";
+  if (state == ArmState::Undefined) return "the arm has not heard of drives that may have power";
   switch (command) {
     case StateCommand::Enable: return "enable: the arm is paused; resume or disable it";
     case StateCommand::Pause: return "pause: the arm is not enabled";

@@ -36,7 +36,7 @@ void Psm::run() {
   const suture::Time now = suture::now();
   face_.advance(now);
   step(now, link_.read());
-  link_.command(powered(), setpoint(), now);
+  link_.command(powered(), setpoint());
   face_.publish(now);
   face_.announce(crtk_.emit());
   announce(arm_.emit());

@@ -41,6 +41,7 @@ class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmCont
   explicit Psm(const PsmParameters& parameters);
 
   void run() override;
+  void onRestart() override { startAnew(); }
 
  private:
   const suture::ConnectedClient* asking() const override { return caller(); }

@@ -17,8 +17,8 @@ struct SUTURE_TYPE() CoordinatorParameters {
   suture::Duration period = std::chrono::milliseconds(1);
 };
 
-/// Permits drives to have power until somebody presses the stop. Starts released: no drive has
-/// power before an arm is enabled.
+/// Permits drives to have power until somebody presses the stop. It starts pressed, since one that
+/// is started again does not know whether it was: an operator releases it.
 class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public EmergencyStop {
  public:
   explicit Coordinator(const CoordinatorParameters& parameters);
@@ -28,11 +28,13 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
   Permit permit() const override { return permit_; }
 
   void run() override;
+  void onStart() override { set(true); }
 
  private:
   void set(bool pressed);
 
-  bool pressed_ = false;
+  bool pressed_ = true;
+  bool wasPressed_ = true;  // since the last permit
   Permit permit_;
   suture::Provided<EmergencyStop> stop_{*this, "Stop", *this};
 };

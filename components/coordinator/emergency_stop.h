@@ -35,7 +35,7 @@ class SUTURE_INTERFACE() EmergencyStop {
   /// Renewed in each cycle.
   SUTURE_COMMAND() virtual Permit permit() const = 0;
 
-  /// Each change, and the last one to whoever connects.
+  /// Each press and each release, and the last one to whoever connects.
   SUTURE_EVENT(latched()) suture::EventOf<StopNews> stop;
 };
 

@@ -27,6 +27,9 @@ struct SUTURE_TYPE() DriveFeedback {
   SUTURE_FIELD(unit("rad/s")) std::array<double, kMaxJoints> velocity{};
   std::uint32_t joints = 0;
   DrivePower power = DrivePower::NotReady;
+  /// When they were last permitted to have power. Another moment than before: they have stopped
+  /// meanwhile, or are others, which an arm may not have seen.
+  suture::Time permitted;
   /// The drives' cycle.
   suture::Time stamp;
 };
@@ -36,7 +39,6 @@ struct SUTURE_TYPE() DriveGoal {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
   std::uint32_t joints = 0;
-  suture::Time stamp;
 };
 
 /// Commands run in the drives' own thread before its next cycle; the read is from the end of its
@@ -45,9 +47,9 @@ class SUTURE_INTERFACE() Drives {
  public:
   virtual ~Drives() = default;
 
-  /// Releases the brakes; the joints hold where they are. Drives that may not have power stay as
-  /// they are.
-  SUTURE_COMMAND() virtual void power_on() = 0;
+  /// Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that
+  /// this answers: drives that have stopped since then, or may not have power, stay as they are.
+  SUTURE_COMMAND() virtual void power_on(suture::Time permitted) = 0;
   /// The brakes hold the joints where they are.
   SUTURE_COMMAND() virtual void power_off() = 0;
   /// Streams goals, newest wins. Without power, or with the wrong number of joints, one changes

@@ -38,6 +38,7 @@ class SUTURE_COMPONENT() MtmDrives final : public suture::PeriodicTask, public S
   explicit MtmDrives(const MtmDrivesParameters& parameters);
 
   void run() override;
+  void onFault() override { brake(); }
 
  private:
   SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};

@@ -1,8 +1,11 @@
 #pragma once
 // Whether drives may have power.
 
+#include <suture/base/sample.h>
 #include <suture/base/time.h>
 #include <suture/component/required.h>
+
+#include <utility>
 
 #include "coordinator/emergency_stop.suture.h"
 #include "timing/cycle_watch.h"
@@ -16,26 +19,37 @@ class PermitWatch {
   /// A permit counts for `maxAge`; 0: power needs none.
   PermitWatch(suture::Required<EmergencyStop>& stop, suture::Duration maxAge)
       : stop_(stop), maxAge_(maxAge) {
-    stop_.on().stop([this](const StopNews& news) { pressed_ = news.pressed; });
+    stop_.on().stop([this](const StopNews& news) {
+      pressed_ = news.pressed;
+      wasPressed_ = wasPressed_ || news.pressed;
+    });
   }
   PermitWatch(const PermitWatch&) = delete;
   PermitWatch& operator=(const PermitWatch&) = delete;
 
-  /// Once a cycle, after its events. The event is heard before the permit says so, or after it.
-  /// Drives that stood still themselves for longer than a permit counts have done without one.
+  /// Once a cycle, after its events. Either the event or the permit is enough to stop, whichever
+  /// comes first. Drives that stood still themselves for longer than a permit counts have done
+  /// without one.
   bool granted() {
     if (maxAge_ == suture::Duration{0}) return true;
     const bool looked = !cycles_.missed(maxAge_);
-    const auto permit = stop_.permit();
-    return looked && !pressed_ && permit && permit->granted &&
-           suture::now() - permit->stamp <= maxAge_;
+    const bool pressed = std::exchange(wasPressed_, pressed_);
+    return looked && !pressed && isFresh(stop_.permit());
   }
 
  private:
+  // One that comes from the future is as little to be believed as an old one.
+  bool isFresh(const suture::Sample<Permit>& permit) const {
+    if (!permit || !permit->granted || permit.age() > maxAge_) return false;
+    const suture::Duration age = suture::now() - permit->stamp;
+    return age <= maxAge_ && age >= -maxAge_;
+  }
+
   suture::Required<EmergencyStop>& stop_;
   const suture::Duration maxAge_;
   CycleWatch cycles_;
   bool pressed_ = false;
+  bool wasPressed_ = false;  // since the last look
 };
 
 }  // namespace robots

@@ -36,6 +36,7 @@ class SUTURE_COMPONENT() PsmDrives final : public suture::PeriodicTask, public S
   explicit PsmDrives(const PsmDrivesParameters& parameters);
 
   void run() override;
+  void onFault() override { brake(); }
 
  private:
   SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};

@@ -13,8 +13,9 @@ SimulatedDrives<N>::SimulatedDrives(const DriveModel<N>& model)
 }
 
 template <int N>
-void SimulatedDrives<N>::power_on() {
-  if (feedback_.power == DrivePower::Off) enter(DrivePower::On);
+void SimulatedDrives<N>::power_on(suture::Time permitted) {
+  const bool isMeant = permitted == feedback_.permitted;
+  if (isMeant && feedback_.power == DrivePower::Off) enter(DrivePower::On);
 }
 
 template <int N>
@@ -33,8 +34,18 @@ void SimulatedDrives<N>::servo_jp(const DriveGoal& goal) {
 template <int N>
 void SimulatedDrives<N>::permit(bool granted) {
   const bool mayHavePower = feedback_.power == DrivePower::Off || feedback_.power == DrivePower::On;
-  if (granted && !mayHavePower) enter(DrivePower::Off);
+  if (granted && !mayHavePower) {
+    feedback_.permitted = suture::now();
+    enter(DrivePower::Off);
+  }
   if (!granted && mayHavePower) enter(DrivePower::Stopped);
+}
+
+template <int N>
+void SimulatedDrives<N>::brake() {
+  power_off();
+  hold();
+  dynamics_.command(goal_);
 }
 
 template <int N>

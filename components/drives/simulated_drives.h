@@ -31,7 +31,7 @@ class SimulatedDrives : public Drives {
   /// impossible dynamics.
   explicit SimulatedDrives(const DriveModel<N>& model);
 
-  void power_on() override;
+  void power_on(suture::Time permitted) override;
   void power_off() override;
   void servo_jp(const DriveGoal& goal) override;
   const DriveFeedback& feedback() const override { return feedback_; }
@@ -39,6 +39,9 @@ class SimulatedDrives : public Drives {
   /// Whether power is permitted, before each cycle. Without it the drives stop, and stay without
   /// power when it is permitted again.
   void permit(bool granted);
+
+  /// The brakes take hold where the joints were in the last cycle, as no other may follow.
+  void brake();
 
   /// One cycle at time `now`, after the commands that arrived for it.
   void step(suture::Time now);

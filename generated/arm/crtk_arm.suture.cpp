@@ -2175,10 +2175,10 @@ constexpr char kCrtkArmDescription[] = R"json(
 "ordinal": 3, "wire": "periodStatistics",
 "doc": "How regularly the arm's task ran in the last second.", "result": {"type": {
 "kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "enable",
-"kind": "void", "ordinal": 4, "doc": "Powers the arm; it holds its position.", "queue": 16}, {
-"name": "disable", "kind": "void", "ordinal": 5,
-"doc": "Stops at once and ignores motion until enabled again.", "queue": 16}, {"name": "pause",
-"kind": "void", "ordinal": 6,
+"kind": "void", "ordinal": 4, "doc": "Gives the drives power; the arm holds its position.",
+"queue": 16}, {"name": "disable", "kind": "void", "ordinal": 5,
+"doc": "Stops at once, without power, and ignores motion until enabled again.", "queue": 16}, {
+"name": "pause", "kind": "void", "ordinal": 6,
 "doc": "Stops where the joints are and ignores motion until resume().", "queue": 16}, {
 "name": "resume", "kind": "void", "ordinal": 7, "queue": 16}, {"name": "home", "kind": "void",
 "ordinal": 8, "doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.",

@@ -270,9 +270,9 @@ class Required<robots::CrtkArm> : public Required<suture::Messages> {
   /// How regularly the arm's task ran in the last second.
   ReadCommand<&Contract::period_statistics, robots::IntervalStatisticsSlot> period_statistics{
       *this, static_cast<std::uint16_t>(Id::period_statistics)};
-  /// Powers the arm; it holds its position.
+  /// Gives the drives power; the arm holds its position.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
-  /// Stops at once and ignores motion until enabled again.
+  /// Stops at once, without power, and ignores motion until enabled again.
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
   /// Stops where the joints are and ignores motion until resume().
   Command<&Contract::pause, NoSlot> pause{*this, static_cast<std::uint16_t>(Id::pause)};

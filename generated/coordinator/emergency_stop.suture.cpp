@@ -314,9 +314,9 @@ constexpr char kEmergencyStopDescription[] = R"json(
 "queue": 16}, {"name": "permit", "kind": "read", "ordinal": 3, "doc": "Renewed in each cycle.",
 "result": {"type": {"kind": "struct", "name": "robots::Permit"}}, "queue": 16}], "events": [{
 "name": "stop", "kind": "write", "ordinal": 1,
-"doc": "Each change, and the last one to whoever connects.", "payload": {"type": {"kind": "struct",
-"name": "robots::StopNews"}}, "queue": 16, "latched": true}], "enums": [], "structs": [{
-"name": "robots::Permit",
+"doc": "Each press and each release, and the last one to whoever connects.", "payload": {"type": {
+"kind": "struct", "name": "robots::StopNews"}}, "queue": 16, "latched": true}], "enums": [],
+"structs": [{"name": "robots::Permit",
 "doc": "Whether drives may have power. It counts for as long as it is fresh, so that whoever does not\nhear of it any more stops too.",
 "fields": [{"name": "granted", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
 "doc": "The cycle that it was renewed in.", "type": {"kind": "time", "clock": "steady"}}]}, {

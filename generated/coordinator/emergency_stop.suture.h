@@ -76,7 +76,7 @@ class Required<robots::EmergencyStop> : public RequiredBase {
     explicit Events(RequiredBase& required)
         : stop{required, static_cast<std::uint16_t>(EventId::stop)} {}
 
-    /// Each change, and the last one to whoever connects.
+    /// Each press and each release, and the last one to whoever connects.
     Subscription<robots::StopNewsSlot, robots::StopNews> stop;
   };
   Events& on() { return events_; }
@@ -105,7 +105,7 @@ class Provided<robots::EmergencyStop> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : stop{provided, static_cast<std::uint16_t>(EventId::stop)} {}
 
-    /// Each change, and the last one to whoever connects.
+    /// Each press and each release, and the last one to whoever connects.
     Emitter<robots::StopNewsSlot, robots::StopNews> stop;
   };
   Events& emit() { return events_; }

@@ -47,11 +47,12 @@ static_assert(std::is_same_v<decltype(DriveFeedback::position), std::array<doubl
 static_assert(std::is_same_v<decltype(DriveFeedback::velocity), std::array<double, 8>>);
 static_assert(std::is_same_v<decltype(DriveFeedback::joints), std::uint32_t>);
 static_assert(std::is_same_v<decltype(DriveFeedback::power), DrivePower>);
+static_assert(std::is_same_v<decltype(DriveFeedback::permitted),
+                             std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(DriveFeedback::stamp),
                              std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(DriveGoal::position), std::array<double, 8>>);
 static_assert(std::is_same_v<decltype(DriveGoal::joints), std::uint32_t>);
-static_assert(std::is_same_v<decltype(DriveGoal::stamp), std::chrono::steady_clock::time_point>);
 
 }  // namespace
 
@@ -61,6 +62,7 @@ bool store(const DriveFeedback& value, DriveFeedbackSlot& slot) {
   fits &= store(value.velocity, slot.velocity);
   fits &= store(value.joints, slot.joints);
   fits &= store(value.power, slot.power);
+  fits &= store(value.permitted, slot.permitted);
   fits &= store(value.stamp, slot.stamp);
   return fits;
 }
@@ -70,10 +72,12 @@ void load(const DriveFeedbackSlot& slot, DriveFeedback& value) {
   load(slot.velocity, value.velocity);
   load(slot.joints, value.joints);
   load(slot.power, value.power);
+  load(slot.permitted, value.permitted);
   load(slot.stamp, value.stamp);
 }
 
 void shiftStamps(DriveFeedbackSlot& slot, Duration shift) {
+  slot.permitted = shifted(slot.permitted, shift);
   slot.stamp = shifted(slot.stamp, shift);
 }
 
@@ -81,21 +85,23 @@ bool store(const DriveGoal& value, DriveGoalSlot& slot) {
   bool fits = true;
   fits &= store(value.position, slot.position);
   fits &= store(value.joints, slot.joints);
-  fits &= store(value.stamp, slot.stamp);
   return fits;
 }
 
 void load(const DriveGoalSlot& slot, DriveGoal& value) {
   load(slot.position, value.position);
   load(slot.joints, value.joints);
-  load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(DriveGoalSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+bool store(const std::chrono::steady_clock::time_point& permitted, DrivesPowerOnArguments& slot) {
+  return store(permitted, slot.permitted);
+}
+
+void shiftStamps(DrivesPowerOnArguments& slot, Duration shift) {
+  slot.permitted = shifted(slot.permitted, shift);
+}
 
 bool store(const DriveGoal& goal, DrivesServoJpArguments& slot) { return store(goal, slot.goal); }
-
-void shiftStamps(DrivesServoJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
 
 // --- between slots and Cap'n Proto
 
@@ -137,11 +143,13 @@ void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
   toWire(slot.velocity, out.initVelocity(8));
   out.setJoints(slot.joints);
   out.setPower(wireDrivePower(slot.power));
+  out.setPermitted(slot.permitted);
   out.setStamp(slot.stamp);
 }
 
 Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot, Duration shift) {
   slot.joints = in.getJoints();
+  slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return firstError({
       fromWire(in.getPosition(), slot.position),
@@ -159,12 +167,10 @@ bool isValid(const DriveFeedbackSlot& slot, FieldPath* path) {
 void toWire(const DriveGoalSlot& slot, wire::DriveGoal::Builder out) {
   toWire(slot.position, out.initPosition(8));
   out.setJoints(slot.joints);
-  out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::DriveGoal::Reader in, DriveGoalSlot& slot, Duration shift) {
+Errc fromWire(wire::DriveGoal::Reader in, DriveGoalSlot& slot, Duration) {
   slot.joints = in.getJoints();
-  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return fromWire(in.getPosition(), slot.position);
 }
 
@@ -233,8 +239,12 @@ class DrivesServant final : public wire::Drives::Server {
 
   kj::Promise<void> powerOn(PowerOnContext context) override {
     auto in = context.getParams();
-    return port_->command(numberOf(DrivesCommand::power_on), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<DrivesPowerOnArguments>(memory);
+      slot.permitted = suture::rpc::shifted(in.getPermitted(), port_->shift());
+      return Errc{};
+    };
+    return port_->command(numberOf(DrivesCommand::power_on), in.getSent(), fill);
   }
 
   kj::Promise<void> powerOff(PowerOffContext context) override {
@@ -317,7 +327,9 @@ class DrivesProxy final : public suture::rpc::Proxy {
   kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
     switch (static_cast<DrivesCommand>(record.command)) {
       case DrivesCommand::power_on: {
+        const auto& slot = slotIn<DrivesPowerOnArguments>(record.arguments());
         auto request = provider_.powerOnRequest();
+        request.setPermitted(slot.permitted);
         suture::rpc::fill(request.initSent(), record);
         return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
       }
@@ -376,7 +388,11 @@ const suture::rpc::Binding& drivesBinding() {
 }
 
 constexpr CommandInfo kDrivesCommands[] = {
-    {.name = "power_on", .kind = CommandKind::Void, .depth = 16},
+    {.name = "power_on",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<DrivesPowerOnArguments>,
+     .depth = 16,
+     .shiftArguments = shiftSlot<DrivesPowerOnArguments>},
     {.name = "power_off", .kind = CommandKind::Void, .depth = 16},
     {.name = "servo_jp",
      .kind = CommandKind::Write,
@@ -384,8 +400,7 @@ constexpr CommandInfo kDrivesCommands[] = {
      .depth = 16,
      .latest = true,
      .ttl = Duration(20'000'000),
-     .accepts = checkSlot<DrivesServoJpArguments, acceptsDrivesServoJp>,
-     .shiftArguments = shiftSlot<DrivesServoJpArguments>},
+     .accepts = checkSlot<DrivesServoJpArguments, acceptsDrivesServoJp>},
     {.name = "feedback",
      .kind = CommandKind::Read,
      .resultSize = slotSize<DriveFeedbackSlot>,
@@ -407,10 +422,11 @@ constexpr EventInfo kDrivesEvents[] = {
 constexpr char kDrivesDescription[] = R"json(
 {"name": "robots::Drives",
 "doc": "Commands run in the drives' own thread before its next cycle; the read is from the end of its\nlast one.",
-"hash": "ba4bfae203fee0b8dcf2d6dbca749a47", "commands": [{"name": "power_on", "kind": "void",
+"hash": "becb0bbc9b212fd29e42d4f0e70968d2", "commands": [{"name": "power_on", "kind": "write",
 "ordinal": 1, "wire": "powerOn",
-"doc": "Releases the brakes; the joints hold where they are. Drives that may not have power stay as\nthey are.",
-"queue": 16}, {"name": "power_off", "kind": "void", "ordinal": 2, "wire": "powerOff",
+"doc": "Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that\nthis answers: drives that have stopped since then, or may not have power, stay as they are.",
+"parameters": [{"name": "permitted", "type": {"kind": "time", "clock": "steady"}}], "queue": 16}, {
+"name": "power_off", "kind": "void", "ordinal": 2, "wire": "powerOff",
 "doc": "The brakes hold the joints where they are.", "queue": 16}, {"name": "servo_jp",
 "kind": "write", "ordinal": 3, "wire": "servoJp",
 "doc": "Streams goals, newest wins. Without power, or with the wrong number of joints, one changes\nnothing. A stream that falls silent for 0.1 s leaves the joints where they are.",
@@ -429,21 +445,23 @@ constexpr char kDrivesDescription[] = R"json(
 "value": 3, "wire": "on", "doc": "the joints follow their goals"}]}], "structs": [{
 "name": "robots::DriveGoal", "doc": "Where the joints shall be.", "fields": [{"name": "position",
 "doc": "The first `joints` entries count.", "type": {"kind": "array", "element": {"kind": "Float64"
-}, "length": 8}, "unit": "rad"}, {"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {
-"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::DriveFeedback",
+}, "length": 8}, "unit": "rad"}, {"name": "joints", "type": {"kind": "UInt32"}, "default": 0}]}, {
+"name": "robots::DriveFeedback",
 "doc": "What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m\nand m/s.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "velocity",
 "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad/s"}, {
 "name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "power", "type": {
-"kind": "enum", "name": "robots::DrivePower"}, "default": "NotReady"}, {"name": "stamp",
-"doc": "The drives' cycle.", "type": {"kind": "time", "clock": "steady"}}]}], "wire": [{
-"id": "@0x91efda82df1adc01", "kind": "interface", "name": "Drives", "cxx": "robots::Drives",
-"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
-"is": "@0xe59a5d931070aa84"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
-"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "powerOn", "is": "kind \"void\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
-"name": "powerOff", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"kind": "enum", "name": "robots::DrivePower"}, "default": "NotReady"}, {"name": "permitted",
+"doc": "When they were last permitted to have power. Another moment than before: they have stopped\nmeanwhile, or are others, which an arm may not have seen.",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "stamp", "doc": "The drives' cycle.",
+"type": {"kind": "time", "clock": "steady"}}]}], "wire": [{"id": "@0x91efda82df1adc01",
+"kind": "interface", "name": "Drives", "cxx": "robots::Drives", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe59a5d931070aa84"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "powerOn", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "permitted",
+"is": "Int64 clock \"steady\""}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "powerOff", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "servoJp", "is": "kind \"write\"",
 "parameters": [{"at": 0, "name": "goal", "is": "@0xe3033c33c5a1f822"}, {"at": 1, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "feedback", "is": "kind \"read\"",
@@ -458,13 +476,13 @@ constexpr char kDrivesDescription[] = R"json(
 "id": "@0xc6e6797127c781ed", "kind": "struct", "name": "DriveFeedback", "members": [{"at": 0,
 "name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "velocity",
 "is": "List(Float64) unit \"rad/s\" shape \"8\""}, {"at": 2, "name": "joints", "is": "UInt32"}, {
-"at": 3, "name": "power", "is": "@0xd2f9073be1a76833"}, {"at": 4, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0xd2f9073be1a76833", "kind": "enum",
-"name": "DrivePower", "members": [{"at": 0, "name": "notReady"}, {"at": 1, "name": "stopped"}, {
-"at": 2, "name": "off"}, {"at": 3, "name": "on"}]}, {"id": "@0xe3033c33c5a1f822", "kind": "struct",
-"name": "DriveGoal", "members": [{"at": 0, "name": "position",
-"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}, {
-"at": 2, "name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+"at": 3, "name": "power", "is": "@0xd2f9073be1a76833"}, {"at": 4, "name": "permitted",
+"is": "Int64 clock \"steady\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0xd2f9073be1a76833", "kind": "enum", "name": "DrivePower", "members": [{"at": 0,
+"name": "notReady"}, {"at": 1, "name": "stopped"}, {"at": 2, "name": "off"}, {"at": 3, "name": "on"
+}]}, {"id": "@0xe3033c33c5a1f822", "kind": "struct", "name": "DriveGoal", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
+"is": "UInt32"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -475,7 +493,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Drives>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Drives",
-      .hash = "ba4bfae203fee0b8dcf2d6dbca749a47",
+      .hash = "becb0bbc9b212fd29e42d4f0e70968d2",
       .description = robots::kDrivesDescription,
       .commands = robots::kDrivesCommands,
       .events = robots::kDrivesEvents,
@@ -489,7 +507,9 @@ Errc Provided<robots::Drives>::execute(std::uint16_t command, const std::byte* a
   using ::robots::DrivesCommand;
   switch (static_cast<DrivesCommand>(command)) {
     case DrivesCommand::power_on: {
-      implementation_.power_on();
+      const auto& slot = slotIn<robots::DrivesPowerOnArguments>(arguments);
+      load(slot.permitted, scratch_.power_on_permitted);
+      implementation_.power_on(scratch_.power_on_permitted);
       return Errc{};
     }
     case DrivesCommand::power_off: {

@@ -17,8 +17,9 @@ struct DriveFeedbackSlot {
   std::array<double, 8> position;  // rad
   std::array<double, 8> velocity;  // rad/s
   std::uint32_t joints;
-  std::uint8_t power;  // DrivePower
-  std::int64_t stamp;  // suture::Time, ns
+  std::uint8_t power;      // DrivePower
+  std::int64_t permitted;  // suture::Time, ns
+  std::int64_t stamp;      // suture::Time, ns
 };
 
 bool store(const DriveFeedback& value, DriveFeedbackSlot& slot);
@@ -29,21 +30,25 @@ void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift);
 struct DriveGoalSlot {
   std::array<double, 8> position;  // rad
   std::uint32_t joints;
-  std::int64_t stamp;  // suture::Time, ns
 };
 
 bool store(const DriveGoal& value, DriveGoalSlot& slot);
 void load(const DriveGoalSlot& slot, DriveGoal& value);
-void shiftStamps(DriveGoalSlot& slot, suture::Duration shift);
 
 // --- Drives: the arguments of its commands ---
+
+struct DrivesPowerOnArguments {
+  std::int64_t permitted;
+};
+
+bool store(const std::chrono::steady_clock::time_point& permitted, DrivesPowerOnArguments& slot);
+void shiftStamps(DrivesPowerOnArguments& slot, suture::Duration shift);
 
 struct DrivesServoJpArguments {
   DriveGoalSlot goal;
 };
 
 bool store(const DriveGoal& goal, DrivesServoJpArguments& slot);
-void shiftStamps(DrivesServoJpArguments& slot, suture::Duration shift);
 
 /// The numbers of Drives's commands in every table and record.
 enum class DrivesCommand : std::uint16_t {
@@ -76,9 +81,10 @@ class Required<robots::Drives> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Releases the brakes; the joints hold where they are. Drives that may not have power stay as
-  /// they are.
-  Command<&Contract::power_on, NoSlot> power_on{*this, static_cast<std::uint16_t>(Id::power_on)};
+  /// Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that
+  /// this answers: drives that have stopped since then, or may not have power, stay as they are.
+  Command<&Contract::power_on, robots::DrivesPowerOnArguments> power_on{
+      *this, static_cast<std::uint16_t>(Id::power_on)};
   /// The brakes hold the joints where they are.
   Command<&Contract::power_off, NoSlot> power_off{*this, static_cast<std::uint16_t>(Id::power_off)};
   /// Streams goals, newest wins. Without power, or with the wrong number of joints, one changes
@@ -139,6 +145,7 @@ class Provided<robots::Drives> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
+    std::chrono::steady_clock::time_point power_on_permitted;
     robots::DriveGoal servo_jp_goal;
   };
 

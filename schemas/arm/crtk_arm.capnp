@@ -34,9 +34,9 @@ interface CrtkArm @0xe327df5d82aa8eea extends(SuturestandardMessages.Messages)
       $Meta.cxx("period_statistics") $Meta.kind("read");
   # How regularly the arm's task ran in the last second.
   enable @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Powers the arm; it holds its position.
+  # Gives the drives power; the arm holds its position.
   disable @5 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Stops at once and ignores motion until enabled again.
+  # Stops at once, without power, and ignores motion until enabled again.
   pause @6 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Stops where the joints are and ignores motion until resume().
   resume @7 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);

@@ -43,7 +43,7 @@ interface EmergencyStopEvents @0xd5baa187cf46a24d $Meta.eventsOf("robots::Emerge
   state @0 (row :EmergencyStopStateRow) -> ();
   # A new row of the columns asked for.
   stop @1 (value :StopNews) -> () $Meta.latched $Meta.queue(16);
-  # Each change, and the last one to whoever connects.
+  # Each press and each release, and the last one to whoever connects.
 }
 
 struct EmergencyStopStateRow @0xf44715265e64d420 $Meta.stateOf("robots::EmergencyStop") {

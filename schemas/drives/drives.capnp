@@ -27,7 +27,10 @@ struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
   velocity @1 :List(Float64) $Meta.shape("8") $Meta.unit("rad/s");
   joints @2 :UInt32;
   power @3 :DrivePower;
-  stamp @4 :Int64 $Meta.clock("steady");
+  permitted @4 :Int64 $Meta.clock("steady");
+  # When they were last permitted to have power. Another moment than before: they have stopped
+  # meanwhile, or are others, which an arm may not have seen.
+  stamp @5 :Int64 $Meta.clock("steady");
   # The drives' cycle.
 }
 
@@ -37,7 +40,6 @@ struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
   joints @1 :UInt32;
-  stamp @2 :Int64 $Meta.clock("steady");
 }
 
 interface Drives @0x91efda82df1adc01 $Meta.cxx("robots::Drives") {
@@ -46,9 +48,10 @@ interface Drives @0x91efda82df1adc01 $Meta.cxx("robots::Drives") {
 
   subscribe @0 (events :DrivesEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
-  powerOn @1 (sent :Rpc.Sent) -> () $Meta.cxx("power_on") $Meta.kind("void") $Meta.queue(16);
-  # Releases the brakes; the joints hold where they are. Drives that may not have power stay as
-  # they are.
+  powerOn @1 (permitted :Int64 $Meta.clock("steady"), sent :Rpc.Sent) -> () $Meta.cxx("power_on")
+      $Meta.kind("write") $Meta.queue(16);
+  # Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that
+  # this answers: drives that have stopped since then, or may not have power, stay as they are.
   powerOff @2 (sent :Rpc.Sent) -> () $Meta.cxx("power_off") $Meta.kind("void") $Meta.queue(16);
   # The brakes hold the joints where they are.
   servoJp @3 (goal :DriveGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp") $Meta.kind("write")

@@ -6,9 +6,10 @@
 #include <suture/manager/manager.h>
 #include <suture/transport/rpc/control_thread.h>
 
-#include <array>
 #include <chrono>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "coordinator/coordinator.h"
 #include "integration/teleoperation/driven_arm.h"
@@ -52,6 +53,9 @@ class Stop : public testing::TestWithParam<suture::Lane> {
     connectStop(left_, "Panel");
     left_.connect("Panel/Left", "PSM2/Arm");
     connect(left_, "Panel/Right", "right", "PSM1/Arm");
+    pass(50ms);
+    EXPECT_TRUE(all(DrivePower::NotReady) && allAre(ArmState::Undefined)) << "it starts pressed";
+    EXPECT_TRUE(panel_.button.release());
     EXPECT_TRUE(until([this] { return all(DrivePower::Off) && allAre(ArmState::Disabled); }));
   }
   ~Stop() override {
@@ -159,6 +163,15 @@ TEST_P(Stop, IsNotUndoneByAnArmOrByItsRelease) {
   beginMoving();
 }
 
+TEST_P(Stop, StopsDrivesThoughItIsReleasedAtOnce) {
+  beginMoving();
+  ASSERT_TRUE(panel_.button.press());
+  ASSERT_TRUE(panel_.button.release());
+  pass(10ms);
+  EXPECT_TRUE(all(DrivePower::Off)) << "they stopped, and may have power again";
+  EXPECT_TRUE(allAre(ArmState::Disabled));
+}
+
 TEST_P(Stop, StopsDrivesWhoseArmHangs) {
   beginMoving();
   left_.suspend("PSM2");
@@ -186,7 +199,7 @@ TEST_P(StopAcross, IsWhatACoordinatorThatStandsStillComesTo) {
   EXPECT_TRUE(allAre(ArmState::Disabled));
 }
 
-TEST_P(StopAcross, IsWhatACutCableComesToLongBeforeTheConnectionIsLost) {
+TEST_P(StopAcross, IsWhatDrivesThatAreDisconnectedComeTo) {
   beginMoving();
   rightsProcess_.run([this] { right_.disconnect("PSM1Drives/Stop"); });
   pass(35ms);

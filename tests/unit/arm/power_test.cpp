@@ -1,9 +1,7 @@
 // An arm whose drives have no power, may not have it, or say nothing.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 #include "unit/arm/crtk_face_fixture.h"
 
@@ -73,18 +71,38 @@ TEST_F(PowerTest, ThatTheDrivesMayNotHaveDisablesTheArm) {
   }
 }
 
-TEST_F(PowerTest, ThatTheDrivesLostDisablesTheArmOnlyIfTheyHadIt) {
+TEST_F(PowerTest, ThatIsOffAWhileAfterEnablingIsNotLost) {
   joints_.force(DrivePower::Off);
-  cycles(1);
-  EXPECT_EQ(state(), ArmState::Disabled);
-  crtk_.enable();
   cycles(5);
   EXPECT_EQ(state(), ArmState::Enabled) << "the drives have not switched on yet";
+  crtk_.disable();
+  crtk_.enable();
+  cycles(5);
+  EXPECT_EQ(state(), ArmState::Enabled);
+}
+
+TEST_F(PowerTest, ThatWasTakenAwayBetweenTwoCyclesDisablesTheArm) {
+  joints_.permitAnew();
+  cycles(1);
+  EXPECT_EQ(state(), ArmState::Disabled);
+  expectError("may not have it");
+  crtk_.enable();
+  cycles(1);
+  EXPECT_EQ(state(), ArmState::Enabled);
+}
+
+TEST_F(PowerTest, ARestartedArmIsDisabledAndNotHomed) {
+  arm_.startAnew();
+  EXPECT_EQ(state(), ArmState::Undefined);
+  cycles(1);
+  EXPECT_EQ(state(), ArmState::Disabled);
+  EXPECT_FALSE(crtk_.operating_state().is_homed);
 }
 
 TEST_F(PowerTest, SilentDrivesFaultTheArm) {
   silence();
   EXPECT_EQ(state(), ArmState::Fault);
+  EXPECT_EQ(crtk_.operating_state().sub_state, "drives silent");
   EXPECT_FALSE(crtk_.measured_cp().valid);
   expectError("silent");
   cycles(1);
@@ -109,6 +127,26 @@ TEST_F(PowerTest, WithoutItTheSetPointIsWhereTheJointsAre) {
   crtk_.disable();
   cycles(2);
   EXPECT_EQ(crtk_.setpoint_js().position, crtk_.measured_js().position);
+}
+
+TEST_F(PowerTest, WhatMovedDoesNotLeapAfterAPauseOfTheArm) {
+  JointVelocityGoal rates;
+  rates.goal.assign(6, 0.2);
+  JointGoal away{positions(), {}};
+  away.position[0] += 0.5;
+  const auto expectRest = [&](const char* what, const auto& move) {
+    move();
+    cycles(50);
+    const double before = crtk_.measured_js().position[0];
+    time_ += 400ms;
+    cycles(1);
+    EXPECT_NEAR(setpoint(0), before, 0.02) << what;
+    cycles(20);
+    EXPECT_NEAR(crtk_.measured_js().position[0], before, 0.02) << what;
+    EXPECT_EQ(crtk_.operating_state().sub_state, "holding") << what;
+  };
+  expectRest("move_jp", [&] { crtk_.move_jp(away); });
+  expectRest("servo_jv", [&] { crtk_.servo_jv(rates); });
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #pragma once
 // Stands in for the drives of an arm that a test steps itself.
 
+#include <chrono>
+#include <optional>
+
 #include "arm/arm_controller.h"
 #include "drives/joint_dynamics.h"
 #include "timing/seconds.h"
@@ -20,11 +23,14 @@ class TrailingJoints {
   void step(ArmController<N>& arm, suture::Time now) {
     if (last_ != suture::Time{}) dynamics_.advance(secondsBetween(last_, now));
     last_ = now;
-    arm.step(now, DriveReading<N>{dynamics_.measured(), dynamics_.velocity(), power(arm), now});
+    arm.step(now, DriveReading<N>{dynamics_.measured(), dynamics_.velocity(), power(arm),
+                                  permitted_, now});
     dynamics_.command(arm.setpoint());
   }
   /// The drives say so from now on, whatever the arm wants.
   void force(std::optional<DrivePower> power) { forced_ = power; }
+  /// As if they had stopped, and been permitted again, between two cycles of the arm.
+  void permitAnew() { permitted_ += std::chrono::milliseconds(1); }
 
  private:
   DrivePower power(const ArmController<N>& arm) const {
@@ -32,7 +38,7 @@ class TrailingJoints {
   }
 
   JointDynamics<N> dynamics_;
-  suture::Time last_;
+  suture::Time last_, permitted_ = suture::fromNanoseconds(1);
   std::optional<DrivePower> forced_;
 };
 

@@ -74,13 +74,13 @@ TEST_F(SimulatedDrivesTest, StartParkedWithoutPowerAndSaySo) {
 TEST_F(SimulatedDrivesTest, WithoutPowerNothingMoves) {
   follow(0.2, 50);
   EXPECT_EQ(position(), 0.1);
-  drives_.power_on();
+  drives_.power_on(drives_.feedback().permitted);
   cycles(5);
   EXPECT_EQ(position(), 0.1) << "a goal from before is none";
 }
 
 TEST_F(SimulatedDrivesTest, WithPowerTheJointsFollow) {
-  drives_.power_on();
+  drives_.power_on(drives_.feedback().permitted);
   follow(0.2, 100);
   EXPECT_EQ(heard_.states, std::vector{DrivePower::On});
   EXPECT_NEAR(position(), 0.2, 1e-4);
@@ -90,7 +90,7 @@ TEST_F(SimulatedDrivesTest, WithPowerTheJointsFollow) {
 }
 
 TEST_F(SimulatedDrivesTest, TheBrakesHoldAtOnce) {
-  drives_.power_on();
+  drives_.power_on(drives_.feedback().permitted);
   follow(0.2, 5);
   const double held = position();
   ASSERT_GT(velocity(), 1);
@@ -104,7 +104,7 @@ TEST_F(SimulatedDrivesTest, TheBrakesHoldAtOnce) {
 }
 
 TEST_F(SimulatedDrivesTest, AStreamThatFallsSilentLeavesTheJoints) {
-  drives_.power_on();
+  drives_.power_on(drives_.feedback().permitted);
   follow(2, 10);
   for (int i = 0; velocity() != 0; ++i) {
     ASSERT_LT(i, 110);
@@ -121,14 +121,14 @@ TEST(Permit, IsAwaitedByDrivesThatStart) {
   SimulatedDrives<6> drives{model()};
   EXPECT_EQ(drives.feedback().power, DrivePower::NotReady);
   drives.permit(false);
-  drives.power_on();
+  drives.power_on({});
   EXPECT_EQ(drives.feedback().power, DrivePower::NotReady);
   drives.permit(true);
   EXPECT_EQ(drives.feedback().power, DrivePower::Off);
 }
 
 TEST_F(SimulatedDrivesTest, WithoutAPermitTheyStopAtOnceAndAreNotStartedByAnother) {
-  drives_.power_on();
+  drives_.power_on(drives_.feedback().permitted);
   follow(0.2, 5);
   ASSERT_GT(velocity(), 1);
   drives_.permit(false);
@@ -136,20 +136,40 @@ TEST_F(SimulatedDrivesTest, WithoutAPermitTheyStopAtOnceAndAreNotStartedByAnothe
   EXPECT_EQ(velocity(), 0);
   const double stopped = position();
   EXPECT_EQ(heard_.states.back(), DrivePower::Stopped);
-  drives_.power_on();
+  drives_.power_on(drives_.feedback().permitted);
   follow(0.2, 5);
   EXPECT_EQ(position(), stopped);
   drives_.permit(true);
   follow(0.2, 5);
   EXPECT_EQ(position(), stopped);
   EXPECT_EQ(heard_.states.back(), DrivePower::Off);
-  drives_.power_on();
+  drives_.power_on(drives_.feedback().permitted);
   follow(0.2, 50);
   EXPECT_NEAR(position(), 0.2, 1e-3);
 }
 
+TEST_F(SimulatedDrivesTest, PowerThatWasAskedForBeforeAStopIsNotGivenAfterIt) {
+  const suture::Time before = drives_.feedback().permitted;
+  drives_.permit(false);
+  drives_.permit(true);
+  drives_.power_on(before);
+  EXPECT_EQ(drives_.feedback().power, DrivePower::Off);
+  drives_.power_on(drives_.feedback().permitted);
+  EXPECT_EQ(drives_.feedback().power, DrivePower::On);
+}
+
+TEST_F(SimulatedDrivesTest, WhatBrakesDoesNotMoveWhileNobodyStepsIt) {
+  drives_.power_on(drives_.feedback().permitted);
+  follow(0.2, 5);
+  const double held = position();
+  drives_.brake();
+  time_ += 1s;
+  cycles(1);
+  EXPECT_EQ(position(), held);
+}
+
 TEST_F(SimulatedDrivesTest, WhatIsNoGoalMovesNothing) {
-  drives_.power_on();
+  drives_.power_on(drives_.feedback().permitted);
   DriveGoal tooFew = goal(0.2);
   tooFew.joints = 5;
   drives_.servo_jp(tooFew);

@@ -70,7 +70,7 @@ TEST(ServantPort, ACallThatIsBeingExecutedAtTheEndIsOfUnknownOutcome) {
 TEST(ServantPort, AnAnswerBeforeTheEndIsTold) {
   EXPECT_EQ(outcomeOf([](Provider& provider, std::uint32_t call) {
               provider.channel->replyError(call, Errc::Late);
-              provider.channel->tell(ChannelStatus::Lost);
+              provider.port->end();
             }),
             Errc::Late);
 }
