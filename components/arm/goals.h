@@ -25,7 +25,7 @@ inline bool isPose(const PoseStamped& goal) { return goal.valid && isRigid(goal.
 template <int N, class List>
 std::optional<Eigen::Matrix<double, N, 1>> toJoints(const List& list) {
   if (list.size() != std::size_t{N}) return std::nullopt;
-  const Eigen::Matrix<double, N, 1> q = Eigen::Map<const Eigen::Matrix<double, N, 1>>(list.data());
+  Eigen::Matrix<double, N, 1> q = Eigen::Map<const Eigen::Matrix<double, N, 1>>(list.data());
   if (!q.allFinite()) return std::nullopt;
   return q;
 }

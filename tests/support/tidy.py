@@ -15,7 +15,7 @@ import re
 import subprocess
 import sys
 
-TOOL = "clang-tidy-14"
+TOOL = "clang-tidy-19"
 FINDING = re.compile(r": (?:warning|error): ")
 INCLUDED = re.compile(r'^#include "(.+)"$', re.M)
 
