@@ -1,5 +1,5 @@
 #pragma once
-// What the arms have in common: the Arm contract over a kinematic chain and its drives.
+// This is what the arms share: the Arm contract over a kinematic chain and its drives.
 
 #include <suture/base/time.h>
 #include <suture/component/connected_client.h>
@@ -73,7 +73,7 @@ class ArmController : public Arm {
   /// One cycle at time `now`, after the commands that arrived for it. None: the drives are silent.
   void step(suture::Time now, const std::optional<DriveReading<N>>& drives);
 
-  /// What the drives shall do from this cycle on: hold power, and follow the set-point.
+  /// From this cycle on the drives shall hold power if this is true, and follow the set-point.
   bool powered() const {
     return state_.state != ArmState::Undefined && state_.state != ArmState::Disabled;
   }

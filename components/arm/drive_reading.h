@@ -1,5 +1,5 @@
 #pragma once
-// What an arm has heard of its drives.
+// An arm acts on what it has heard of its drives, which is kept here.
 
 #include <suture/base/time.h>
 

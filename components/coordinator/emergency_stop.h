@@ -7,7 +7,7 @@
 
 namespace robots {
 
-/// Whether drives may have power. It counts for as long as it is fresh, so that whoever does not
+/// It lets drives have power. It counts for as long as it is fresh, so that whoever does not
 /// hear of it any more stops too.
 struct SUTURE_TYPE() Permit {
   bool granted = false;

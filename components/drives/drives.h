@@ -19,8 +19,8 @@ enum class SUTURE_TYPE() DrivePower : std::uint8_t {
   On,        ///< the joints follow their goals
 };
 
-/// What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m
-/// and m/s.
+/// The drives measure this in each of their cycles. Joints are in chain order; a prismatic one has
+/// m and m/s.
 struct SUTURE_TYPE() DriveFeedback {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};

@@ -1,5 +1,5 @@
 #pragma once
-// Whether drives may have power.
+// This tells drives whether they may have power.
 
 #include <suture/base/sample.h>
 #include <suture/base/time.h>

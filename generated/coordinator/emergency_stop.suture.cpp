@@ -317,7 +317,7 @@ constexpr char kEmergencyStopDescription[] = R"json(
 "doc": "Each press and each release, and the last one to whoever connects.", "payload": {"type": {
 "kind": "struct", "name": "robots::StopNews"}}, "queue": 16, "latched": true}], "enums": [],
 "structs": [{"name": "robots::Permit",
-"doc": "Whether drives may have power. It counts for as long as it is fresh, so that whoever does not\nhear of it any more stops too.",
+"doc": "It lets drives have power. It counts for as long as it is fresh, so that whoever does not\nhear of it any more stops too.",
 "fields": [{"name": "granted", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
 "doc": "The cycle that it was renewed in.", "type": {"kind": "time", "clock": "steady"}}]}, {
 "name": "robots::StopNews", "doc": "The emergency stop was pressed, or released.", "fields": [{

@@ -11,7 +11,7 @@
 
 namespace robots {
 
-/// Whether drives may have power. It counts for as long as it is fresh, so that whoever does not
+/// It lets drives have power. It counts for as long as it is fresh, so that whoever does not
 /// hear of it any more stops too.
 struct PermitSlot {
   std::uint8_t granted;  // bool

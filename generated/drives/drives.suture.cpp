@@ -447,7 +447,7 @@ constexpr char kDrivesDescription[] = R"json(
 "doc": "The first `joints` entries count.", "type": {"kind": "array", "element": {"kind": "Float64"
 }, "length": 8}, "unit": "rad"}, {"name": "joints", "type": {"kind": "UInt32"}, "default": 0}]}, {
 "name": "robots::DriveFeedback",
-"doc": "What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m\nand m/s.",
+"doc": "The drives measure this in each of their cycles. Joints are in chain order; a prismatic one has\nm and m/s.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "velocity",
 "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad/s"}, {

@@ -11,8 +11,8 @@
 
 namespace robots {
 
-/// What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m
-/// and m/s.
+/// The drives measure this in each of their cycles. Joints are in chain order; a prismatic one has
+/// m and m/s.
 struct DriveFeedbackSlot {
   std::array<double, 8> position;  // rad
   std::array<double, 8> velocity;  // rad/s

@@ -8,7 +8,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("coordinator/emergency_stop.h");
 
 struct Permit @0xd02fe436dab69cbc $Meta.cxx("robots::Permit") {
-  # Whether drives may have power. It counts for as long as it is fresh, so that whoever does not
+  # It lets drives have power. It counts for as long as it is fresh, so that whoever does not
   # hear of it any more stops too.
 
   granted @0 :Bool;

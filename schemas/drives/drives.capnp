@@ -19,8 +19,8 @@ enum DrivePower @0xd2f9073be1a76833 $Meta.cxx("robots::DrivePower") $Meta.underl
 }
 
 struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
-  # What the drives measured in one of their cycles. Joints in chain order; a prismatic one has m
-  # and m/s.
+  # The drives measure this in each of their cycles. Joints are in chain order; a prismatic one has
+  # m and m/s.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
