@@ -5,6 +5,7 @@
 #include <suture/component/pulse.h>
 #include <suture/component/task_window.h>
 #include <suture/rt/histogram.h>
+#include <suture/rt/scheduling.h>
 
 #include <array>
 #include <atomic>
@@ -56,6 +57,12 @@ class Task : public Component {
   /// of this task's, in the same thread; several guests run in the order in which they were lent
   /// to. Throws SetupError. The guest outlives the last cycle.
   void lend(GuestTask& guest);
+
+  /// Before start(): schedules its thread so, instead of as its constructor was told. False, and
+  /// nothing changes, if its cycles run in the thread of somebody else.
+  virtual bool schedule(const rt::Scheduling& /*scheduling*/) { return false; }
+  /// How its thread is scheduled once it runs; none if that is somebody else's.
+  virtual std::optional<rt::Scheduling> scheduling() const { return std::nullopt; }
 
   const TaskStatistics& statistics() const { return statistics_; }
   /// Whether its thread works, sleeps or hangs: that of its host, if it is a guest. Any thread.

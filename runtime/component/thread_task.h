@@ -2,6 +2,7 @@
 // A task with a thread of its own.
 
 #include <suture/component/task.h>
+#include <suture/rt/scheduling.h>
 #include <suture/rt/thread.h>
 
 #include <atomic>
@@ -13,6 +14,12 @@ namespace suture {
 class ThreadTask : public Task {
  public:
   ~ThreadTask() override;
+
+  bool schedule(const rt::Scheduling& scheduling) final {
+    scheduling_ = scheduling;
+    return true;
+  }
+  std::optional<rt::Scheduling> scheduling() const final { return scheduling_; }
 
   /// Errors of scheduling are thrown here, in the caller's thread.
   void start() final;
@@ -38,7 +45,7 @@ class ThreadTask : public Task {
   void loop();
   void awaitWork();
 
-  const rt::Scheduling scheduling_;
+  rt::Scheduling scheduling_;
   rt::Thread thread_;
   rt::Doorbell entered_;
   std::exception_ptr refused_;  // why the thread could not be configured; read after entered_

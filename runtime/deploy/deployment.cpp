@@ -52,8 +52,15 @@ void Deployment::readProcesses() {
   const json& processes = document_.value().at("processes");
   for (std::size_t i = 0; i < processes.size(); ++i) {
     const std::string pointer = "/processes/" + std::to_string(i);
-    ProcessEntry process{processes[i].at("name"), {}, readBlackBox(processes[i], pointer)};
-    const json& components = processes[i].at("components");
+    const json& given = processes[i];
+    ProcessEntry process{.name = given.at("name"),
+                         .components = {},
+                         .blackBox = readBlackBox(given, pointer),
+                         .scheduling = readScheduling(given, pointer),
+                         .lockMemory = given.value("lock_memory", false),
+                         .realTimeRequired = given.value("real_time", "preferred") == "required",
+                         .pointer = pointer};
+    const json& components = given.at("components");
     for (std::size_t j = 0; j < components.size(); ++j) {
       process.components.push_back(
           readComponent(components[j], pointer + "/components/" + std::to_string(j)));
@@ -68,6 +75,7 @@ ComponentEntry Deployment::readComponent(const json& component, const std::strin
           .sharedLibrary = besideIt(component.value("library", "")),
           .parameters = component.value("parameters", json::object()),
           .restart = readRestart(component, pointer),
+          .scheduling = readScheduling(component, pointer),
           .pointer = pointer};
 }
 
@@ -95,6 +103,25 @@ std::optional<BlackBoxEntry> Deployment::readBlackBox(const json& process,
                        .rows = given->value("rows", 0u),
                        .components = given->value("components", std::vector<std::string>{}),
                        .pointer = where};
+}
+
+std::optional<rt::Scheduling> Deployment::readScheduling(const json& owner,
+                                                         const std::string& pointer) {
+  const auto given = owner.find("scheduling");
+  if (given == owner.end()) return std::nullopt;
+  rt::Scheduling scheduling;
+  if (given->contains("processor")) scheduling.processor = given->at("processor");
+  scheduling.priority = given->value("priority", 0);
+  if (given->contains("policy")) {
+    scheduling.policy = given->at("policy") == "fifo" ? rt::Policy::Fifo : rt::Policy::RoundRobin;
+  }
+  const bool prioritized = scheduling.policy != rt::Policy::Default;
+  if (prioritized != (scheduling.priority != 0)) {
+    report(pointer + "/scheduling",
+           prioritized ? "a policy needs a priority; add for example \"priority\": 80"
+                       : "a priority needs a policy; add for example \"policy\": \"fifo\"");
+  }
+  return scheduling;
 }
 
 void Deployment::readConnections() {

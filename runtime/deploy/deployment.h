@@ -4,6 +4,7 @@
 #include <suture/component/task.h>
 #include <suture/deploy/json_document.h>
 #include <suture/manager/manager.h>
+#include <suture/rt/scheduling.h>
 #include <suture/wiring/endpoint.h>
 
 #include <filesystem>
@@ -20,7 +21,8 @@ struct ComponentEntry {
   std::filesystem::path sharedLibrary;  ///< the file that has the class; "": the program
   nlohmann::json parameters;
   std::optional<RestartBudget> restart;
-  std::string pointer;  ///< where it stands in the document
+  std::optional<rt::Scheduling> scheduling;  ///< of its thread; without, as its class says
+  std::string pointer;                       ///< where it stands in the document
 };
 
 /// What a process keeps of its components (record/black_box.h).
@@ -36,6 +38,10 @@ struct ProcessEntry {
   std::string name;
   std::vector<ComponentEntry> components;
   std::optional<BlackBoxEntry> blackBox;
+  std::optional<rt::Scheduling> scheduling;  ///< of the threads that carry connections
+  bool lockMemory = false;
+  bool realTimeRequired = false;  ///< what the machine does not grant is an error
+  std::string pointer;            ///< where it stands in the document
 };
 
 struct ConnectionEntry {
@@ -75,6 +81,8 @@ class Deployment {
                                            const std::string& pointer);
   std::optional<BlackBoxEntry> readBlackBox(const nlohmann::json& process,
                                             const std::string& pointer);
+  std::optional<rt::Scheduling> readScheduling(const nlohmann::json& owner,
+                                               const std::string& pointer);
   void readConnections();
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
                         const char* end);

@@ -61,6 +61,7 @@ Host::Host(const Deployment& deployment, std::string_view process,
   checkRequired();
   faults_.emplace(deployment_.document(), process_, components_);
   createManager();
+  realTime_.giveTo(components_, *manager_);
 }
 
 // Collectors come last: what they collect has to be there.
@@ -213,7 +214,8 @@ void Host::listenToMessages() {
 }
 
 std::vector<std::string> Host::news() {
-  std::vector<std::string> lines = faults_->news();
+  std::vector<std::string> lines = realTime_.news();
+  for (std::string& line : faults_->news()) lines.push_back(std::move(line));
   if (!messages_) return lines;
   for (std::string& line : messages_->heard()) lines.push_back(std::move(line));
   return lines;

@@ -6,6 +6,7 @@
 #include <suture/deploy/deployment.h>
 #include <suture/deploy/fault_care.h>
 #include <suture/deploy/message_listener.h>
+#include <suture/deploy/real_time.h>
 #include <suture/deploy/shared_library.h>
 #include <suture/manager/manager.h>
 #include <suture/manager/security.h>
@@ -35,8 +36,8 @@ class Host {
   /// Creates the components of `process` from `classes` and from the libraries that it names, and
   /// its manager. Throws DocumentError: library that cannot be loaded, unknown class, wrong
   /// parameters, a component that refuses its parameters, a required interface that no connection
-  /// begins at, a restart or a black box that cannot be, a global manager that does not answer
-  /// within `patience`. `deployment` outlives the host.
+  /// begins at, a restart, a black box or a scheduling that cannot be, a global manager that does
+  /// not answer within `patience`. `deployment` outlives the host.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;
@@ -58,8 +59,8 @@ class Host {
   /// Connections whose far end is gone, components that are faulted for good, a global manager that
   /// does not answer. What mends is there no more at the next call.
   std::vector<Trouble> troubles() const;
-  /// What else has happened since the last call, a line each: restarts after faults, files of the
-  /// black box, messages.
+  /// What else has happened since the last call, a line each: what the machine does not grant,
+  /// restarts after faults, files of the black box, messages.
   std::vector<std::string> news();
 
  private:
@@ -80,6 +81,7 @@ class Host {
   const Deployment& deployment_;
   const ProcessEntry& process_;
   const Duration patience_;
+  RealTime realTime_{deployment_.document(), process_};       // locks what comes after it, too
   std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
   Collectors collectors_{deployment_, process_};
   std::vector<std::unique_ptr<Component>> components_;  // in the order of the file

@@ -46,7 +46,15 @@ int JsonDocument::lineOf(std::string pointer) const {
 }
 
 std::string JsonDocument::locate(const std::string& pointer, std::string_view text) const {
-  return name_ + ":" + std::to_string(lineOf(pointer)) + ": error: " + std::string(text);
+  return place(pointer) + ": error: " + std::string(text);
+}
+
+std::string JsonDocument::warn(const std::string& pointer, std::string_view text) const {
+  return place(pointer) + ": warning: " + std::string(text);
+}
+
+std::string JsonDocument::place(const std::string& pointer) const {
+  return name_ + ":" + std::to_string(lineOf(pointer));
 }
 
 std::string childPointer(const std::string& pointer, std::string_view key) {

@@ -42,9 +42,13 @@ class JsonDocument {
   int lineOf(std::string pointer) const;
   /// "file:line: error: text"
   std::string locate(const std::string& pointer, std::string_view text) const;
+  /// "file:line: warning: text"
+  std::string warn(const std::string& pointer, std::string_view text) const;
 
  private:
   friend class DocumentBuilder;
+
+  std::string place(const std::string& pointer) const;
 
   explicit JsonDocument(std::string name) : name_(std::move(name)) {}
 

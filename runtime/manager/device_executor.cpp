@@ -5,7 +5,9 @@
 
 namespace suture {
 
-DeviceExecutor::DeviceExecutor() : ThreadTask(rt::Scheduling{}) { start(); }
+DeviceExecutor::DeviceExecutor(const rt::Scheduling& scheduling) : ThreadTask(scheduling) {
+  start();
+}
 
 DeviceExecutor::~DeviceExecutor() { stop(); }
 

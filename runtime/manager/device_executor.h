@@ -14,7 +14,7 @@ namespace suture {
 /// at the period the device declares. Exists only in a process whose devices have remote clients.
 class DeviceExecutor final : public ThreadTask {
  public:
-  DeviceExecutor();
+  explicit DeviceExecutor(const rt::Scheduling& scheduling);
   ~DeviceExecutor() override;
 
   /// Any thread: serves `device` from now on.

@@ -79,7 +79,7 @@ Manager::Manager(std::string process, const std::string& address, const Security
 rt::Doorbell& Manager::serverOf(ProvidedBase& provided) {
   if (provided.owner().ownsThread()) return provided.owner().doorbell();
   const std::lock_guard lock(executorMutex_);
-  if (executor_ == nullptr) executor_ = std::make_unique<DeviceExecutor>();
+  if (executor_ == nullptr) executor_ = std::make_unique<DeviceExecutor>(service_);
   executor_->serve(provided);
   return executor_->doorbell();
 }
@@ -92,7 +92,7 @@ const Task* Manager::taskServing(const Component& component) {
 }
 
 DelayThread* Manager::delaysFor(const ConnectionDelay& delay) {
-  if (delay.any() && delays_ == nullptr) delays_ = std::make_unique<DelayThread>();
+  if (delay.any() && delays_ == nullptr) delays_ = std::make_unique<DelayThread>(service_);
   return delay.any() ? delays_.get() : nullptr;
 }
 
@@ -107,6 +107,14 @@ void Manager::add(const std::string& name, Component& component) {
     if (!component.hasStateListener())
       component.setStateListener(std::make_shared<LifecycleFace>(component, changed_));
   });
+}
+
+void Manager::scheduleService(const rt::Scheduling& scheduling) {
+  {
+    const std::lock_guard lock(executorMutex_);
+    service_ = scheduling;
+  }
+  if (network_ != nullptr) network_->schedule(scheduling);
 }
 
 void Manager::configure() {

@@ -4,6 +4,7 @@
 #include <suture/component/component.h>
 #include <suture/component/connection_contract.h>
 #include <suture/manager/lane.h>
+#include <suture/rt/scheduling.h>
 #include <suture/transport/delay/connection_delay.h>
 #include <suture/transport/rpc/refusals.h>
 #include <suture/wiring/directory.h>
@@ -58,6 +59,10 @@ class Manager {
   /// `name` is unique in this process. Gives the component its provided interface "component"
   /// (suture/standard/lifecycle.h). Throws SetupError.
   void add(const std::string& name, Component& component);
+
+  /// Before start() and the first connection: schedules so the threads that carry connections and
+  /// serve devices. Throws SetupError if the kernel refuses.
+  void scheduleService(const rt::Scheduling& scheduling);
 
   /// Configures the components that have not been. One whose onConfigure() throws is parked.
   void configure();
@@ -151,6 +156,7 @@ class Manager {
   // Rung when a component's state has changed; also by components that outlive this.
   const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
   std::mutex executorMutex_;  // never taken by a task thread
+  rt::Scheduling service_;
   std::unique_ptr<DeviceExecutor> executor_;
   std::unique_ptr<DelayThread> delays_;
   std::unique_ptr<Network> network_;

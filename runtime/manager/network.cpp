@@ -62,6 +62,12 @@ class Network::Impl {
 
   ~Impl() { leave(); }
 
+  // The thread of frame links begins in the control thread, with the first of them, and inherits
+  // how that is scheduled.
+  void schedule(const rt::Scheduling& scheduling) {
+    run(control_, kLocalWork, [scheduling] { rt::schedule("the network", scheduling); });
+  }
+
   void publish() {
     run(control_, kLocalWork, [this, components = describeComponents(directory_)] {
       link_->update(components);
@@ -209,6 +215,8 @@ Network::Network(const Directory& directory, const std::string& managerAddress, 
 Network::~Network() = default;
 
 void Network::leave() { impl_->leave(); }
+
+void Network::schedule(const rt::Scheduling& scheduling) { impl_->schedule(scheduling); }
 
 void Network::publish() { impl_->publish(); }
 

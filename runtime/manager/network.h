@@ -7,6 +7,7 @@
 #include <suture/component/required.h>
 #include <suture/manager/lane.h>
 #include <suture/manager/security.h>
+#include <suture/rt/scheduling.h>
 #include <suture/transport/delay/connection_delay.h>
 #include <suture/transport/rpc/refusals.h>
 #include <suture/wiring/directory.h>
@@ -44,6 +45,10 @@ class Network {
   ~Network();
   Network(const Network&) = delete;
   Network& operator=(const Network&) = delete;
+
+  /// Before the first connection: schedules so the threads that carry connections. Throws
+  /// SetupError if the kernel refuses.
+  void schedule(const rt::Scheduling& scheduling);
 
   /// Makes the directory's present components known, and lets peers connect to them.
   void publish();

@@ -86,11 +86,13 @@ WindowReport reportOf(const TaskWindow& window) {
 
 TaskReport reportOf(const Task& task) {
   const TaskStatistics& statistics = task.statistics();
+  const std::optional<rt::Scheduling> scheduling = task.scheduling();
   const ComponentState state = task.state();
   return {.name = task.name(),
           .state = state,
           .fault = state == ComponentState::Faulted ? task.fault() : "",
           .faults = task.faults(),
+          .scheduling = scheduling ? toString(*scheduling) : "",
           .cycles = rt::count(statistics.cycles),
           .skipped = rt::count(statistics.skipped),
           .lateness = distribution(statistics.lateness),

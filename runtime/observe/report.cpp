@@ -116,6 +116,7 @@ void eachField(TaskValue& value, const Visit& visit) requires
   visit("state", value.state);
   visit("fault", value.fault);
   visit("faults", value.faults);
+  visit("scheduling", value.scheduling);
   visit("cycles", value.cycles);
   visit("skipped", value.skipped);
   visit("lateness", value.lateness);

@@ -90,6 +90,7 @@ struct TaskReport {
   ComponentState state = ComponentState::Constructed;
   std::string fault;         ///< what its handler threw, if state is Faulted
   std::uint64_t faults = 0;  ///< how often it has been faulted
+  std::string scheduling;    ///< "fifo 80 on processor 1"; "": another's thread runs it
   std::uint64_t cycles = 0, skipped = 0;
   Distribution lateness;  ///< wake-up time minus due time: the jitter of the period
   Distribution computeTime;

@@ -56,9 +56,11 @@ std::string lifeOf(const Reported& one) {
 }
 
 std::string line(const TaskReport& task) {
-  return lifeOf(task) + ", " + counted("cycles", task.cycles) + ", " +
-         counted("skipped", task.skipped) + distributed("lateness", task.lateness) +
-         distributed("compute time", task.computeTime) + "\n";
+  const bool special = !task.scheduling.empty() && task.scheduling != "default";
+  return lifeOf(task) + (special ? ", " + task.scheduling : "") + ", " +
+         counted("cycles", task.cycles) + ", " + counted("skipped", task.skipped) +
+         distributed("lateness", task.lateness) + distributed("compute time", task.computeTime) +
+         "\n";
 }
 
 std::string keptContract(const ConnectionReport& one) {

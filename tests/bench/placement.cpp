@@ -1,9 +1,6 @@
 #include "bench/placement.h"
 
-#include <suture/base/errors.h>
-#include <suture/rt/thread.h>
-
-#include <thread>
+#include <suture/rt/scheduling.h>
 
 namespace bench {
 namespace {
@@ -23,7 +20,7 @@ std::optional<int> lastAllowed(int except) {
 
 Pinned::Pinned(std::optional<int> cpu) {
   sched_getaffinity(0, sizeof(before_), &before_);
-  if (cpu) suture::rt::configureThisThread("suture-bench", {.cpu = cpu});
+  if (cpu) suture::rt::configureThisThread("suture-bench", {.processor = cpu});
 }
 
 Pinned::~Pinned() { sched_setaffinity(0, sizeof(before_), &before_); }
@@ -41,16 +38,9 @@ int preferredCpu() { return lastAllowed(-1).value_or(0); }
 int cpuBeside(int cpu) { return lastAllowed(cpu).value_or(cpu); }
 
 std::string whyNotFifo(int priority) {
-  std::string reason;
-  std::thread probe([&] {
-    try {
-      suture::rt::configureThisThread("probe", {.fifoPriority = priority});
-    } catch (const suture::SetupError& error) {
-      reason = error.what();
-    }
-  });
-  probe.join();
-  return reason;
+  const auto refusals =
+      suture::rt::grantedOf("the bench", {suture::rt::Policy::Fifo, priority}).refusals;
+  return refusals.empty() ? "" : refusals.front();
 }
 
 }  // namespace bench

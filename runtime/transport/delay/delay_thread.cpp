@@ -7,7 +7,7 @@
 
 namespace suture {
 
-DelayThread::DelayThread() : ThreadTask(rt::Scheduling{}) { start(); }
+DelayThread::DelayThread(const rt::Scheduling& scheduling) : ThreadTask(scheduling) { start(); }
 
 DelayThread::~DelayThread() {
   stop();

@@ -16,7 +16,7 @@ namespace suture {
 /// which must be after the tasks and before what it rings.
 class DelayThread final : public ThreadTask {
  public:
-  DelayThread();
+  explicit DelayThread(const rt::Scheduling& scheduling);
   ~DelayThread() override;
 
   /// Throws SetupError if the contract has a type without bounds: what is under way is kept in

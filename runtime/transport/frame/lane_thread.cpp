@@ -1,4 +1,5 @@
 #include <suture/base/errors.h>
+#include <suture/rt/scheduling.h>
 #include <suture/transport/frame/lane_thread.h>
 
 #include <poll.h>

@@ -1,6 +1,9 @@
 #include <suture/base/errors.h>
+#include <suture/rt/scheduling.h>
 #include <suture/transport/rpc/control_thread.h>
 #include <sys/eventfd.h>
+
+#include <pthread.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -46,6 +49,7 @@ ControlThread::ControlThread() {
 }
 
 void ControlThread::serve() {
+  pthread_setname_np(pthread_self(), "suture-control");
   rt::askForSlice(rt::kServiceSlice);
   Loop loop(*this);
   loop_ = &loop;

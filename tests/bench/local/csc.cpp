@@ -1,6 +1,6 @@
 #include <suture/rt/doorbell.h>
+#include <suture/rt/scheduling.h>
 #include <suture/rt/spsc_ring.h>
-#include <suture/rt/thread.h>
 #include <suture/wiring/connect.h>
 
 #include <cstring>
@@ -54,7 +54,7 @@ Samples bareRounds(int cpu, std::size_t count) {
   RingWay there, back;
   const std::size_t total = kSkipped + count;
   std::thread echo([&] {
-    suture::rt::configureThisThread("bare-echo", {.cpu = cpu});
+    suture::rt::configureThisThread("bare-echo", {.processor = cpu});
     PoseSample value;
     for (std::size_t i = 0; i < total; ++i) {
       there.receive(value);
@@ -63,7 +63,7 @@ Samples bareRounds(int cpu, std::size_t count) {
   });
   Samples elapsed;
   std::thread client([&] {
-    suture::rt::configureThisThread("bare-client", {.cpu = cpu});
+    suture::rt::configureThisThread("bare-client", {.processor = cpu});
     PoseSample value = poseSample();
     for (std::size_t i = 0; i < total; ++i) {
       value.stamp = now();

@@ -20,7 +20,7 @@ constexpr std::size_t kEvents = 16;  // all that a subscriber's queue takes
 /// Emits kEvents when it is bounced and measures them.
 class BurstSender final : public suture::EventTask, public SampleServer {
  public:
-  BurstSender(int cpu, std::size_t rounds) : EventTask({.scheduling = {.cpu = cpu}}) {
+  BurstSender(int cpu, std::size_t rounds) : EventTask({.scheduling = {.processor = cpu}}) {
     costs_.reserve(rounds);
   }
   ~BurstSender() override { stop(); }

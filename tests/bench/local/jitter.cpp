@@ -1,6 +1,6 @@
 #include <suture/component/periodic_task.h>
 #include <suture/rt/histogram.h>
-#include <suture/rt/thread.h>
+#include <suture/rt/scheduling.h>
 
 #include <semaphore>
 #include <thread>
@@ -23,7 +23,7 @@ constexpr suture::Duration kPeriod = 1ms;
 class IdleTask final : public suture::PeriodicTask {
  public:
   IdleTask(int cpu, std::size_t cycles)
-      : PeriodicTask({.period = kPeriod, .scheduling = {.cpu = cpu}}), cycles_(cycles) {}
+      : PeriodicTask({.period = kPeriod, .scheduling = {.processor = cpu}}), cycles_(cycles) {}
   ~IdleTask() override { stop(); }
 
   void turn() {
@@ -43,7 +43,7 @@ class IdleTask final : public suture::PeriodicTask {
 
 void bareTurn(int cpu, std::size_t cycles, Histogram& lateness) {
   std::thread([=, &lateness] {
-    suture::rt::configureThisThread("bare-loop", {.cpu = cpu});
+    suture::rt::configureThisThread("bare-loop", {.processor = cpu});
     Time due = now();
     for (std::size_t i = 0; i < cycles; ++i) {
       while ((due += kPeriod) <= now()) {

@@ -1,5 +1,5 @@
+#include <suture/rt/scheduling.h>
 #include <suture/rt/state_table.h>
-#include <suture/rt/thread.h>
 #include <suture/wiring/connect.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class Writer {
  public:
   Writer(suture::rt::StateTable& table, int cpu)
       : thread_([this, &table, cpu] {
-          suture::rt::configureThisThread("writer", {.cpu = cpu});
+          suture::rt::configureThisThread("writer", {.processor = cpu});
           Words words{};
           for (suture::Time due = suture::now(); !stop_; due += kWriterPeriod) {
             words.fill(words[0] + 1);

@@ -8,7 +8,7 @@ using robots::PoseSample;
 using suture::now;
 
 SampleClient::SampleClient(int cpu, std::size_t skipped, std::size_t samples)
-    : EventTask({.scheduling = {.cpu = cpu}}), pose_(poseSample()), skipped_(skipped) {
+    : EventTask({.scheduling = {.processor = cpu}}), pose_(poseSample()), skipped_(skipped) {
   elapsed_.reserve(skipped + samples);
   server.on().echo([this](const PoseSample& value) { arrived(value); });
 }

@@ -15,7 +15,7 @@ robots::PoseSample poseSample();
 /// Sleeps until a command arrives.
 class SampleTask final : public suture::EventTask, public SampleServer {
  public:
-  explicit SampleTask(int cpu) : EventTask({.scheduling = {.cpu = cpu}}) {}
+  explicit SampleTask(int cpu) : EventTask({.scheduling = {.processor = cpu}}) {}
   ~SampleTask() override { stop(); }
 
   void put(const robots::PoseSample& value) override;

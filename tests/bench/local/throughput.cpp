@@ -29,7 +29,8 @@ class Flooder final : public suture::EventTask {
  public:
   using Body = std::function<std::vector<double>(Flooder&)>;
 
-  Flooder(int cpu, Body body) : EventTask({.scheduling = {.cpu = cpu}}), body_(std::move(body)) {
+  Flooder(int cpu, Body body)
+      : EventTask({.scheduling = {.processor = cpu}}), body_(std::move(body)) {
     pose_.sequence = 0;
   }
   ~Flooder() override { stop(); }

@@ -2,7 +2,7 @@
 #include <suture/base/errors.h>
 #include <suture/component/channel.h>
 #include <suture/rt/period.h>
-#include <suture/rt/thread.h>
+#include <suture/rt/scheduling.h>
 
 #include <algorithm>
 #include <atomic>
@@ -34,8 +34,8 @@ constexpr int kPriority = 80;  // of the survivor's task
 
 // What else runs on the machine would hide one loop behind the noise of the other.
 suture::rt::Scheduling scheduling(const NetworkOptions& options, int priority) {
-  if (!whyNotFifo(priority).empty()) return {.cpu = options.cpu};
-  return {.fifoPriority = priority, .cpu = options.cpu};
+  if (!whyNotFifo(priority).empty()) return {.processor = options.cpu};
+  return {suture::rt::Policy::Fifo, priority, options.cpu};
 }
 
 struct Periods {
@@ -230,7 +230,7 @@ std::string survivorRows(const NetworkOptions& options, Report& report) {
   }
 
   Table table(1);
-  const bool fifo = scheduling(options, kPriority).fifoPriority.has_value();
+  const bool fifo = scheduling(options, kPriority).policy == suture::rt::Policy::Fifo;
   table.row({std::string("1 kHz while the arm is killed and stopped, ") +
                  (fifo ? "SCHED_FIFO" : "default policy"),
              "faults", "periods", "skipped, %", "a bare loop beside", "longest cycle, ms"});

@@ -65,7 +65,7 @@ void requireNetwork(const LoopResult& result) {
 }  // namespace
 
 LoopResult measureLocally(const LoopSetup& setup) {
-  const Pinned pinned(setup.scheduling.cpu);
+  const Pinned pinned(setup.scheduling.processor);
   const auto server = makeServer(setup);
   const auto client = makeClient(setup);
   suture::Manager manager{"bench"};
@@ -81,7 +81,7 @@ LoopResult measureLocally(const LoopSetup& setup) {
 }
 
 LoopResult measureAcross(const LoopSetup& setup, Transport transport) {
-  const Pinned pinned(setup.scheduling.cpu);
+  const Pinned pinned(setup.scheduling.processor);
   const suture::TemporaryDirectory folder;
   suture::rpc::ControlThread control;
   const suture::GlobalManager names(control, managerAddress(folder, transport));

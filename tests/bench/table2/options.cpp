@@ -38,13 +38,16 @@ nlohmann::json Table2Options::toJson() const {
 LoopSetup Table2Options::periodic(Loop loop, bool fifo) const {
   LoopSetup setup{.loop = loop, .pace = Pace::Periodic, .skip = skipped(), .samples = kept()};
   setup.period = suture::Duration(static_cast<std::int64_t>(1e9 / rateHz));
-  if (fifo) setup.scheduling.fifoPriority = fifoPriority;
+  if (fifo) {
+    setup.scheduling.policy = suture::rt::Policy::Fifo;
+    setup.scheduling.priority = fifoPriority;
+  }
   return setup;
 }
 
 LoopSetup Table2Options::eventDriven(Loop loop) const {
   LoopSetup setup{.loop = loop, .pace = Pace::EventDriven, .skip = skipped(), .samples = kept()};
-  setup.scheduling.cpu = cpu;
+  setup.scheduling.processor = cpu;
   return setup;
 }
 

@@ -26,10 +26,13 @@ void serve(ServerProcessOptions options) {
   LoopSetup& setup = options.setup;
   setup.pace = options.periodic ? Pace::Periodic : Pace::EventDriven;
   setup.period = suture::Duration(options.periodNanoseconds);
-  if (options.fifo > 0) setup.scheduling.fifoPriority = options.fifo;
-  if (options.cpu >= 0) setup.scheduling.cpu = options.cpu;
+  if (options.fifo > 0) {
+    setup.scheduling.policy = suture::rt::Policy::Fifo;
+    setup.scheduling.priority = options.fifo;
+  }
+  if (options.cpu >= 0) setup.scheduling.processor = options.cpu;
 
-  const Pinned pinned(setup.scheduling.cpu);
+  const Pinned pinned(setup.scheduling.processor);
   const auto server = makeServer(setup);
   suture::Manager manager{"server", options.manager};
   manager.add("Server", server->task());
@@ -67,10 +70,10 @@ std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
                                      "--samples",
                                      std::to_string(setup.samples)};
   if (setup.pace == Pace::Periodic) arguments.emplace_back("--periodic");
-  if (const auto priority = setup.scheduling.fifoPriority) {
-    arguments.insert(arguments.end(), {"--fifo", std::to_string(*priority)});
+  if (setup.scheduling.policy == suture::rt::Policy::Fifo) {
+    arguments.insert(arguments.end(), {"--fifo", std::to_string(setup.scheduling.priority)});
   }
-  if (const auto cpu = setup.scheduling.cpu) {
+  if (const auto cpu = setup.scheduling.processor) {
     arguments.insert(arguments.end(), {"--cpu", std::to_string(*cpu)});
   }
   return arguments;

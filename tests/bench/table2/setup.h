@@ -2,7 +2,7 @@
 // What one measurement of a loop is.
 
 #include <suture/base/time.h>
-#include <suture/rt/thread.h>
+#include <suture/rt/scheduling.h>
 
 #include <cstddef>
 #include <string>

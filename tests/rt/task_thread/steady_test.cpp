@@ -124,7 +124,7 @@ TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
 // An arm and two clients that sleep whenever they have nothing to do, and wake each other: in a
 // cycle one sleep, and a ring for each peer that sleeps.
 TEST(TaskThread, CyclesThatSleepCostASleepAndARingForEachSleepingPeer) {
-  const suture::EventOptions options{.scheduling = {.cpu = someProcessor()}};
+  const suture::EventOptions options{.scheduling = {.processor = someProcessor()}};
   ArmTask<suture::EventTask> arm(options);
   UserTask<suture::EventTask> first(options), second(options);
   Watch armWatch("PSM", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 2});

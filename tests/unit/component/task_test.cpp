@@ -77,7 +77,7 @@ TEST(PeriodicTask, RefusesAPeriodThatIsNotPositive) {
 }
 
 TEST(Task, ToldOfSchedulingThatTheKernelRefuses) {
-  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.scheduling = {.cpu = 4000}});
+  CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.scheduling = {.processor = 4000}});
   try {
     arm.start();
     FAIL() << "there is no processor 4000";

@@ -43,6 +43,7 @@ suture::Report sample() {
   task.state = suture::ComponentState::Faulted;
   task.fault = "it threw";
   task.faults = 53;
+  task.scheduling = "fifo 66";
   task.cycles = 21;
   task.skipped = 22;
   task.lateness = {23, 24ns, 25ns, 26ns};

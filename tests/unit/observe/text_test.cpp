@@ -25,18 +25,20 @@ TEST(Text, TellsAllOfAProcess) {
                   .state = ComponentState::Faulted,
                   .fault = "no answer",
                   .faults = 2,
+                  .scheduling = "fifo 80",
                   .cycles = 500,
                   .skipped = 1,
                   .lateness = {500, 1us, 20us, 300us},
                   .computeTime = {},
                   .window = {}};
-  EXPECT_EQ(toText({"right", 1500ms, {}, {task}, {{"Shelf", ComponentState::Running, "", 0}}}),
-            "process right after 1.5 s\n"
-            "tasks\n"
-            "  PSM: faulted (no answer), faults 2, cycles 500, skipped 1, lateness p50 1.0 us, p99 "
-            "20.0 us, max 300.0 us\n"
-            "devices\n"
-            "  Shelf: running, faults 0\n");
+  EXPECT_EQ(
+      toText({"right", 1500ms, {}, {task}, {{"Shelf", ComponentState::Running, "", 0}}}),
+      "process right after 1.5 s\n"
+      "tasks\n"
+      "  PSM: faulted (no answer), faults 2, fifo 80, cycles 500, skipped 1, lateness p50 1.0 "
+      "us, p99 20.0 us, max 300.0 us\n"
+      "devices\n"
+      "  Shelf: running, faults 0\n");
 }
 
 TEST(Text, TellsAllOfAConnection) {

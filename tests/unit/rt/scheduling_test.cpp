@@ -1,0 +1,79 @@
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <suture/base/errors.h>
+#include <suture/rt/scheduling.h>
+#include <sys/resource.h>
+
+#include <thread>
+
+namespace suture::rt {
+namespace {
+
+template <class Work>
+void inThread(Work work) {
+  std::thread(work).join();
+}
+
+TEST(Scheduling, AskingForASliceLeavesPolicyAndNicenessAlone) {
+  inThread([] {
+    ASSERT_EQ(setpriority(PRIO_PROCESS, 0, 7), 0);  // of this thread alone
+    askForSlice(kTaskSlice);
+    EXPECT_EQ(getpriority(PRIO_PROCESS, 0), 7);
+    EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
+  });
+  inThread([] {
+    const sched_param none{};
+    ASSERT_EQ(sched_setscheduler(0, SCHED_BATCH, &none), 0);
+    askForSlice(kTaskSlice);
+    EXPECT_EQ(sched_getscheduler(0), SCHED_BATCH);
+  });
+}
+
+TEST(Scheduling, AThreadIsPinnedWhereItWasTold) {
+  inThread([] {
+    configureThisThread("a name longer than the kernel keeps", {.processor = 0});
+    EXPECT_EQ(sched_getcpu(), 0);
+    char name[16];
+    ASSERT_EQ(pthread_getname_np(pthread_self(), name, sizeof(name)), 0);
+    EXPECT_STREQ(name, "a name longer t");
+  });
+}
+
+TEST(Scheduling, AProcessorThatIsNotThereIsRefused) {
+  inThread([] { EXPECT_THROW(configureThisThread("far", {.processor = 1000}), SetupError); });
+}
+
+TEST(Scheduling, WhatIsRefusedOfAWishLeavesTheRest) {
+  const Granted granted = grantedOf("far", {.processor = 1000});
+  EXPECT_EQ(granted.scheduling, Scheduling{});
+  ASSERT_EQ(granted.refusals.size(), 1u);
+  EXPECT_EQ(granted.refusals[0],
+            "cannot pin the thread of far to processor 1000: Invalid argument. Choose a "
+            "processor that this process may use (nproc)");
+  const Granted nonsense = grantedOf("PSM", {Policy::Fifo, 100, 0});
+  EXPECT_EQ(nonsense.scheduling, (Scheduling{.processor = 0}));
+  ASSERT_EQ(nonsense.refusals.size(), 1u);
+  EXPECT_TRUE(
+      nonsense.refusals[0].starts_with("cannot give the thread of PSM SCHED_FIFO priority 100: "))
+      << nonsense.refusals[0];
+}
+
+TEST(Scheduling, AskingWhatIsGrantedLeavesTheThreadThatAsksAlone) {
+  inThread([] {
+    (void)grantedOf("PSM", {Policy::RoundRobin, 1, 0});
+    EXPECT_EQ(sched_getscheduler(0), SCHED_OTHER);
+    cpu_set_t allowed;
+    sched_getaffinity(0, sizeof(allowed), &allowed);
+    EXPECT_EQ(static_cast<unsigned>(CPU_COUNT(&allowed)), std::thread::hardware_concurrency());
+  });
+}
+
+TEST(Scheduling, InWords) {
+  EXPECT_EQ(toString(Scheduling{}), "default");
+  EXPECT_EQ(toString({.processor = 2}), "default on processor 2");
+  EXPECT_EQ(toString({Policy::Fifo, 80, 1}), "fifo 80 on processor 1");
+  EXPECT_EQ(toString({Policy::RoundRobin, 7}), "round robin 7");
+}
+
+}  // namespace
+}  // namespace suture::rt
