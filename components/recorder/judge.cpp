@@ -50,11 +50,22 @@ std::optional<Judge::Pose> Judge::masterAt(Time stamp) const {
                secondsBetween(before->stamp, stamp) / gap);
 }
 
+/// The first time after `stamp` that following began.
+Judge::Entry Judge::entryAfter(Time stamp) const {
+  return std::upper_bound(followed_.begin(), followed_.end(), stamp,
+                          [](Time t, const FollowAnchors& a) { return t < a.master_stamp; });
+}
+
+/// False before following began, and while the slave is not enabled, until it begins anew.
+bool Judge::isFollowing(const ArmRow& row) {
+  const auto next = entryAfter(row.goal_stamp);
+  if (!row.enabled) disabled_ = row.stamp;
+  return next != followed_.begin() && row.enabled && (!disabled_ || next != entryAfter(*disabled_));
+}
+
 /// Where the slave was told to be by data of time `stamp`.
 std::optional<Judge::Pose> Judge::targetAt(Time stamp) const {
-  const auto next =
-      std::upper_bound(followed_.begin(), followed_.end(), stamp,
-                       [](Time t, const FollowAnchors& a) { return t < a.master_stamp; });
+  const auto next = entryAfter(stamp);
   if (next == followed_.begin()) return std::nullopt;
   const auto pose = masterAt(stamp);
   if (!pose) return std::nullopt;
@@ -89,18 +100,19 @@ void Judge::forgetMasterBefore(Time stamp) {
 }
 
 void Judge::judge(const ArmRow& row) {
-  if (followed_.empty() || row.goal_stamp < followed_.front().master_stamp) return;
+  if (!isFollowing(row)) return expected_.reset();
   const Pose measured = toPose(row.measured);
   if (!expected_) {
     expected_ = measured;
-    start_ = measured.p;
+    target_.reset();
+    if (!start_) start_ = measured.p;
   } else if (target_) {
     const double share = 1 - std::exp(-secondsBetween(last_, row.stamp) / timeConstant_);
     expected_ = blend(*expected_, *target_, share);
     position_.push_back((measured.p - expected_->p).norm());
     orientation_.push_back(measured.q.angularDistance(expected_->q));
   }
-  travel_ = std::max(travel_, (measured.p - start_).norm());
+  travel_ = std::max(travel_, (measured.p - *start_).norm());
   last_ = row.stamp;
   if (const auto next = targetAt(row.goal_stamp)) {
     target_ = next;

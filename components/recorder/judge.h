@@ -28,7 +28,8 @@ struct Judgement {
 /// R_m0^T R_s0 gives the target of each slave cycle from the recorded master at the stamp of the
 /// set-point; a first-order filter of `timeConstant` (s) in Cartesian space, on the slave's own
 /// cycle times, gives where the slave should be. Rate limits are not modelled: a slave that met one
-/// is late, and that shows.
+/// is late, and that shows. Of a slave that is not enabled the law asks for nothing, until
+/// following begins anew.
 class Judge {
  public:
   explicit Judge(double timeConstant) : timeConstant_(timeConstant) {}
@@ -51,11 +52,15 @@ class Judge {
     Eigen::Quaterniond q;
   };
 
+  using Entry = std::vector<FollowAnchors>::const_iterator;
+
   static Pose toPose(const Eigen::Isometry3d& pose);
   static Pose blend(const Pose& from, const Pose& to, double share);
   static Pose law(const FollowAnchors& anchors, const Pose& master);
   std::optional<Pose> masterAt(suture::Time stamp) const;
+  Entry entryAfter(suture::Time stamp) const;
   std::optional<Pose> targetAt(suture::Time stamp) const;
+  bool isFollowing(const ArmRow& row);
   void judge(const ArmRow& row);
   void forgetMasterBefore(suture::Time stamp);
 
@@ -65,7 +70,8 @@ class Judge {
   std::optional<Pose> target_;    // what acts on the slave since its last cycle
   std::optional<Pose> expected_;  // where the slave should be
   suture::Time last_;
-  Eigen::Vector3d start_ = Eigen::Vector3d::Zero();
+  std::optional<suture::Time> disabled_;  // the slave's last cycle in which it was not enabled
+  std::optional<Eigen::Vector3d> start_;
   double travel_ = 0;
   std::size_t unmatched_ = 0, reported_ = 0;
   std::vector<double> position_, orientation_;  // one error a cycle, m and rad

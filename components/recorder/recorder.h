@@ -1,5 +1,6 @@
 #pragma once
-// The task that records an arm and, if connected, the teleoperation that drives it.
+// The task that records an arm and, if connected, the teleoperation that drives it and the
+// emergency stop.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -12,6 +13,7 @@
 #include <string>
 
 #include "arm/arm.suture.h"
+#include "coordinator/emergency_stop.suture.h"
 #include "recorder/recording.h"
 #include "recorder/recording_writer.h"
 #include "teleop/teleoperation.suture.h"
@@ -42,7 +44,9 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
   RecordingWriter<Record> writer_;
   suture::Required<Arm> arm_{*this, "Arm"};
   SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> teleop_{*this, "Teleoperation"};
+  SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};
   suture::Time last_;
+  bool enabled_ = false;
   std::atomic<std::uint64_t> dropped_{0};
 };
 

@@ -30,7 +30,8 @@ Json toJson(const ArmRow& row) {
   return {{"stamp", suture::toNanoseconds(row.stamp)},
           {"measured", toJson(row.measured)},
           {"goal_stamp", suture::toNanoseconds(row.goal_stamp)},
-          {"setpoint", toJson(row.setpoint)}};
+          {"setpoint", toJson(row.setpoint)},
+          {"enabled", row.enabled}};
 }
 
 Json toJson(const FollowAnchors& anchors) {
@@ -41,14 +42,21 @@ Json toJson(const FollowAnchors& anchors) {
           {"scale", anchors.scale}};
 }
 
+Json toJson(const StopNews& news) {
+  return {{"pressed", news.pressed}, {"stamp", suture::toNanoseconds(news.stamp)}};
+}
+
 void add(Recording& recording, const Json& json) {
   if (json.contains("followed")) {
     recording.followed.push_back({stampOf(json.at("master_stamp")), toPose(json.at("master")),
                                   toPose(json.at("slave_setpoint")), json.at("scale").get<double>(),
                                   json.at("followed").get<std::uint64_t>()});
+  } else if (json.contains("pressed")) {
+    recording.stops.push_back({json.at("pressed").get<bool>(), stampOf(json.at("stamp"))});
   } else {
     recording.arm.push_back({stampOf(json.at("stamp")), toPose(json.at("measured")),
-                             stampOf(json.at("goal_stamp")), toPose(json.at("setpoint"))});
+                             stampOf(json.at("goal_stamp")), toPose(json.at("setpoint")),
+                             json.at("enabled").get<bool>()});
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What is kept of a run: one arm's poses, and the moments when a teleoperation began to follow.
+// What is kept of a run: one arm's poses, the moments when a teleoperation began to follow, and
+// those when an emergency stop was pressed or released.
 
 #include <suture/base/time.h>
 
@@ -10,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "coordinator/emergency_stop.h"
 #include "recorder/recording_lines.h"
 #include "teleop/teleoperation.h"
 
@@ -21,13 +23,15 @@ struct ArmRow {
   Eigen::Isometry3d measured = Eigen::Isometry3d::Identity();
   suture::Time goal_stamp;  ///< of the data that the set-point was made from
   Eigen::Isometry3d setpoint = Eigen::Isometry3d::Identity();
+  bool enabled = true;  ///< it obeys motion commands
 };
 
-using Record = std::variant<ArmRow, FollowAnchors>;
+using Record = std::variant<ArmRow, FollowAnchors, StopNews>;
 
 struct Recording {
   std::vector<ArmRow> arm;              ///< by ascending stamp
   std::vector<FollowAnchors> followed;  ///< in the order of events
+  std::vector<StopNews> stops;          ///< likewise
 };
 
 /// Writes one record as one line of JSON. Stamps are ns of the steady clock, quaternions w, x, y,

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "moment.h"
 #include "plan.h"
 
 namespace demo {
 
 struct Break {
   std::string process;
-  suture::Duration at{};              ///< from when all is connected
-  suture::Duration length{};          ///< until it is mended
+  Moment moment;                      ///< of its cut, and how long until it is mended
   std::vector<RecordedSlave> slaves;  ///< that have to hold meanwhile
 };
 
@@ -24,10 +24,8 @@ struct Outage {
 };
 
 /// "vision@4s", or "vision@4s+1500ms" (without a length, one second); none for "". Throws
-/// suture::SetupError for any other text, for a system of one process, for a break of less than a
-/// second, in which nobody could tell who holds, and for one that is not mended three seconds
-/// before the run's end, so that it can be judged; suture::DocumentError for a process that the
-/// plan does not have.
+/// suture::SetupError for any other text, for a system of one process, and as requireRoom() does;
+/// suture::DocumentError for a process that the plan does not have.
 std::optional<Break> parseBreak(const std::string& text, const Plan& plan,
                                 suture::Duration runLength);
 

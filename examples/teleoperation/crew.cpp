@@ -138,9 +138,9 @@ void Crew::watch(Duration length, const Progress& progress) {
 /// Does what is due, and says when there is more to do.
 Time Crew::breakOrMend(Time began) {
   if (!cutOff_ || result_.outage) return Time::max();
-  if (suture::now() < began + cutOff_->at) return began + cutOff_->at;
+  if (suture::now() < began + cutOff_->moment.at) return began + cutOff_->moment.at;
   if (!broken_) cut();
-  if (suture::now() < *broken_ + cutOff_->length) return *broken_ + cutOff_->length;
+  if (suture::now() < *broken_ + cutOff_->moment.length) return *broken_ + cutOff_->moment.length;
   result_.outage = {*broken_, suture::now()};
   mend();
   return Time::max();

@@ -78,6 +78,12 @@ void declare(CLI::App& app, demo::Options& options) {
          "Cut a process off during the run: vision@4s, or vision@4s+1500ms (without a length, "
          "one second). Its cable is pulled; without namespaces it is frozen")
       ->type_name("PROCESS@TIME");
+  app.add_option(
+         "--stop", options.stop,
+         "Press the emergency stop during the run: 6s, or 6s+1500ms (without a length, it is "
+         "released after one second)")
+      ->type_name("TIME")
+      ->excludes("--break");
   app.add_option("--seconds", options.seconds, "How long to run")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 86400.0));
@@ -117,8 +123,7 @@ int run(const demo::Options& options) {
   demo::Network network(options.network, options.lane);
   demo::Plan plan(options, network, paths::kTopologies, folder.path());
   if (!options.picture.empty()) demo::requireKnot(plan);
-  const auto length =
-      std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(options.seconds));
+  const suture::Duration length = demo::lengthOf(options);
   const auto cutOff = demo::parseBreak(options.cutOff, plan, length);
   demo::Crew crew(plan, network, cutOff, fs::read_symlink("/proc/self/exe").parent_path(),
                   folder.path());
@@ -148,7 +153,8 @@ int main(int argc, char** argv) {
       "Two masters drive two slaves through code that suturec wrote from plain C++ headers. Exit "
       "status 0: no process died, every connection used the lane it was given, each slave "
       "travelled at least 30 mm and followed the law within 1 mm and 1 degree at p99, a knot came "
-      "to 1 mm from its target, slaves held while a process was cut off, and the files that were "
+      "to 1 mm from its target, slaves held while a process was cut off or the emergency stop was "
+      "pressed, and the files that were "
       "asked for are written.");
   declare(app, options);
   CLI11_PARSE(app, argc, argv);

@@ -2,14 +2,20 @@
 
 #include <suture/base/errors.h>
 #include <suture/deploy/keys_command.h>
+#include <suture/rt/scheduling.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "stop.h"
+
 namespace demo {
 namespace {
+
+namespace rt = suture::rt;
 
 using nlohmann::json;
 using suture::ComponentEntry;
@@ -27,6 +33,29 @@ void setRate(json& component, double rate) {
   component[period] = component[period].get<double>() / kControlPeriod / rate;
 }
 
+/// How old the permit of the emergency stop may be without real-time priorities: on a busy machine
+/// a thread may wait for so long for its processor.
+constexpr double kPatientPermit = 0.25;  // s
+
+/// This user may not have what the topology's file says of its processes and components.
+void giveUpRealTime(json& process) {
+  process.erase("scheduling");
+  for (json& component : process.at("components")) {
+    component.erase("scheduling");
+    const json::json_pointer permit("/parameters/permit");
+    if (component.contains(permit) && component[permit] > 0) component[permit] = kPatientPermit;
+  }
+}
+
+void setStop(json& component, const Moment& stop) {
+  if (component.at("class") != "Assistant") return;
+  const auto seconds = [](suture::Duration duration) {
+    return std::chrono::duration<double>(duration).count();
+  };
+  component["parameters"]["press_after"] = seconds(stop.at);
+  component["parameters"]["release_after"] = seconds(stop.length);
+}
+
 /// An arm and its drives share a process in every topology, and exchange more than all others do.
 void setLane(json& connection, const std::string& lane) {
   if (!connection.at("to").get<std::string>().ends_with("/Drives")) connection["lane"] = lane;
@@ -42,7 +71,8 @@ void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
   system["keys"] = "keys";
 }
 
-std::filesystem::path write(const Options& options, Network& network,
+std::filesystem::path write(const Options& options, const std::optional<Moment>& stop,
+                            bool realTime, Network& network,
                             const std::filesystem::path& topologies,
                             const std::filesystem::path& folder) {
   // Checked before it is changed, so that a message names the topology's own file and line.
@@ -57,7 +87,11 @@ std::filesystem::path write(const Options& options, Network& network,
     if (network.needsKeys()) makeKeys(system, folder);
   }
   for (json& process : system.at("processes")) {
-    for (json& component : process.at("components")) setRate(component, options.rate);
+    if (!realTime) giveUpRealTime(process);
+    for (json& component : process.at("components")) {
+      setRate(component, options.rate);
+      if (stop) setStop(component, *stop);
+    }
   }
   json& connections = *system.emplace("connections", json::array()).first;
   for (json& connection : connections) setLane(connection, options.lane);
@@ -98,6 +132,11 @@ bool isArm(const ComponentEntry& component) {
 
 }  // namespace
 
+suture::Duration lengthOf(const Options& options) {
+  return std::chrono::duration_cast<suture::Duration>(
+      std::chrono::duration<double>(options.seconds));
+}
+
 std::vector<std::string> topologiesIn(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -109,13 +148,16 @@ std::vector<std::string> topologiesIn(const std::filesystem::path& folder) {
 
 Plan::Plan(const Options& options, Network& network, const std::filesystem::path& topologies,
            const std::filesystem::path& folder)
-    : folder_(folder),
-      file_(write(options, network, topologies, folder)),
+    : stop_(parseStop(options.stop, lengthOf(options))),
+      realTime_(rt::grantedOf("the demo", {rt::Policy::Fifo, 1}).refusals.empty()),
+      folder_(folder),
+      file_(write(options, stop_, realTime_, network, topologies, folder)),
       deployment_(suture::JsonDocument::read(file_)) {
   findArms();
   findFollowings(folder);
   findKnot(folder);
   findLanes(network.fastestLane());
+  findPermit();
 }
 
 void Plan::setManager(const std::string& address) {
@@ -138,13 +180,20 @@ bool Plan::driverCrosses(const std::string& slave, const std::string& process) c
   });
 }
 
-std::vector<RecordedSlave> Plan::slavesDrivenAcross(const std::string& process) const {
+std::vector<RecordedSlave> Plan::slaves() const {
   std::vector<RecordedSlave> slaves;
   for (const std::string& arm : arms_) {
-    if (component(arm).className != "Psm" || !driverCrosses(arm, process)) continue;
+    if (component(arm).className != "Psm") continue;
     slaves.push_back({arm, folder_ / recordingOf(arm + "/Arm")});
   }
   return slaves;
+}
+
+std::vector<RecordedSlave> Plan::slavesDrivenAcross(const std::string& process) const {
+  std::vector<RecordedSlave> across = slaves();
+  std::erase_if(across,
+                [&](const RecordedSlave& one) { return !driverCrosses(one.name, process); });
+  return across;
 }
 
 void Plan::findArms() {
@@ -195,6 +244,16 @@ void Plan::findLanes(const char* fastestLane) {
     const bool forced = connection.lane != suture::Lane::Auto;
     lanes_[connection.from.toString() + " -> " + connection.to.toString()] =
         forced ? toString(connection.lane) : fastest;
+  }
+}
+
+void Plan::findPermit() {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (!component.parameters.contains("permit")) continue;
+      const std::chrono::duration<double> seconds(parameterOf<double>(component, "permit"));
+      permit_ = std::chrono::duration_cast<suture::Duration>(seconds);
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "moment.h"
 #include "network.h"
 
 namespace demo {
@@ -23,7 +24,11 @@ struct Options {
   std::string json;     // "": not wanted
   std::string picture;  // "": not wanted
   std::string cutOff;   // as parseBreak() takes it
+  std::string stop;     // as parseStop() takes it
 };
+
+/// How long the run shall last.
+suture::Duration lengthOf(const Options& options);
 
 /// The topologies that there are: the deployment files in `folder`, without ".json".
 std::vector<std::string> topologiesIn(const std::filesystem::path& folder);
@@ -48,9 +53,10 @@ struct KnotPlacing {
   double radius, slope;  ///< of the corridor: m at the target, and by which it widens before it
 };
 
-/// The topology's deployment file with the run's rate, lane, manager and keys, written into the
-/// run's folder. The rate is that of each task whose period the topology's file states as 1 ms;
+/// The topology's deployment file with the run's rate, lane, stop, manager and keys, written into
+/// the run's folder. The rate is that of each task whose period the topology's file states as 1 ms;
 /// one with a shorter period, as drives have, runs faster in proportion. All others keep theirs.
+/// For a user without real-time priorities drives take an older permit of the emergency stop.
 class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
@@ -66,8 +72,16 @@ class Plan {
   /// "process:component" of every arm, in the order of the file.
   const std::vector<std::string>& arms() const { return arms_; }
   const std::vector<Following>& followings() const { return followings_; }
-  /// Those that are driven over a connection to or from this process, and recorded.
+  /// All slaves; those that are driven over a connection to or from this process. Throws
+  /// suture::SetupError if one is not recorded.
+  std::vector<RecordedSlave> slaves() const;
   std::vector<RecordedSlave> slavesDrivenAcross(const std::string& process) const;
+  /// When the emergency stop is pressed; none if it is not.
+  const std::optional<Moment>& stop() const { return stop_; }
+  /// True if its tasks have the real-time priorities that the topology's file gives them.
+  bool isRealTime() const { return realTime_; }
+  /// How old the permit of the emergency stop may be at drives; zero if they need none.
+  suture::Duration permit() const { return permit_; }
   /// None if no component of the deployment records a knot.
   const std::optional<KnotPlacing>& knot() const { return knot_; }
   /// The lane that each connection must have, by name.
@@ -79,18 +93,22 @@ class Plan {
   void findFollowings(const std::filesystem::path& folder);
   void findKnot(const std::filesystem::path& folder);
   void findLanes(const char* fastestLane);
+  void findPermit();
   /// The first component of a class; null if there is none.
   const suture::ComponentEntry* componentOfClass(const std::string& name) const;
   const suture::ComponentEntry& component(const std::string& name) const;
   std::string connectedTo(const std::string& required) const;
   std::filesystem::path recordingOf(const std::string& provided) const;
 
+  const std::optional<Moment> stop_;
+  const bool realTime_;
   std::filesystem::path folder_, file_;
   suture::Deployment deployment_;
   std::vector<std::string> arms_;
   std::vector<Following> followings_;
   std::optional<KnotPlacing> knot_;
   std::map<std::string, std::string> lanes_;
+  suture::Duration permit_{};
 };
 
 }  // namespace demo

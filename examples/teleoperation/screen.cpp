@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "table.h"
+#include "timing/seconds.h"
 
 namespace demo {
 namespace {
@@ -102,6 +103,15 @@ void Screen::begin(const Options& options, const Plan& plan, const Network& netw
   if (const auto& knot = plan.knot()) {
     fmt::print("  two masters place a knot at [{:g}, {:g}, {:g}] mm by what cameras see\n",
                1e3 * knot->target.x(), 1e3 * knot->target.y(), 1e3 * knot->target.z());
+  }
+  if (plan.permit() > Duration{0}) {
+    fmt::print("  drives need a permit that is at most {:.0f} ms old{}\n",
+               1e3 * robots::inSeconds(plan.permit()),
+               plan.isRealTime() ? "" : ", for this user may have no real-time priorities");
+  }
+  if (const auto& stop = plan.stop()) {
+    fmt::print("  the emergency stop is pressed after {:g} s and released {:g} s later\n",
+               robots::inSeconds(stop->at), robots::inSeconds(stop->length));
   }
   fmt::print("\n{}\n",
              bold("  time   cycles  commands  replaced  dropped  late  command age   read age   "

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "recorder/recording.h"
+#include "stop.h"
 #include "timing/seconds.h"
 
 namespace demo {
@@ -91,25 +92,49 @@ Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>
                             1e3 * figures->sighting_error)};
 }
 
-/// Judges from its recording whether a slave held while a process was cut off; fills its figures.
-Check checkHeld(const RecordedSlave& slave, const std::string& process, const Outage& outage,
+/// What happened, for the texts: "with vision cut off", "that was mended".
+struct Happening {
+  std::string during, over;
+};
+
+/// Judges whether a slave held from `begin` to `end`; fills its figures.
+Check judgeHeld(const std::string& slave, const std::vector<robots::ArmRow>& rows,
+                suture::Time begin, suture::Time end, const Happening& happening,
                 std::vector<HeldSlave>& held) {
-  const std::string subject = fmt::format("{}, with {} cut off", slave.name, process);
-  robots::HoldJudgement judgement;
-  try {
-    judgement =
-        robots::judgeHold(robots::readRecording(slave.recording).arm, outage.broken, outage.mended);
-  } catch (const suture::SetupError& error) {
-    return {false, subject + ": " + error.what()};
-  }
-  held.push_back({slave.name, judgement});
+  const std::string subject = fmt::format("{}, {}", slave, happening.during);
+  const robots::HoldJudgement judgement = robots::judgeHold(rows, begin, end);
+  held.push_back({slave, judgement});
   const auto violations = robots::violations(judgement);
   if (!violations.empty())
     return {false, fmt::format("{}: {}", subject, fmt::join(violations, "; "))};
-  return {true, fmt::format("{} for {:.0f} ms, held after {:.0f} ms, moved again {:.0f} ms after "
-                            "that was mended, and did not jump",
-                            subject, 1e3 * robots::secondsBetween(outage.broken, outage.mended),
-                            1e3 * judgement.held_after, 1e3 * *judgement.resumed_after)};
+  return {true,
+          fmt::format("{} for {:.0f} ms, held after {:.0f} ms, moved again {:.0f} ms after "
+                      "{}, and did not jump",
+                      subject, 1e3 * robots::secondsBetween(begin, end), 1e3 * judgement.held_after,
+                      1e3 * *judgement.resumed_after, happening.over)};
+}
+
+Check checkHeld(const RecordedSlave& slave, const std::string& process, const Outage& outage,
+                std::vector<HeldSlave>& held) {
+  try {
+    return judgeHeld(slave.name, robots::readRecording(slave.recording).arm, outage.broken,
+                     outage.mended, {fmt::format("with {} cut off", process), "that was mended"},
+                     held);
+  } catch (const suture::SetupError& error) {
+    return {false, slave.name + ": " + error.what()};
+  }
+}
+
+Check checkStopped(const RecordedSlave& slave, std::vector<HeldSlave>& held) {
+  try {
+    const robots::Recording recording = robots::readRecording(slave.recording);
+    const auto stop = firstStop(recording);
+    if (!stop) return {false, slave.name + " heard of no stop, or not of its release"};
+    return judgeHeld(slave.name, recording.arm, stop->pressed, stop->released,
+                     {"with the stop pressed", "its release"}, held);
+  } catch (const suture::SetupError& error) {
+    return {false, slave.name + ": " + error.what()};
+  }
 }
 
 }  // namespace
@@ -133,6 +158,11 @@ Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const Cre
     verdict.checks.push_back(checkFollowing(watch, *slave));
   }
   if (plan.knot()) verdict.checks.push_back(checkKnot(*plan.knot(), verdict.knot));
+  if (plan.stop() && !result.interrupted) {
+    for (const RecordedSlave& slave : plan.slaves()) {
+      verdict.checks.push_back(checkStopped(slave, verdict.held));
+    }
+  }
   if (!result.outage) return verdict;
   for (const RecordedSlave& slave : cutOff->slaves) {
     verdict.checks.push_back(checkHeld(slave, cutOff->process, *result.outage, verdict.held));

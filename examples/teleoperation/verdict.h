@@ -22,6 +22,7 @@ struct ArmFigures {
   std::optional<robots::Judgement> following;  ///< of a slave whose run could be judged
 };
 
+/// A slave that had to hold, while a process was cut off or the emergency stop was pressed.
 struct HeldSlave {
   std::string name;
   robots::HoldJudgement judgement;
@@ -36,7 +37,7 @@ struct Verdict {
   std::vector<suture::ConnectionReport> connections;
   std::vector<ArmFigures> arms;
   std::optional<robots::KnotJudgement> knot;  ///< of a run that recorded one
-  std::vector<HeldSlave> held;                ///< what had to hold while a process was cut off
+  std::vector<HeldSlave> held;
   std::vector<Check> checks;
 
   bool passed() const;

@@ -6,6 +6,7 @@
 
 #include "arm/mtm.suture.h"
 #include "arm/psm.suture.h"
+#include "assistant/assistant.suture.h"
 #include "coordinator/coordinator.suture.h"
 #include "drives/mtm_drives.suture.h"
 #include "drives/psm_drives.suture.h"
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
   const std::array classes{
       suture::componentClass<robots::Mtm>(),
       suture::componentClass<robots::Psm>(),
+      suture::componentClass<robots::Assistant>(),
       suture::componentClass<robots::Coordinator>(),
       suture::componentClass<robots::MtmDrives>(),
       suture::componentClass<robots::PsmDrives>(),

@@ -83,7 +83,7 @@ ComponentClass componentClass<robots::Recorder>() {
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
             std::unique_ptr<Component> component(new robots::Recorder(values));
-            makeOptional(*component, {"Teleoperation"});
+            makeOptional(*component, {"Teleoperation", "Stop"});
             return component;
           }};
 }

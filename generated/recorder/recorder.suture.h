@@ -6,6 +6,7 @@
 
 #include "recorder/recorder.h"
 #include "arm/arm.suture.h"
+#include "coordinator/emergency_stop.suture.h"
 #include "teleop/teleoperation.suture.h"
 
 namespace suture {

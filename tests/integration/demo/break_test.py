@@ -32,6 +32,10 @@ class Break(unittest.TestCase):
         held = self.run_and_break("--topology", "fig3c", "--seconds", "6", "--break", "right@1s")
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
 
+    def test_the_workstation_that_permits_power(self):
+        held = self.run_and_break("--topology", "fig3c", "--seconds", "6", "--break", "left@1s")
+        self.assertEqual(held, {"left:PSM2", "right:PSM1"})
+
     def test_a_workstation_that_is_frozen(self):
         held = self.run_and_break("--topology", "fig3c", "--network", "unix", "--seconds", "6", "--break", "right@1s")
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
@@ -50,15 +54,14 @@ class Break(unittest.TestCase):
                           ("right@1.2.3", "--break right@1.2.3: that names no process and moment"),
                           ("right@.", "--break right@.: that names no process and moment"),
                           ("right@99999999s", "--break right@99999999s: that names no process and moment"),
-                          ("right@1s+500ms", "--break right@1s+500ms: that is mended before anybody could tell who holds"),
-                          ("right@8s", "--break right@8s: the run ends less than 3 s after that is mended")):
+                          ("right@1s+500ms", "--break right@1s+500ms: that is over before anybody could tell who holds"),
+                          ("right@8s", "--break right@8s: the run ends less than 3 s after that is over")):
             with self.subTest(text):
                 process = subprocess.run([PROGRAMS / "suture-demo", "--break", text],
                                          capture_output=True, text=True, timeout=60)
                 self.assertEqual(process.returncode, 1)
                 self.assertIn(why, process.stderr)
                 self.assertEqual(process.stdout, "", "it is refused before the run")
-
 
     def test_a_process_that_is_alone(self):
         process = subprocess.run([PROGRAMS / "suture-demo", "--topology", "single", "--break", "console@1s"],

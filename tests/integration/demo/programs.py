@@ -13,15 +13,15 @@ PATIENCE = 60  # s; only so that a hang ends the test
 
 
 class Demo:
-    """A demo under way. Standard output and error together."""
+    """A demo under way. Standard output and error together. `prefix`: a program that starts it, and its arguments."""
 
-    def __init__(self, programs, *arguments):
+    def __init__(self, programs, *arguments, prefix=()):
         self.folder = tempfile.TemporaryDirectory()
         self.json = pathlib.Path(self.folder.name) / "result.json"
         # Its own temporary folder, so that what it leaves there can be seen.
         environment = dict(os.environ, TMPDIR=self.folder.name)
         self.process = subprocess.Popen(
-            [programs / "suture-demo", "--json", self.json, *arguments],
+            [*prefix, programs / "suture-demo", "--json", self.json, *arguments],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
 
     def __enter__(self):

@@ -130,6 +130,27 @@ TEST(Judge, SeesFiveMillisecondsOfUndeclaredLag) {
   EXPECT_FALSE(violations(fast).empty());
 }
 
+// From 4 s to 4.5 s the slave stands 5 mm off, without power; it follows again from 5 s on.
+TEST(Judge, AsksForNothingOfADisabledSlaveUntilFollowingBeginsAnew) {
+  Recorded run = makeRun({});
+  for (ArmRow& row : run.slave) {
+    if (row.stamp < at(4) || row.stamp >= at(5)) continue;
+    row.measured.translation().x() += 0.005;
+    row.goal_stamp = row.stamp;
+  }
+  FollowAnchors again = run.followed.front();
+  again.master_stamp = at(5);
+  again.entry = 2;
+  run.followed.push_back(again);
+  EXPECT_GT(judged(run).position.p99, 0.004) << "nobody says that it is disabled";
+  for (ArmRow& row : run.slave) row.enabled = row.stamp < at(4) || row.stamp >= at(4.5);
+  const Judgement judgement = judged(run);
+  EXPECT_LT(judgement.position.max, 1e-6);
+  EXPECT_GT(judgement.compared, 8900u);
+  EXPECT_LT(judgement.compared, 9000u);
+  EXPECT_GT(judgement.travel, 0.03);
+}
+
 TEST(Judge, HoldsTheSlaveToTheAnchorsOfEachEntry) {
   Recorded run = makeRun({});
   // From 5 s on, another entry with a slave set-point 5 mm off: the recorded slave does not go

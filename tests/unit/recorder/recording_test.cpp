@@ -39,17 +39,26 @@ TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
     RecordingWriter<Record> writer(file_, kRecords);
     ASSERT_TRUE(writer.push(
         FollowAnchors{suture::fromNanoseconds(5), somePose(), somePose().inverse(), 0.2, 3}));
+    ASSERT_TRUE(writer.push(StopNews{true, suture::fromNanoseconds(6)}));
+    ASSERT_TRUE(writer.push(StopNews{false, suture::fromNanoseconds(7)}));
     for (std::int64_t i = 0; i < kRows; ++i) {
-      ASSERT_TRUE(writer.push(ArmRow{suture::fromNanoseconds(i), somePose(),
-                                     suture::fromNanoseconds(i - 1), somePose().inverse()}));
+      ASSERT_TRUE(
+          writer.push(ArmRow{suture::fromNanoseconds(i), somePose(), suture::fromNanoseconds(i - 1),
+                             somePose().inverse(), i % 2 == 0}));
     }
   }
   const Recording recording = readRecording(file_);
   ASSERT_EQ(recording.arm.size(), std::size_t{kRows});
   EXPECT_EQ(recording.arm[7].stamp, suture::fromNanoseconds(7));
+  EXPECT_FALSE(recording.arm[7].enabled);
+  EXPECT_TRUE(recording.arm[8].enabled);
   EXPECT_EQ(recording.arm[7].goal_stamp, suture::fromNanoseconds(6));
   EXPECT_TRUE(recording.arm[7].measured.isApprox(somePose(), 1e-15));
   EXPECT_TRUE(recording.arm[7].setpoint.isApprox(somePose().inverse(), 1e-15));
+  ASSERT_EQ(recording.stops.size(), 2u);
+  EXPECT_TRUE(recording.stops[0].pressed);
+  EXPECT_EQ(recording.stops[0].stamp, suture::fromNanoseconds(6));
+  EXPECT_FALSE(recording.stops[1].pressed);
   ASSERT_EQ(recording.followed.size(), 1u);
   EXPECT_EQ(recording.followed[0].master_stamp, suture::fromNanoseconds(5));
   EXPECT_EQ(recording.followed[0].scale, 0.2);

@@ -1,0 +1,62 @@
+#pragma once
+// A scripted bedside assistant: the hand at the emergency stop.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/required.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+#include "coordinator/emergency_stop.suture.h"
+#include "guidance/guidance.suture.h"
+#include "teleop/teleoperation.suture.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() AssistantParameters {
+  suture::Duration period = std::chrono::milliseconds(10);
+  /// Presses the stop so long after it has released the one that the coordinator starts with; 0:
+  /// never.
+  suture::Duration press_after{};
+  /// Releases what it has pressed so much later.
+  suture::Duration release_after = std::chrono::seconds(1);
+  /// Enables what has waited for its arms for so long. A person would look first.
+  suture::Duration patience = std::chrono::milliseconds(500);
+};
+
+/// Releases the stop that the coordinator starts with, and presses and releases it once by the
+/// script; never releases what somebody else has pressed. Enables what it is connected to whenever
+/// that waits for its arms: after a stop, and after drives stopped by themselves.
+class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
+ public:
+  explicit Assistant(const AssistantParameters& parameters);
+
+  void run() override;
+
+ private:
+  enum class Step : std::uint8_t { Begin, Watch, Pressed, Done };
+
+  /// Since when something waits for its arms; none: it does not.
+  using Waiting = std::optional<suture::Time>;
+
+  void followScript(suture::Time now);
+  template <class Contract>
+  void attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now);
+  static void tell(Waiting& waiting, bool waits);
+
+  const AssistantParameters parameters_;
+  suture::Required<EmergencyStop> stop_{*this, "Stop"};
+  SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> left_{*this, "Left"};
+  SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> right_{*this, "Right"};
+  SUTURE_REQUIRED(optional()) suture::Required<Guidance> guidance_{*this, "Guidance"};
+
+  Step step_ = Step::Begin;
+  suture::Time stepped_;  // when that began
+  bool pressed_ = false;  // by anybody
+  Waiting leftWaits_, rightWaits_, guidanceWaits_;
+};
+
+}  // namespace robots

@@ -1,0 +1,24 @@
+#pragma once
+// When something is done to a running system, and for how long.
+
+#include <suture/base/time.h>
+
+#include <optional>
+#include <string>
+
+namespace demo {
+
+struct Moment {
+  suture::Duration at{};  ///< from when all is connected
+  suture::Duration length = std::chrono::seconds(1);
+};
+
+/// "4s", or "4s+1500ms"; none for any other text.
+std::optional<Moment> parseMoment(const std::string& text);
+
+/// Throws suture::SetupError, with `asked` as what was asked, if it lasts for less than a second,
+/// in which nobody could tell who holds, or ends less than three seconds before the run does, so
+/// that it can be judged.
+void requireRoom(const std::string& asked, const Moment& moment, suture::Duration runLength);
+
+}  // namespace demo

@@ -1,0 +1,18 @@
+@0xc944536c94628d64;
+# The wire contract of assistant/assistant.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("assistant/assistant.h");
+
+struct AssistantParameters @0xbd0af4013de1de7e $Meta.cxx("robots::AssistantParameters") {
+  period @0 :Int64 = 10000000 $Meta.period("1/1000000000");
+  pressAfter @1 :Int64 $Meta.cxx("press_after") $Meta.period("1/1000000000");
+  # Presses the stop so long after it has released the one that the coordinator starts with; 0:
+  # never.
+  releaseAfter @2 :Int64 = 1000000000 $Meta.cxx("release_after") $Meta.period("1/1000000000");
+  # Releases what it has pressed so much later.
+  patience @3 :Int64 = 500000000 $Meta.period("1/1000000000");
+  # Enables what has waited for its arms for so long. A person would look first.
+}

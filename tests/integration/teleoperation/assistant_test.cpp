@@ -1,0 +1,114 @@
+// The scripted assistant: what it does to the emergency stop, and what it enables again.
+
+#include <gtest/gtest.h>
+#include <suture/component/device.h>
+#include <suture/manager/manager.h>
+
+#include <chrono>
+
+#include "assistant/assistant.h"
+#include "coordinator/coordinator.h"
+#include "integration/teleoperation/driven_arm.h"
+#include "support/pass.h"
+#include "support/stepped.h"
+#include "teleop/teleop.h"
+
+namespace robots::test {
+namespace {
+
+using namespace std::chrono_literals;
+using suture::pass;
+
+/// Another hand at the stop.
+struct Bystander final : suture::Device {
+  suture::Required<EmergencyStop> button{*this, "Stop"};
+};
+
+class AssistantTest : public testing::Test {
+ protected:
+  ~AssistantTest() override { manager_.stop(); }
+
+  /// Pressed never, if `pressAfter` is zero.
+  void start(suture::Duration pressAfter) {
+    assistant_.emplace(AssistantParameters{.press_after = pressAfter, .release_after = 1s});
+    manager_.add("Coordinator", coordinator_);
+    master_.addTo(manager_, "MTM");
+    slave_.addTo(manager_, "PSM");
+    manager_.add("Teleop", teleop_);
+    manager_.add("Bystander", bystander_);
+    manager_.add("Assistant", *assistant_);
+    manager_.connect("Teleop/Master", "MTM/Arm");
+    manager_.connect("Teleop/Slave", "PSM/Arm");
+    manager_.connect("Assistant/Left", "Teleop/Teleoperation");
+    for (const char* const one : {"MTMDrives", "PSMDrives", "Bystander", "Assistant"}) {
+      manager_.connect(one + std::string("/Stop"), "Coordinator/Stop");
+    }
+    manager_.start();
+  }
+  bool follows() const { return teleop_.teleop_state() == TeleopState::Following; }
+  bool mayHavePower() const { return coordinator_.permit().granted; }
+  template <class Condition>
+  static bool until(const Condition& condition) {
+    return suture::clockOfTest().until(condition);
+  }
+
+  Coordinator coordinator_{CoordinatorParameters{}};
+  DrivenMtm master_{MtmSide::Left, 30ms};
+  DrivenPsm slave_{30ms};
+  Teleop teleop_{TeleopParameters{}};
+  Bystander bystander_;
+  std::optional<Assistant> assistant_;
+  suture::Manager manager_{"workstation"};
+};
+
+TEST_F(AssistantTest, ReleasesTheStopThatTheCoordinatorStartsWith) {
+  start(0s);
+  EXPECT_TRUE(until([this] { return mayHavePower(); }));
+  EXPECT_TRUE(until([this] { return follows(); }));
+  pass(10s);
+  EXPECT_TRUE(mayHavePower() && follows());
+}
+
+TEST_F(AssistantTest, PressesAndReleasesOnceByItsScriptAndEnablesAgain) {
+  start(5s);
+  ASSERT_TRUE(until([this] { return mayHavePower(); }));
+  pass(4900ms);
+  EXPECT_TRUE(mayHavePower() && follows());
+  pass(200ms);
+  EXPECT_FALSE(mayHavePower() || follows());
+  EXPECT_EQ(slave_.drives.feedback().power, DrivePower::Stopped);
+  pass(850ms);
+  EXPECT_FALSE(mayHavePower());
+  EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled) << "nobody has enabled it";
+  pass(200ms);
+  EXPECT_TRUE(mayHavePower());
+  EXPECT_TRUE(until([this] { return follows(); }));
+  pass(10s);
+  EXPECT_TRUE(mayHavePower() && follows()) << "it presses once";
+}
+
+TEST_F(AssistantTest, LeavesAStopAloneThatSomebodyElsePressed) {
+  start(0s);
+  ASSERT_TRUE(until([this] { return follows(); }));
+  ASSERT_TRUE(bystander_.button.press());
+  pass(10s);
+  EXPECT_FALSE(mayHavePower() || follows());
+  EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled);
+  ASSERT_TRUE(bystander_.button.release());
+  EXPECT_TRUE(until([this] { return follows(); })) << "it enables what waits";
+}
+
+TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {
+  start(0s);
+  ASSERT_TRUE(until([this] { return follows(); }));
+  manager_.suspend("Coordinator");
+  pass(100ms);
+  manager_.resume("Coordinator");
+  pass(300ms);
+  EXPECT_FALSE(follows()) << "a permit that lapsed is no reason to go on";
+  pass(500ms);
+  EXPECT_TRUE(until([this] { return follows(); }));
+}
+
+}  // namespace
+}  // namespace robots::test
