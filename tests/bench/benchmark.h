@@ -28,5 +28,7 @@ std::unique_ptr<Benchmark> makeCompiler();
 std::unique_ptr<Benchmark> makeLocal();
 /// What carries the traffic between processes.
 std::unique_ptr<Benchmark> makeNetwork();
+/// The emergency stop of a system.
+std::unique_ptr<Benchmark> makeStop();
 
 }  // namespace bench

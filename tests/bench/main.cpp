@@ -14,6 +14,7 @@
 #include "bench/network/arm_process.h"
 #include "bench/network/sample_process.h"
 #include "bench/network/subscriber_process.h"
+#include "bench/stop/stop_process.h"
 #include "bench/table2/server_process.h"
 
 namespace {
@@ -70,14 +71,17 @@ int main(int argc, char** argv) try {
   bench::addSampleProcess(program);
   bench::addArmProcess(program);
   bench::addSubscriberProcess(program);
+  bench::addStopProcess(program);
 
   int status = 0;
   const auto table2 = bench::makeTable2();
   const auto local = bench::makeLocal();
   const auto network = bench::makeNetwork();
+  const auto stop = bench::makeStop();
   const auto compiler = bench::makeCompiler();
   CommonOptions options;
-  for (Benchmark* benchmark : {table2.get(), local.get(), network.get(), compiler.get()}) {
+  for (Benchmark* benchmark :
+       {table2.get(), local.get(), network.get(), stop.get(), compiler.get()}) {
     CLI::App* subcommand = program.add_subcommand(benchmark->name(), benchmark->description());
     subcommand->add_option("--json", options.jsonFile, "writes every figure to this file");
     subcommand->add_flag("--check", options.check,

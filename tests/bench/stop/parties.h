@@ -1,0 +1,103 @@
+#pragma once
+// The parties of a system with an emergency stop: a desk, two workstations, and who presses.
+
+#include <suture/component/device.h>
+#include <suture/manager/manager.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "arm/arm.suture.h"
+#include "coordinator/coordinator.h"
+#include "drives/drives.suture.h"
+#include "integration/teleoperation/driven_arm.h"
+#include "registration/registration_table.h"
+#include "strand/strand_simulation.h"
+#include "vision/stereo_images.suture.h"
+#include "vision/synthetic_endoscope.h"
+
+namespace bench {
+
+/// Those of all arms, in the order of kArms.
+inline constexpr std::size_t kArmCount = 4;
+
+/// Where an arm is: "left:PSM2".
+struct ArmPlace {
+  const char* process;
+  const char* name;
+};
+inline constexpr std::array<ArmPlace, kArmCount> kArms{
+    {{"left", "MTML"}, {"left", "PSM2"}, {"right", "MTMR"}, {"right", "PSM1"}}};
+
+/// What the kernel grants of a real-time priority: that, or nothing.
+suture::rt::Scheduling urgent(int priority);
+
+/// A master and a slave, whose drives need a permit.
+struct StopWorkstation {
+  /// `first`: of kArms.
+  StopWorkstation(std::size_t first, robots::MtmSide side);
+  void addTo(suture::Manager& manager);
+
+  static constexpr suture::Duration kPermit = std::chrono::milliseconds(30);
+
+  const std::size_t first;
+  robots::test::DrivenMtm master;
+  robots::test::DrivenPsm slave{kPermit};
+};
+
+/// The coordinator, and an endoscope that looks at a strand between both slaves.
+struct StopDesk {
+  StopDesk();
+  void addTo(suture::Manager& manager);
+
+  robots::Coordinator coordinator{robots::CoordinatorParameters{}};
+  robots::RegistrationTable registration{robots::SceneFrames{}};
+  robots::StrandSimulation strand{robots::StrandParameters{}};
+  robots::SyntheticEndoscope endoscope{robots::EndoscopeParameters{}};
+};
+
+/// Presses, releases and enables, in the thread of the measurement.
+class StopPanel final : public suture::Device {
+ public:
+  suture::Required<robots::EmergencyStop> stop{*this, "Stop"};
+  suture::Required<robots::Arm> mtml{*this, "MTML"}, psm2{*this, "PSM2"}, mtmr{*this, "MTMR"},
+      psm1{*this, "PSM1"};
+
+  std::array<suture::Required<robots::Arm>*, kArmCount> arms() {
+    return {&mtml, &psm2, &mtmr, &psm1};
+  }
+};
+
+/// Sees by what all drives measured when they stopped. It looks more often than they move, and so
+/// misses a cycle of theirs seldom; then a stop counts as one cycle later than it was.
+class StopWatch final : public suture::PeriodicTask {
+ public:
+  StopWatch();
+
+  /// Any thread: all drives have that power.
+  bool all(robots::DrivePower power) const;
+  /// Any thread: what has stopped until now is forgotten.
+  void reset();
+  /// Any thread: the cycle in which the last of the drives stopped; zero before all have.
+  suture::Time allStopped() const;
+  /// Any thread: how many images have been seen.
+  std::uint64_t images() const { return images_.load(); }
+
+ private:
+  void run() override;
+
+  suture::Required<robots::Drives> mtml_{*this, "MTML"}, psm2_{*this, "PSM2"}, mtmr_{*this, "MTMR"},
+      psm1_{*this, "PSM1"};
+  suture::Required<robots::StereoImages> camera_{*this, "Images"};
+  std::array<std::atomic<robots::DrivePower>, kArmCount> power_{};
+  std::array<std::atomic<std::int64_t>, kArmCount> stopped_{};  // ns
+  std::atomic<std::uint64_t> images_{0};
+  suture::Time lastImage_;
+  unsigned cycle_ = 0;
+};
+
+}  // namespace bench

@@ -1,0 +1,53 @@
+// suture-bench stop: how soon an emergency stop stops the drives of four arms, while images flow.
+
+#include "bench/network/lanes.h"
+#include "bench/parts.h"
+#include "bench/stop/options.h"
+#include "bench/stop/system.h"
+#include "bench/table.h"
+
+namespace bench {
+namespace {
+
+void add(Report& report, Table& table, const std::string& figure, const char* words,
+         const std::vector<std::int64_t>& nanoseconds) {
+  const Statistics statistics = statisticsOf(inUnits(nanoseconds, kMillisecond));
+  report.add(figure, "ms", statistics);
+  table.row(joined({figure, words}, cellsOf(statistics, 2)));
+}
+
+/// Leaves "local", "shm", ...: from a press to the stop of the last drives; and "cut.shm", ...:
+/// from when the coordinator's process stands still; ".images": how many came meanwhile.
+void measure(const char* name, suture::Lane lane, const StopOptions& options, Report& report,
+             Table& table) {
+  StopSystem system(lane);
+  std::vector<std::int64_t> presses, cuts;
+  for (int i = 0; i < options.presses(); ++i) presses.push_back(system.press());
+  add(report, table, name, "pressed", presses);
+  report.add(std::string(name) + ".images", "images", static_cast<double>(system.images()));
+  if (lane == suture::Lane::Auto) return;
+  for (int i = 0; i < options.cuts(); ++i) cuts.push_back(system.cutOff());
+  add(report, table, std::string("cut.") + name, "coordinator stands still", cuts);
+}
+
+std::string stopRows(const StopOptions& options, Report& report) {
+  Table table(2);
+  table.row(joined({"stop, ms", ""}, statisticsTitles()));
+  table.line();
+  measure("local", suture::Lane::Auto, options, report, table);
+  for (const suture::Lane lane : kLanes) measure(toString(lane), lane, options, report, table);
+  const bool fifo = urgent(1) != suture::rt::Scheduling{};
+  return table.toString() + (fifo ? "drives, coordinator and connections: SCHED_FIFO\n"
+                                  : "no real-time priorities: this user may have none\n");
+}
+
+constexpr Part<StopOptions> kStopParts[] = {{"stops", stopRows}};
+
+}  // namespace
+
+std::unique_ptr<Benchmark> makeStop() {
+  return std::make_unique<PartsBenchmark<StopOptions>>(
+      "stop", "how soon an emergency stop stops four arms, while images flow", kStopParts);
+}
+
+}  // namespace bench

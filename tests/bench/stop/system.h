@@ -1,0 +1,53 @@
+#pragma once
+// A whole system with an emergency stop, which is pressed and cut off again and again.
+
+#include <suture/manager/manager.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bench/network/names.h"
+#include "bench/stop/parties.h"
+#include "bench/table2/child_process.h"
+
+namespace bench {
+
+/// Desk and workstations are processes of their own, or, on Lane::Auto, all in this one. Arms have
+/// power at the beginning of each press and cut.
+class StopSystem {
+ public:
+  /// Throws SetupError.
+  explicit StopSystem(suture::Lane lane);
+  ~StopSystem();
+  StopSystem(const StopSystem&) = delete;
+  StopSystem& operator=(const StopSystem&) = delete;
+
+  /// From the call to the cycle in which the last drives stopped, ns.
+  std::int64_t press();
+  /// From when the desk's process is stopped (SIGSTOP). Not if all is in one process.
+  std::int64_t cutOff();
+  std::uint64_t images() const { return watch_.images(); }
+
+ private:
+  void addHere();
+  void startElsewhere(suture::Lane lane);
+  void connectWatchers(suture::Lane lane);
+  void enableAll();
+  std::int64_t untilStopped(suture::Time from);
+  template <class Condition>
+  void await(const char* what, const Condition& condition) const;
+
+  const bool isOneProcess_;
+  std::optional<Names> names_;
+  std::optional<StopDesk> desk_;
+  std::optional<StopWorkstation> left_, right_;
+  std::vector<std::unique_ptr<ChildProcess>> processes_;  // the desk's is the first
+  StopPanel panel_;
+  StopWatch watch_;
+  std::optional<suture::Manager> manager_;
+};
+
+}  // namespace bench
