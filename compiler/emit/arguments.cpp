@@ -113,7 +113,7 @@ void emitReserve(Code& code, const Context& context, const model::Event& event,
 void emitPayload(Code& code, const Context& context, const model::Interface& interface,
                  const model::Event& event) {
   const Payload payload(context, interface, event);
-  std::string stores, loads;
+  std::string stores;
   for (std::size_t i = 0; i < event.payload.size(); ++i) {
     const std::string name = lock::payloadName(i);
     stores +=

@@ -24,7 +24,7 @@ std::string sourceHeaderOf(llvm::StringRef generatedHeader) {
 GeneratedHeaders::GeneratedHeaders(llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> real)
     : ProxyFileSystem(real), replaced_(new llvm::vfs::InMemoryFileSystem()) {
   if (auto directory = real->getCurrentWorkingDirectory()) {
-    replaced_->setCurrentWorkingDirectory(*directory);
+    (void)replaced_->setCurrentWorkingDirectory(*directory);  // one in memory takes any
   }
 }
 

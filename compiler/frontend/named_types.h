@@ -23,8 +23,8 @@ class NamedTypes {
   }
 
   /// The entry that is there already, else the new one.
-  const Entry& add(const clang::CXXRecordDecl* type, Entry entry) {
-    return entries_.try_emplace(type->getCanonicalDecl(), std::move(entry)).first->second;
+  const Entry& add(const clang::CXXRecordDecl* type, const Entry& entry) {
+    return entries_.try_emplace(type->getCanonicalDecl(), entry).first->second;
   }
 
  private:

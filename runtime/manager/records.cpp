@@ -45,7 +45,9 @@ std::size_t bytesOf(const std::vector<ComponentRecord>& components) {
 
 std::size_t bytesOf(const ProcessRecord& process) {
   std::size_t bytes = sizeof(process) + process.name.size() + process.host.size();
-  for (const std::string& address : process.addresses) bytes += sizeof(address) + address.size();
+  for (const std::string& address : process.addresses) {
+    bytes += sizeof(std::string) + address.size();
+  }
   return bytes + bytesOf(process.components);
 }
 

@@ -9,7 +9,7 @@ namespace {
 // So many peers at a time are told that there are too many links.
 constexpr std::size_t kMostTurnedAway = 16;
 
-const Trust& usable(const Trust& trust, const Address& address) {
+Trust usable(const Trust& trust, const Address& address) {
   requireKeys(address, trust);
   return trust;
 }
