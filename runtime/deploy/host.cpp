@@ -60,8 +60,9 @@ Host::Host(const Deployment& deployment, std::string_view process,
   createComponents(classes);
   checkRequired();
   faults_.emplace(deployment_.document(), process_, components_);
+  realTime_.giveTo(components_);
   createManager();
-  realTime_.giveTo(components_, *manager_);
+  realTime_.giveTo(*manager_);
 }
 
 // Collectors come last: what they collect has to be there.

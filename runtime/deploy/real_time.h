@@ -8,6 +8,7 @@
 #include <suture/rt/scheduling.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,28 +19,32 @@ namespace suture {
 /// the process runs without it; or an error, if its file says that real time is required.
 class RealTime {
  public:
-  /// Locks the memory of this process, present and future, if `process` says so. Both arguments
-  /// outlive this.
+  /// Asks the machine for what `process` says, and locks the memory of this process, present and
+  /// future, if it says so. Both arguments outlive this. Throws DocumentError: something is
+  /// required that is not granted.
   RealTime(const JsonDocument& document, const ProcessEntry& process);
 
-  /// `components`: in the order of the process; `manager`: theirs, before it is started. Throws
-  /// DocumentError: a component without a thread of its own is to be scheduled, or something is
-  /// required that is not granted.
-  void giveTo(std::span<const std::unique_ptr<Component>> components, Manager& manager);
+  /// `components`: in the order of the process. Throws DocumentError: one without a thread of its
+  /// own is to be scheduled.
+  void giveTo(std::span<const std::unique_ptr<Component>> components) const;
+  /// Before it is started.
+  void giveTo(Manager& manager) const;
 
   /// Each once, as "file:line: warning: ...".
   std::vector<std::string> news();
 
  private:
+  using Wish = std::optional<rt::Scheduling>;
+
   void lockMemory();
-  void schedule(Component& component, const ComponentEntry& entry);
-  rt::Scheduling granted(const std::string& whose, const rt::Scheduling& wanted,
-                         const std::string& pointer);
+  Wish granted(const std::string& whose, const Wish& wanted, const std::string& pointer);
   void refuse(const std::string& pointer, const std::string& text);
 
   const JsonDocument& document_;
   const ProcessEntry& process_;
   std::vector<std::string> problems_, warnings_;
+  std::vector<Wish> components_;  // what each has; in the order of the process
+  Wish service_;
 };
 
 }  // namespace suture

@@ -177,6 +177,7 @@ int runWorkstation(const Options& options, std::span<const ComponentClass> class
   const Deployment deployment(JsonDocument::read(options.deployment));
   Host host(deployment, processOf(deployment, options), classes);
   if (options.messages) host.listenToMessages();
+  for (const std::string& line : host.news()) std::fprintf(stderr, "%s\n", line.c_str());
   told.reset();
   if (!start(host, signals)) return 0;
   return Run(host, signals, options).untilEnd();

@@ -110,11 +110,11 @@ void Manager::add(const std::string& name, Component& component) {
 }
 
 void Manager::scheduleService(const rt::Scheduling& scheduling) {
-  {
-    const std::lock_guard lock(executorMutex_);
-    service_ = scheduling;
-  }
+  const rt::Granted granted = rt::grantedOf("the connections of " + process(), scheduling);
+  if (!granted.refusals.empty()) throw SetupError(granted.refusals.front());
   if (network_ != nullptr) network_->schedule(scheduling);
+  const std::lock_guard lock(executorMutex_);
+  service_ = scheduling;
 }
 
 void Manager::configure() {

@@ -9,18 +9,11 @@ import tempfile
 import time
 import unittest
 
+sys.path.append(str(pathlib.Path(__file__).parents[2] / "support"))
+from rights import WITHOUT_REAL_TIME, may_be_real_time
+
 PROGRAM, LIBRARY, MANAGER = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
-WITHOUT_RIGHTS = (["setpriv", "--bounding-set=-sys_nice,-ipc_lock", "--inh-caps=-all", "--"]
-                  if os.geteuid() == 0 else [])
-
-
-def may_be_real_time():
-    try:
-        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(1))
-    except PermissionError:
-        return False
-    os.sched_setscheduler(0, os.SCHED_OTHER, os.sched_param(0))
-    return True
+PROCESSOR = min(os.sched_getaffinity(0))
 
 
 def threads(pid):
@@ -63,7 +56,7 @@ class RealTime(unittest.TestCase):
         self.assertIn("ready on", manager.stdout.readline())
         spindle = {"name": "Spindle", "class": "Spindle", "library": LIBRARY,
                    "parameters": {"cycles": 1000000, "brake": str(self.folder / "brake")},
-                   "scheduling": {"policy": "fifo", "priority": 20, "processor": 0}}
+                   "scheduling": {"policy": "fifo", "priority": 20, "processor": PROCESSOR}}
         rows = {"name": "Rows", "class": "StateCollector", "parameters": {"file": "rows.jsonl", "reads": ["angle"]}}
         deployment = self.folder / "d.json"
         deployment.write_text(json.dumps({
@@ -95,12 +88,12 @@ class RealTime(unittest.TestCase):
             self.assertLess(time.monotonic(), deadline, lines)
             time.sleep(0.01)
 
-    @unittest.skipUnless(may_be_real_time(), "this user may not use real-time priorities")
+    @unittest.skipUnless(may_be_real_time(20), "this user may not have real-time priorities, or lock memory")
     def test_threads_have_what_the_file_says(self):
         station = self.start_station("required")
         report = self.await_report(station)
         found = threads(station.pid)
-        self.assertEqual(found["Spindle"], (os.SCHED_FIFO, 20, {0}), found)
+        self.assertEqual(found["Spindle"], (os.SCHED_FIFO, 20, {PROCESSOR}), found)
         everywhere = os.sched_getaffinity(0)
         self.assertEqual(found["suture-lane"], (os.SCHED_RR, 10, everywhere), found)
         self.assertEqual(found["suture-control"], (os.SCHED_RR, 10, everywhere), found)
@@ -108,17 +101,17 @@ class RealTime(unittest.TestCase):
         self.assertEqual(os.sched_getscheduler(station.pid), os.SCHED_OTHER)
         self.assertGreater(locked_bytes(station.pid), 1 << 20)
         scheduling = {task["name"]: task["scheduling"] for task in report["tasks"]}
-        self.assertEqual(scheduling, {"Spindle": "fifo 20 on processor 0", "Rows": "default"})
+        self.assertEqual(scheduling, {"Spindle": f"fifo 20 on processor {PROCESSOR}", "Rows": "default"})
         self.assertEqual(self.told.read_text(), "")
 
     def test_what_is_not_granted_is_told_and_the_process_runs(self):
-        station = self.start_station("preferred", WITHOUT_RIGHTS)
+        station = self.start_station("preferred", WITHOUT_REAL_TIME)
         report = self.await_report(station)
         found = threads(station.pid)
-        self.assertEqual(found["Spindle"], (os.SCHED_OTHER, 0, {0}), found)
+        self.assertEqual(found["Spindle"], (os.SCHED_OTHER, 0, {PROCESSOR}), found)
         self.assertEqual(locked_bytes(station.pid), 0)
         scheduling = {task["name"]: task["scheduling"] for task in report["tasks"]}
-        self.assertEqual(scheduling["Spindle"], "default on processor 0")
+        self.assertEqual(scheduling["Spindle"], f"default on processor {PROCESSOR}")
         lines = self.await_told(3)
         self.assertEqual(len(lines), 3, lines)
         for line, asked in zip(lines, (
@@ -128,7 +121,7 @@ class RealTime(unittest.TestCase):
             self.assertIn(": warning: " + asked, line)
 
     def test_what_is_required_and_not_granted_is_an_error_and_nothing_starts(self):
-        station = self.start_station("required", WITHOUT_RIGHTS)
+        station = self.start_station("required", WITHOUT_REAL_TIME)
         self.assertEqual(station.communicate(timeout=60)[0], "")
         self.assertEqual(station.returncode, 1)
         lines = self.told.read_text().splitlines()

@@ -1,0 +1,22 @@
+"""The rights to real-time scheduling and locked memory: whether this user has them, and how to start a program without."""
+
+import ctypes
+import os
+
+# Limits are for everybody; root has these rights by its capabilities, too.
+WITHOUT_REAL_TIME = [
+    "prlimit", "--rtprio=0:0", "--memlock=65536:65536",
+    *(["setpriv", "--bounding-set=-sys_nice,-ipc_lock", "--inh-caps=-all"] if os.geteuid() == 0 else [])]
+
+
+def may_be_real_time(priority):
+    """True if this process may have that priority and lock all of its memory. Asked in a child, which keeps neither."""
+    child = os.fork()
+    if child == 0:
+        try:
+            os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(priority))
+            locked = ctypes.CDLL(None).mlockall(3) == 0
+        except OSError:
+            locked = False
+        os._exit(0 if locked else 1)
+    return os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
