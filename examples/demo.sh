@@ -19,6 +19,7 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
                                  on loopback (auto, as anybody else), Unix sockets (auto with --lane shm), or TLS on loopback
   --break PROCESS@TIME           cut a process off during the run, vision@4s or vision@4s+1500ms: its cable is pulled; without
                                  namespaces it is frozen. What it drives, or is driven through it, has to hold, and not to jump
+  --stop TIME                    press the emergency stop during the run, 6s or 6s+1500ms; both slaves have to hold, and not to jump
   --seconds N                    how long to run (default 10)
   --rate HZ                      cycles a second of the tasks that control an arm (default 1000); cameras and what looks at their
                                  images keep their periods, and connections the ages they permit

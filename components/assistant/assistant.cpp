@@ -1,10 +1,12 @@
 #include "assistant/assistant.h"
 
+#include <algorithm>
+
 namespace robots {
 
 Assistant::Assistant(const AssistantParameters& parameters)
     : PeriodicTask({.period = parameters.period}), parameters_(parameters) {
-  stop_.on().stop([this](const StopNews& news) { pressed_ = news.pressed; });
+  stop_.on().stop([this](const StopNews& news) { hear(news); });
   left_.on().teleop_state(
       [this](const TeleopState& state) { tell(leftWaits_, state == TeleopState::Preparing); });
   right_.on().teleop_state(
@@ -23,29 +25,55 @@ void Assistant::run() {
   attend(guidance_, guidanceWaits_, now);
 }
 
+void Assistant::hear(const StopNews& news) {
+  pressed_ = news.pressed;
+  if (news.pressed) {
+    ++pressesHeard_;
+  } else {
+    released_ = suture::now();
+  }
+}
+
+// A step ends when the stop is heard to be as it was asked for: a command may be lost.
 void Assistant::followScript(suture::Time now) {
   const suture::Duration since = now - stepped_;
-  const bool presses = parameters_.press_after > suture::Duration{0};
-  Step next = step_;
   switch (step_) {
     case Step::Begin:
-      if (stop_.release()) next = presses ? Step::Watch : Step::Done;
-      break;
+      if (!pressed_)
+        return enter(parameters_.press_after > suture::Duration{0} ? Step::Watch : Step::Done, now);
+      if (mayAskAgain(now)) (void)stop_.release();
+      return;
     case Step::Watch:
-      if (since >= parameters_.press_after && stop_.press()) next = Step::Pressed;
-      break;
+      if (since < parameters_.press_after || pressed_) return;
+      if (stop_.press()) enter(Step::Pressed, now);
+      return;
     case Step::Pressed:
-      if (since >= parameters_.release_after && stop_.release()) next = Step::Done;
-      break;
-    case Step::Done: break;
+      if (pressesHeard_ > 1 || (pressesHeard_ == 1 && !pressed_)) return enter(Step::Done, now);
+      if (since < parameters_.release_after) return;
+      if (pressesHeard_ == 0) return enter(Step::Done, now);  // it has not got there
+      if (mayAskAgain(now)) (void)stop_.release();
+      return;
+    case Step::Done: return;
   }
-  if (next != step_) stepped_ = now;
-  step_ = next;
+}
+
+void Assistant::enter(Step step, suture::Time now) {
+  step_ = step;
+  stepped_ = now;
+  asked_ = {};
+  pressesHeard_ = 0;
+}
+
+bool Assistant::mayAskAgain(suture::Time now) {
+  if (now - asked_ < parameters_.patience) return false;
+  asked_ = now;
+  return true;
 }
 
 template <class Contract>
 void Assistant::attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now) {
-  if (!waiting || !one.connected() || now - *waiting < parameters_.patience) return;
+  if (!waiting || !one.connected()) return;
+  if (now - std::max(*waiting, released_) < parameters_.patience) return;
   if (one.enable()) waiting = now;
 }
 

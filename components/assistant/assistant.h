@@ -18,18 +18,19 @@ namespace robots {
 
 struct SUTURE_TYPE() AssistantParameters {
   suture::Duration period = std::chrono::milliseconds(10);
-  /// Presses the stop so long after it has released the one that the coordinator starts with; 0:
-  /// never.
+  /// Presses the stop so long after it has released the first one; 0: never.
   suture::Duration press_after{};
   /// Releases what it has pressed so much later.
   suture::Duration release_after = std::chrono::seconds(1);
-  /// Enables what has waited for its arms for so long. A person would look first.
+  /// Enables what has waited for its arms for so long, with power permitted. A person would look
+  /// first.
   suture::Duration patience = std::chrono::milliseconds(500);
 };
 
-/// Releases the stop that the coordinator starts with, and presses and releases it once by the
-/// script; never releases what somebody else has pressed. Enables what it is connected to whenever
-/// that waits for its arms: after a stop, and after drives stopped by themselves.
+/// Releases the stop that it finds pressed when it starts, since a coordinator starts so, and
+/// presses and releases it once by the script. Later it releases no stop that somebody else has
+/// pressed, and does not press one more. Enables what it is connected to whenever that waits for
+/// its arms: after a stop, and after drives stopped by themselves.
 class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  public:
   explicit Assistant(const AssistantParameters& parameters);
@@ -39,10 +40,14 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  private:
   enum class Step : std::uint8_t { Begin, Watch, Pressed, Done };
 
+  void hear(const StopNews& news);
+
   /// Since when something waits for its arms; none: it does not.
   using Waiting = std::optional<suture::Time>;
 
   void followScript(suture::Time now);
+  void enter(Step step, suture::Time now);
+  bool mayAskAgain(suture::Time now);
   template <class Contract>
   void attend(suture::Required<Contract>& one, Waiting& waiting, suture::Time now);
   static void tell(Waiting& waiting, bool waits);
@@ -54,8 +59,11 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   SUTURE_REQUIRED(optional()) suture::Required<Guidance> guidance_{*this, "Guidance"};
 
   Step step_ = Step::Begin;
-  suture::Time stepped_;  // when that began
-  bool pressed_ = false;  // by anybody
+  suture::Time stepped_;       // when that began
+  suture::Time asked_;         // when it asked last for what ends that
+  bool pressed_ = true;        // by anybody
+  suture::Time released_;      // when power was permitted last
+  unsigned pressesHeard_ = 0;  // since it has pressed itself
   Waiting leftWaits_, rightWaits_, guidanceWaits_;
 };
 

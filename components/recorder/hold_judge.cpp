@@ -28,7 +28,11 @@ HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, su
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double step =
         (rows[i].setpoint.translation() - rows[i - 1].setpoint.translation()).norm();
-    if (rows[i].stamp < broken || step <= kStill) continue;
+    if (step <= kStill) continue;
+    if (rows[i].stamp < broken) {
+      judgement.rested_before = secondsBetween(rows[i].stamp, broken);
+      continue;
+    }
     judgement.largest_jump = std::max(judgement.largest_jump, step - due(rows[i - 1], rows[i]));
     if (rows[i].stamp < mended) {
       judgement.held_after = secondsBetween(broken, rows[i].stamp);
@@ -41,8 +45,11 @@ HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, su
 
 std::vector<std::string> violations(const HoldJudgement& judgement) {
   std::vector<std::string> found;
+  if (!judgement.rested_before || *judgement.rested_before > kSoon) {
+    found.push_back("it stood still before, so nobody can tell whether it held");
+  }
   if (judgement.held_after > kSoon) {
-    found.push_back(sentence("it moved until %.0f ms after the break, at most %.0f ms allowed",
+    found.push_back(sentence("it moved until %.0f ms after that, at most %.0f ms allowed",
                              1e3 * judgement.held_after, 1e3 * kSoon));
   }
   if (!judgement.resumed_after) found.push_back("it never moved again");

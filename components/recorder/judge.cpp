@@ -56,10 +56,12 @@ Judge::Entry Judge::entryAfter(Time stamp) const {
                           [](Time t, const FollowAnchors& a) { return t < a.master_stamp; });
 }
 
-/// False before following began, and while the slave is not enabled, until it begins anew.
+/// False before following began, and while the slave is not enabled, until following begins anew.
+/// That may have a stamp from before the slave was enabled, for the master's data are older.
 bool Judge::isFollowing(const ArmRow& row) {
   const auto next = entryAfter(row.goal_stamp);
-  if (!row.enabled) disabled_ = row.stamp;
+  if (wasEnabled_ && !row.enabled) disabled_ = row.stamp;
+  wasEnabled_ = row.enabled;
   return next != followed_.begin() && row.enabled && (!disabled_ || next != entryAfter(*disabled_));
 }
 

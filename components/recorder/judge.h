@@ -70,7 +70,8 @@ class Judge {
   std::optional<Pose> target_;    // what acts on the slave since its last cycle
   std::optional<Pose> expected_;  // where the slave should be
   suture::Time last_;
-  std::optional<suture::Time> disabled_;  // the slave's last cycle in which it was not enabled
+  std::optional<suture::Time> disabled_;  // the cycle since which the slave was last not enabled
+  bool wasEnabled_ = true;
   std::optional<Eigen::Vector3d> start_;
   double travel_ = 0;
   std::size_t unmatched_ = 0, reported_ = 0;

@@ -9,7 +9,7 @@
 namespace demo {
 
 struct Moment {
-  suture::Duration at{};  ///< from when all is connected
+  suture::Duration at{};  ///< from when the system runs
   suture::Duration length = std::chrono::seconds(1);
 };
 

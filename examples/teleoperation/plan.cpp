@@ -37,7 +37,8 @@ void setRate(json& component, double rate) {
 /// a thread may wait for so long for its processor.
 constexpr double kPatientPermit = 0.25;  // s
 
-/// This user may not have what the topology's file says of its processes and components.
+/// Takes from a process what the topology's file says of the scheduling of its threads, which this
+/// user may not have, and lets its drives be more patient.
 void giveUpRealTime(json& process) {
   process.erase("scheduling");
   for (json& component : process.at("components")) {
@@ -100,6 +101,24 @@ std::filesystem::path write(const Options& options, const std::optional<Moment>&
   return file;
 }
 
+bool mayHave(int priority) {
+  return priority == 0 || rt::grantedOf("the demo", {rt::Policy::Fifo, priority}).refusals.empty();
+}
+
+/// 0 if the file gives none.
+int highestPriorityIn(const std::filesystem::path& topology) {
+  const suture::Deployment deployment(suture::JsonDocument::read(topology));
+  int highest = 0;
+  const auto look = [&](const std::optional<rt::Scheduling>& scheduling) {
+    if (scheduling) highest = std::max(highest, scheduling->priority);
+  };
+  for (const ProcessEntry& process : deployment.processes()) {
+    look(process.scheduling);
+    for (const ComponentEntry& component : process.components) look(component.scheduling);
+  }
+  return highest;
+}
+
 std::string nameOf(const suture::Endpoint& endpoint) {
   return endpoint.process + ":" + endpoint.component;
 }
@@ -149,7 +168,7 @@ std::vector<std::string> topologiesIn(const std::filesystem::path& folder) {
 Plan::Plan(const Options& options, Network& network, const std::filesystem::path& topologies,
            const std::filesystem::path& folder)
     : stop_(parseStop(options.stop, lengthOf(options))),
-      realTime_(rt::grantedOf("the demo", {rt::Policy::Fifo, 1}).refusals.empty()),
+      realTime_(mayHave(highestPriorityIn(topologies / (options.topology + ".json")))),
       folder_(folder),
       file_(write(options, stop_, realTime_, network, topologies, folder)),
       deployment_(suture::JsonDocument::read(file_)) {
@@ -181,19 +200,21 @@ bool Plan::driverCrosses(const std::string& slave, const std::string& process) c
 }
 
 std::vector<RecordedSlave> Plan::slaves() const {
-  std::vector<RecordedSlave> slaves;
-  for (const std::string& arm : arms_) {
-    if (component(arm).className != "Psm") continue;
-    slaves.push_back({arm, folder_ / recordingOf(arm + "/Arm")});
-  }
-  return slaves;
+  return slavesOf([](const std::string&) { return true; });
 }
 
 std::vector<RecordedSlave> Plan::slavesDrivenAcross(const std::string& process) const {
-  std::vector<RecordedSlave> across = slaves();
-  std::erase_if(across,
-                [&](const RecordedSlave& one) { return !driverCrosses(one.name, process); });
-  return across;
+  return slavesOf([&](const std::string& slave) { return driverCrosses(slave, process); });
+}
+
+template <class Chosen>
+std::vector<RecordedSlave> Plan::slavesOf(const Chosen& chosen) const {
+  std::vector<RecordedSlave> slaves;
+  for (const std::string& arm : arms_) {
+    if (component(arm).className != "Psm" || !chosen(arm)) continue;
+    slaves.push_back({arm, folder_ / recordingOf(arm + "/Arm")});
+  }
+  return slaves;
 }
 
 void Plan::findArms() {

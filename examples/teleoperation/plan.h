@@ -88,6 +88,8 @@ class Plan {
   const std::map<std::string, std::string>& lanes() const { return lanes_; }
 
  private:
+  template <class Chosen>
+  std::vector<RecordedSlave> slavesOf(const Chosen& chosen) const;
   bool driverCrosses(const std::string& slave, const std::string& process) const;
   void findArms();
   void findFollowings(const std::filesystem::path& folder);

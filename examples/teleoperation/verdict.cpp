@@ -92,7 +92,7 @@ Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>
                             1e3 * figures->sighting_error)};
 }
 
-/// What happened, for the texts: "with vision cut off", "that was mended".
+/// These words tell what happened: "with vision cut off", and when it was over: "that was mended".
 struct Happening {
   std::string during, over;
 };

@@ -6,8 +6,12 @@ import pathlib
 import re
 import signal
 import subprocess
+import sys
 import tempfile
 import time
+
+sys.path.append(str(pathlib.Path(__file__).parents[2] / "support"))
+from rights import WITHOUT_REAL_TIME  # for those who import this
 
 PATIENCE = 60  # s; only so that a hang ends the test
 

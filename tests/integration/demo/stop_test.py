@@ -3,17 +3,14 @@
 How soon, to the millisecond, depends here on what else the machine does; the demo itself judges that.
 """
 
-import os
 import pathlib
 import subprocess
 import sys
 import unittest
 
-from programs import Demo
+from programs import WITHOUT_REAL_TIME, Demo
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
-WITHOUT_RIGHTS = (["setpriv", "--bounding-set=-sys_nice,-ipc_lock", "--inh-caps=-all", "--"]
-                  if os.geteuid() == 0 else [])
 
 
 class Stop(unittest.TestCase):
@@ -29,15 +26,15 @@ class Stop(unittest.TestCase):
                 self.assertLess(slave["held_after"], 0.75, slave)  # of one second
                 self.assertIsNotNone(slave["resumed_after"], slave)
                 self.assertLess(slave["largest_jump"], 0.01, slave)
-            self.assertIn("the emergency stop is pressed after 2 s and released 1 s later", output)
-            self.assertRegex(output, "PSM1, with the stop pressed for 1... ms, held after ")
+            self.assertIn("the emergency stop is pressed after 3 s and released 1 s later", output)
+            self.assertIn("PSM1, with the stop pressed", output)
             return output
 
     def test_across_processes(self):
-        self.run_and_stop("--topology", "fig3c", "--seconds", "6", "--stop", "2s")
+        self.run_and_stop("--topology", "fig3c", "--seconds", "7", "--stop", "3s")
 
     def test_in_one_process_without_real_time_priorities(self):
-        output = self.run_and_stop("--topology", "single", "--seconds", "6", "--stop", "2s", prefix=WITHOUT_RIGHTS)
+        output = self.run_and_stop("--topology", "single", "--seconds", "7", "--stop", "3s", prefix=WITHOUT_REAL_TIME)
         self.assertIn("at most 250 ms old, for this user may have no real-time priorities", output)
         self.assertNotIn("warning", output)
 

@@ -82,6 +82,7 @@ TEST_F(AssistantTest, PressesAndReleasesOnceByItsScriptAndEnablesAgain) {
   EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled) << "nobody has enabled it";
   pass(200ms);
   EXPECT_TRUE(mayHavePower());
+  EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled) << "a person would look first";
   EXPECT_TRUE(until([this] { return follows(); }));
   pass(10s);
   EXPECT_TRUE(mayHavePower() && follows()) << "it presses once";
@@ -96,6 +97,24 @@ TEST_F(AssistantTest, LeavesAStopAloneThatSomebodyElsePressed) {
   EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled);
   ASSERT_TRUE(bystander_.button.release());
   EXPECT_TRUE(until([this] { return follows(); })) << "it enables what waits";
+}
+
+TEST_F(AssistantTest, NeitherPressesNorReleasesWhileSomebodyElsesStopIsPressed) {
+  start(5s);
+  ASSERT_TRUE(until([this] { return follows(); }));
+  ASSERT_TRUE(bystander_.button.press());
+  pass(15s);
+  EXPECT_FALSE(mayHavePower());
+}
+
+TEST_F(AssistantTest, DoesNotReleaseWhatSomebodyElseHasPressedToo) {
+  start(5s);
+  ASSERT_TRUE(until([this] { return follows(); }));
+  ASSERT_TRUE(until([this] { return !mayHavePower(); }));
+  pass(500ms);
+  ASSERT_TRUE(bystander_.button.press());
+  pass(10s);
+  EXPECT_FALSE(mayHavePower());
 }
 
 TEST_F(AssistantTest, EnablesAgainWhatStoppedByItselfButNotAtOnce) {

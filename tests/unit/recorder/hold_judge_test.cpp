@@ -52,7 +52,15 @@ TEST(HoldJudge, AcceptsAnArmWhoseRecorderWasCutOffToo) {
 TEST(HoldJudge, FindsAnArmThatWentOn) {
   const auto found = violations(judgeHold(armThatHolds(kMended, kMended), kBroken, kMended));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0], "it moved until 999 ms after the break, at most 500 ms allowed");
+  EXPECT_EQ(found[0], "it moved until 999 ms after that, at most 500 ms allowed");
+}
+
+TEST(HoldJudge, FindsAnArmThatStoodStillBefore) {
+  const auto rows = armThatMoves(
+      [](suture::Time time) { return time < kBroken - 600ms || time >= kMended ? 1e-4 : 0; });
+  const auto found = violations(judgeHold(rows, kBroken, kMended));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0], "it stood still before, so nobody can tell whether it held");
 }
 
 TEST(HoldJudge, FindsAnArmThatNeverMovedAgain) {

@@ -130,7 +130,7 @@ TEST(Judge, SeesFiveMillisecondsOfUndeclaredLag) {
   EXPECT_FALSE(violations(fast).empty());
 }
 
-// From 4 s to 4.5 s the slave stands 5 mm off, without power; it follows again from 5 s on.
+// From 4 s to 5 s the slave stands 5 mm off, without power; then it follows again.
 TEST(Judge, AsksForNothingOfADisabledSlaveUntilFollowingBeginsAnew) {
   Recorded run = makeRun({});
   for (ArmRow& row : run.slave) {
@@ -143,7 +143,8 @@ TEST(Judge, AsksForNothingOfADisabledSlaveUntilFollowingBeginsAnew) {
   again.entry = 2;
   run.followed.push_back(again);
   EXPECT_GT(judged(run).position.p99, 0.004) << "nobody says that it is disabled";
-  for (ArmRow& row : run.slave) row.enabled = row.stamp < at(4) || row.stamp >= at(4.5);
+  // The slave is enabled 2 ms after the stamp of what it then follows.
+  for (ArmRow& row : run.slave) row.enabled = row.stamp < at(4) || row.stamp >= at(5.002);
   const Judgement judgement = judged(run);
   EXPECT_LT(judgement.position.max, 1e-6);
   EXPECT_GT(judgement.compared, 8900u);
