@@ -43,4 +43,9 @@ std::string whyNotFifo(int priority) {
   return refusals.empty() ? "" : refusals.front();
 }
 
+suture::rt::Scheduling urgent(int priority, std::optional<int> processor) {
+  if (!whyNotFifo(priority).empty()) return {.processor = processor};
+  return {suture::rt::Policy::Fifo, priority, processor};
+}
+
 }  // namespace bench

@@ -2,6 +2,7 @@
 // Where the threads of a measurement run.
 
 #include <sched.h>
+#include <suture/rt/scheduling.h>
 
 #include <optional>
 #include <string>
@@ -43,6 +44,9 @@ class Unpreempted {
 int preferredCpu();
 /// The last of them that is not `cpu`; `cpu` if it is the only one.
 int cpuBeside(int cpu);
+
+/// SCHED_FIFO at `priority` where this process may, else the default policy.
+suture::rt::Scheduling urgent(int priority, std::optional<int> processor = std::nullopt);
 
 /// Why a thread cannot have SCHED_FIFO at `priority`; "" if it can.
 std::string whyNotFifo(int priority);

@@ -34,8 +34,7 @@ constexpr int kPriority = 80;  // of the survivor's task
 
 // What else runs on the machine would hide one loop behind the noise of the other.
 suture::rt::Scheduling scheduling(const NetworkOptions& options, int priority) {
-  if (!whyNotFifo(priority).empty()) return {.processor = options.cpu};
-  return {suture::rt::Policy::Fifo, priority, options.cpu};
+  return urgent(priority, options.cpu);
 }
 
 struct Periods {

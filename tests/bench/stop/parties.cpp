@@ -9,20 +9,23 @@ namespace bench {
 using robots::DrivePower;
 using suture::Time;
 
-suture::rt::Scheduling urgent(int priority) {
-  if (!whyNotFifo(priority).empty()) return {};
-  return {.policy = suture::rt::Policy::Fifo, .priority = priority};
-}
-
-StopWorkstation::StopWorkstation(std::size_t firstArm, robots::MtmSide side)
+ArmPair::ArmPair(std::size_t firstArm, robots::MtmSide side)
     : first(firstArm), master(side, kPermit) {
   master.drives.schedule(urgent(80));
   slave.drives.schedule(urgent(80));
 }
 
-void StopWorkstation::addTo(suture::Manager& manager) {
+void ArmPair::addTo(suture::Manager& manager) {
   master.addTo(manager, kArms[first].name);
   slave.addTo(manager, kArms[first + 1].name);
+  manager.add(std::string("Viewer") + kArms[first].name, viewer);
+}
+
+void StopViewer::run() {
+  const auto pair = camera_.images();
+  if (!pair || pair->left.stamp == lastImage_) return;
+  lastImage_ = pair->left.stamp;
+  ++images_;
 }
 
 StopDesk::StopDesk() { coordinator.schedule(urgent(75)); }
@@ -51,11 +54,6 @@ void StopWatch::run() {
     }
     power_[i] = feedback->power;
   }
-  if (++cycle_ % 20 != 0) return;  // 100 looks a second, at images that come 15 times
-  const auto pair = camera_.images();
-  if (!pair || pair->left.stamp == lastImage_) return;
-  lastImage_ = pair->left.stamp;
-  ++images_;
 }
 
 bool StopWatch::all(DrivePower power) const {

@@ -1,5 +1,5 @@
 #pragma once
-// The parties of a system with an emergency stop: a desk, two workstations, and who presses.
+// The parties of a system with an emergency stop: a desk, two pairs of arms, and who presses.
 
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>
@@ -22,7 +22,6 @@
 
 namespace bench {
 
-/// Those of all arms, in the order of kArms.
 inline constexpr std::size_t kArmCount = 4;
 
 /// Where an arm is: "left:PSM2".
@@ -33,13 +32,26 @@ struct ArmPlace {
 inline constexpr std::array<ArmPlace, kArmCount> kArms{
     {{"left", "MTML"}, {"left", "PSM2"}, {"right", "MTMR"}, {"right", "PSM1"}}};
 
-/// What the kernel grants of a real-time priority: that, or nothing.
-suture::rt::Scheduling urgent(int priority);
+/// Looks at each image of the endoscope.
+class StopViewer final : public suture::PeriodicTask {
+ public:
+  StopViewer() : PeriodicTask({.period = std::chrono::milliseconds(10)}) {}
 
-/// A master and a slave, whose drives need a permit.
-struct StopWorkstation {
+  /// Any thread: how many images it has seen.
+  std::uint64_t images() const { return images_.load(); }
+
+ private:
+  void run() override;
+
+  suture::Required<robots::StereoImages> camera_{*this, "Images"};
+  std::atomic<std::uint64_t> images_{0};
+  suture::Time lastImage_;
+};
+
+/// A master and a slave, whose drives need a permit, and somebody who looks at the images.
+struct ArmPair {
   /// `first`: of kArms.
-  StopWorkstation(std::size_t first, robots::MtmSide side);
+  ArmPair(std::size_t first, robots::MtmSide side);
   void addTo(suture::Manager& manager);
 
   static constexpr suture::Duration kPermit = std::chrono::milliseconds(30);
@@ -47,6 +59,7 @@ struct StopWorkstation {
   const std::size_t first;
   robots::test::DrivenMtm master;
   robots::test::DrivenPsm slave{kPermit};
+  StopViewer viewer;
 };
 
 /// The coordinator, and an endoscope that looks at a strand between both slaves.
@@ -84,20 +97,14 @@ class StopWatch final : public suture::PeriodicTask {
   void reset();
   /// Any thread: the cycle in which the last of the drives stopped; zero before all have.
   suture::Time allStopped() const;
-  /// Any thread: how many images have been seen.
-  std::uint64_t images() const { return images_.load(); }
 
  private:
   void run() override;
 
   suture::Required<robots::Drives> mtml_{*this, "MTML"}, psm2_{*this, "PSM2"}, mtmr_{*this, "MTMR"},
       psm1_{*this, "PSM1"};
-  suture::Required<robots::StereoImages> camera_{*this, "Images"};
   std::array<std::atomic<robots::DrivePower>, kArmCount> power_{};
   std::array<std::atomic<std::int64_t>, kArmCount> stopped_{};  // ns
-  std::atomic<std::uint64_t> images_{0};
-  suture::Time lastImage_;
-  unsigned cycle_ = 0;
 };
 
 }  // namespace bench

@@ -2,6 +2,7 @@
 
 #include "bench/network/lanes.h"
 #include "bench/parts.h"
+#include "bench/placement.h"
 #include "bench/stop/options.h"
 #include "bench/stop/system.h"
 #include "bench/table.h"
@@ -17,17 +18,18 @@ void add(Report& report, Table& table, const std::string& figure, const char* wo
 }
 
 /// Leaves "local", "shm", ...: from a press to the stop of the last drives; and "cut.shm", ...:
-/// from when the coordinator's process stands still; ".images": how many came meanwhile.
+/// from when the coordinator's process stands still; ".images": how many both pairs saw meanwhile.
 void measure(const char* name, suture::Lane lane, const StopOptions& options, Report& report,
              Table& table) {
   StopSystem system(lane);
   std::vector<std::int64_t> presses, cuts;
   for (int i = 0; i < options.presses(); ++i) presses.push_back(system.press());
   add(report, table, name, "pressed", presses);
-  report.add(std::string(name) + ".images", "images", static_cast<double>(system.images()));
-  if (lane == suture::Lane::Auto) return;
-  for (int i = 0; i < options.cuts(); ++i) cuts.push_back(system.cutOff());
-  add(report, table, std::string("cut.") + name, "coordinator stands still", cuts);
+  if (lane != suture::Lane::Auto) {
+    for (int i = 0; i < options.cuts(); ++i) cuts.push_back(system.cutOff());
+    add(report, table, std::string("cut.") + name, "coordinator stands still", cuts);
+  }
+  report.add(std::string(name) + ".images", "images", static_cast<double>(system.end()));
 }
 
 std::string stopRows(const StopOptions& options, Report& report) {
@@ -36,7 +38,7 @@ std::string stopRows(const StopOptions& options, Report& report) {
   table.line();
   measure("local", suture::Lane::Auto, options, report, table);
   for (const suture::Lane lane : kLanes) measure(toString(lane), lane, options, report, table);
-  const bool fifo = urgent(1) != suture::rt::Scheduling{};
+  const bool fifo = urgent(80) != suture::rt::Scheduling{};
   return table.toString() + (fifo ? "drives, coordinator and connections: SCHED_FIFO\n"
                                   : "no real-time priorities: this user may have none\n");
 }

@@ -3,7 +3,10 @@
 #include <suture/manager/manager.h>
 
 #include <memory>
+#include <span>
 
+#include "bench/network/lanes.h"
+#include "bench/placement.h"
 #include "bench/table2/child_process.h"
 
 namespace bench {
@@ -11,72 +14,68 @@ namespace {
 
 constexpr const char* kStopSubcommand = "stop-process";
 
-/// `name` of a process, or of this one if that is "".
-std::string in(const std::string& process, const std::string& name) {
-  return process.empty() ? name : process + ":" + name;
+/// Makes a connection over `lane`, or within this process if `process` is "".
+void connect(suture::Manager& manager, const std::string& required, const std::string& process,
+             const std::string& provided, suture::Lane lane) {
+  if (process.empty()) return manager.connect(required, provided);
+  connectBy(lane, manager, required, process + ":" + provided);
 }
 
-void connect(suture::Manager& manager, const std::string& required, const std::string& provided,
-             suture::Lane lane) {
-  manager.connect(required, provided, lane);
-}
+struct Arguments {
+  std::string process, address, lane;
 
-void serveDesk(suture::Manager& manager, suture::Lane lane) {
+  bool isLeft() const { return process == "left"; }
+};
+
+/// Parties are there before the manager, which stops them before they go.
+void serveDesk(const Arguments& given) {
   StopDesk desk;
+  suture::Manager manager(given.process, given.address);
+  manager.scheduleService(urgent(70));
   desk.addTo(manager);
   manager.start();
-  connectDesk(manager, "left", "right", lane);
+  connectDesk(manager, "left", "right", suture::laneNamed(given.lane));
   awaitEndOfInput();
-  manager.stop();
 }
 
-void serveWorkstation(suture::Manager& manager, bool isLeft, suture::Lane lane) {
-  StopWorkstation workstation(isLeft ? 0 : 2,
-                              isLeft ? robots::MtmSide::Left : robots::MtmSide::Right);
-  workstation.addTo(manager);
-  manager.start();
-  connectWorkstation(manager, workstation, "desk", lane);
-  awaitEndOfInput();
-  manager.stop();
-}
-
-void serve(const std::string& process, const std::string& address, const std::string& lane) {
-  suture::Manager manager(process, address);
+void servePair(const Arguments& given) {
+  ArmPair pair(given.isLeft() ? 0 : 2,
+               given.isLeft() ? robots::MtmSide::Left : robots::MtmSide::Right);
+  suture::Manager manager(given.process, given.address);
   manager.scheduleService(urgent(70));
-  if (process == "desk") {
-    serveDesk(manager, suture::laneNamed(lane));
-  } else {
-    serveWorkstation(manager, process == "left", suture::laneNamed(lane));
-  }
+  pair.addTo(manager);
+  manager.start();
+  connectPair(manager, pair, "desk", suture::laneNamed(given.lane));
+  awaitEndOfInput();
+  const std::uint64_t images = pair.viewer.images();
+  writeResult(std::span(&images, 1));
 }
 
 }  // namespace
 
-void connectWorkstation(suture::Manager& manager, const StopWorkstation& workstation,
-                        const std::string& desk, suture::Lane lane) {
-  for (std::size_t arm : {workstation.first, workstation.first + 1}) {
-    connect(manager, std::string(kArms[arm].name) + "Drives/Stop", in(desk, "Coordinator/Stop"),
-            lane);
+void connectPair(suture::Manager& manager, const ArmPair& pair, const std::string& desk,
+                 suture::Lane lane) {
+  const std::string viewer = std::string("Viewer") + kArms[pair.first].name;
+  connect(manager, viewer + "/Images", desk, "Endoscope/Images", lane);
+  for (std::size_t arm : {pair.first, pair.first + 1}) {
+    connect(manager, std::string(kArms[arm].name) + "Drives/Stop", desk, "Coordinator/Stop", lane);
   }
 }
 
 void connectDesk(suture::Manager& manager, const std::string& left, const std::string& right,
                  suture::Lane lane) {
-  connect(manager, "Strand/Left", in(left, "PSM2/Arm"), lane);
-  connect(manager, "Strand/Right", in(right, "PSM1/Arm"), lane);
+  connect(manager, "Strand/Left", left, "PSM2/Arm", lane);
+  connect(manager, "Strand/Right", right, "PSM1/Arm", lane);
 }
 
 void addStopProcess(CLI::App& program) {
-  struct Arguments {
-    std::string process, address, lane;
-  };
   auto given = std::make_shared<Arguments>();
   CLI::App* process = program.add_subcommand(kStopSubcommand, "a process with a stop");
   process->group("");  // hidden
   process->add_option("--process", given->process)->required();
   process->add_option("--manager", given->address)->required();
   process->add_option("--lane", given->lane)->required();
-  process->callback([given] { serve(given->process, given->address, given->lane); });
+  process->callback([given] { given->process == "desk" ? serveDesk(*given) : servePair(*given); });
 }
 
 std::vector<std::string> stopProcessArguments(const std::string& process,

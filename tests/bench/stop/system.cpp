@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "bench/network/lanes.h"
+#include "bench/placement.h"
 #include "bench/stop/stop_process.h"
 
 namespace bench {
@@ -30,17 +31,23 @@ StopSystem::StopSystem(suture::Lane lane) : isOneProcess_(lane == suture::Lane::
   manager_->add("Watch", watch_);
   manager_->start();
   if (isOneProcess_) {
-    connectWorkstation(*manager_, *left_, "", lane);
-    connectWorkstation(*manager_, *right_, "", lane);
+    connectPair(*manager_, *left_, "", lane);
+    connectPair(*manager_, *right_, "", lane);
     connectDesk(*manager_, "", "", lane);
   }
   connectWatchers(lane);
   (void)panel_.stop.release();
 }
 
-StopSystem::~StopSystem() {
-  processes_.clear();
-  manager_->stop();
+StopSystem::~StopSystem() { manager_->stop(); }
+
+std::uint64_t StopSystem::end() {
+  if (isOneProcess_) return left_->viewer.images() + right_->viewer.images();
+  std::uint64_t images = 0;
+  for (const auto& process : processes_) {
+    for (const std::uint64_t seen : resultIn<std::uint64_t>(process->finish())) images += seen;
+  }
+  return images;
 }
 
 void StopSystem::addHere() {
@@ -66,7 +73,6 @@ void StopSystem::connectWatchers(suture::Lane lane) {
     connectBy(lane, *manager_, required, std::string(process) + ":" + provided);
   };
   connect("Panel/Stop", "desk", "Coordinator/Stop");
-  connect("Watch/Images", "desk", "Endoscope/Images");
   for (const ArmPlace& arm : kArms) {
     const std::string name = arm.name;
     connect("Panel/" + name, arm.process, name + "/Arm");

@@ -15,8 +15,8 @@
 
 namespace bench {
 
-/// Desk and workstations are processes of their own, or, on Lane::Auto, all in this one. Arms have
-/// power at the beginning of each press and cut.
+/// Desk and pairs are processes of their own, or, on Lane::Auto, all in this one. Arms have power
+/// at the beginning of each press and cut.
 class StopSystem {
  public:
   /// Throws SetupError.
@@ -27,9 +27,10 @@ class StopSystem {
 
   /// From the call to the cycle in which the last drives stopped, ns.
   std::int64_t press();
-  /// From when the desk's process is stopped (SIGSTOP). Not if all is in one process.
+  /// From when the desk's process is stopped (SIGSTOP); it must be another one.
   std::int64_t cutOff();
-  std::uint64_t images() const { return watch_.images(); }
+  /// Ends it, and returns how many images both pairs have seen.
+  std::uint64_t end();
 
  private:
   void addHere();
@@ -43,7 +44,7 @@ class StopSystem {
   const bool isOneProcess_;
   std::optional<Names> names_;
   std::optional<StopDesk> desk_;
-  std::optional<StopWorkstation> left_, right_;
+  std::optional<ArmPair> left_, right_;
   std::vector<std::unique_ptr<ChildProcess>> processes_;  // the desk's is the first
   StopPanel panel_;
   StopWatch watch_;
