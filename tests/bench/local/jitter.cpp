@@ -33,7 +33,9 @@ class IdleTask final : public suture::PeriodicTask {
     stop();
   }
   void run() override {
-    if (left_ > 0 && --left_ == 0) finished_.release();
+    if (left_ == 0) return;
+    --left_;
+    if (left_ == 0) finished_.release();
   }
 
  private:
