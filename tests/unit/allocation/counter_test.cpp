@@ -19,8 +19,8 @@ TEST(Allocations, EveryWayIsCounted) {
   ::operator delete(memory);
   EXPECT_EQ(allocations() - before, 1u);
   memory = std::malloc(8);
-  memory = std::realloc(memory, 4096);
-  std::free(memory);
+  void* volatile larger = std::realloc(memory, 4096);
+  std::free(larger);
   memory = std::calloc(2, 8);
   std::free(memory);
   memory = std::aligned_alloc(64, 64);

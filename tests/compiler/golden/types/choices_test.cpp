@@ -77,7 +77,7 @@ TEST(Choices, EmptyOnesArriveAndReplaceWhatWasThere) {
 }
 
 TEST(Choices, EveryAlternativeArrives) {
-  const auto arrives = [](auto alternative) {
+  const auto arrives = [](const auto& alternative) {
     Choices value = full(), received;
     value.nested = Level::High;
     value.either = alternative;
