@@ -1,6 +1,7 @@
 #include "bench/stop/parties.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "bench/placement.h"
 
@@ -21,6 +22,15 @@ void ArmPair::addTo(suture::Manager& manager) {
   manager.add(std::string("Viewer") + kArms[first].name, viewer);
 }
 
+robots::SceneFrames sceneOfTwoArms() {
+  robots::SceneFrames scene;
+  scene.left_base = Eigen::Translation3d(-0.05, 0, 0);
+  scene.right_base = Eigen::Translation3d(0.05, 0, 0);
+  const Eigen::AngleAxisd down(5 * std::numbers::pi / 6, -Eigen::Vector3d::UnitX());
+  scene.camera = Eigen::Translation3d(0, -0.06, -0.052) * down;
+  return scene;
+}
+
 void StopViewer::run() {
   const auto pair = camera_.images();
   if (!pair || pair->left.stamp == lastImage_) return;
@@ -30,8 +40,7 @@ void StopViewer::run() {
 
 StopDesk::StopDesk() { coordinator.schedule(urgent(75)); }
 
-void StopDesk::addTo(suture::Manager& manager) {
-  manager.add("Coordinator", coordinator);
+void StopVision::addTo(suture::Manager& manager) {
   manager.add("Registration", registration);
   manager.add("Strand", strand);
   manager.add("Endoscope", endoscope);

@@ -1,5 +1,6 @@
 #pragma once
-// The parties of a system with an emergency stop: a desk, two pairs of arms, and who presses.
+// The parties of a system with an emergency stop: a desk, two pairs of arms, an endoscope, and who
+// presses.
 
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>
@@ -62,13 +63,21 @@ struct ArmPair {
   StopViewer viewer;
 };
 
-/// The coordinator, and an endoscope that looks at a strand between both slaves.
+/// The slaves stand 10 cm apart, and the camera sees what is between them.
+robots::SceneFrames sceneOfTwoArms();
+
 struct StopDesk {
   StopDesk();
-  void addTo(suture::Manager& manager);
+  void addTo(suture::Manager& manager) { manager.add("Coordinator", coordinator); }
 
   robots::Coordinator coordinator{robots::CoordinatorParameters{}};
-  robots::RegistrationTable registration{robots::SceneFrames{}};
+};
+
+/// An endoscope that looks at a strand between both slaves.
+struct StopVision {
+  void addTo(suture::Manager& manager);
+
+  robots::RegistrationTable registration{sceneOfTwoArms()};
   robots::StrandSimulation strand{robots::StrandParameters{}};
   robots::SyntheticEndoscope endoscope{robots::EndoscopeParameters{}};
 };

@@ -27,45 +27,63 @@ struct Arguments {
   bool isLeft() const { return process == "left"; }
 };
 
-/// Parties are there before the manager, which stops them before they go.
-void serveDesk(const Arguments& given) {
-  StopDesk desk;
+const Places kElsewhere{.desk = "desk", .left = "left", .right = "right", .vision = "vision"};
+
+/// Is `party` until it is told to end. It is there before the manager, which stops it before it
+/// goes.
+template <class Party, class Connect>
+void serve(const Arguments& given, Party& party, const Connect& connectParty) {
   suture::Manager manager(given.process, given.address);
   manager.scheduleService(urgent(70));
-  desk.addTo(manager);
+  party.addTo(manager);
   manager.start();
-  connectDesk(manager, "left", "right", suture::laneNamed(given.lane));
+  connectParty(manager, suture::laneNamed(given.lane));
   awaitEndOfInput();
+}
+
+void serveDesk(const Arguments& given) {
+  StopDesk desk;
+  serve(given, desk, [](suture::Manager&, suture::Lane) {});
+}
+
+void serveVision(const Arguments& given) {
+  StopVision vision;
+  serve(given, vision, [](suture::Manager& manager, suture::Lane lane) {
+    connectVision(manager, kElsewhere, lane);
+  });
 }
 
 void servePair(const Arguments& given) {
   ArmPair pair(given.isLeft() ? 0 : 2,
                given.isLeft() ? robots::MtmSide::Left : robots::MtmSide::Right);
-  suture::Manager manager(given.process, given.address);
-  manager.scheduleService(urgent(70));
-  pair.addTo(manager);
-  manager.start();
-  connectPair(manager, pair, "desk", suture::laneNamed(given.lane));
-  awaitEndOfInput();
+  serve(given, pair, [&](suture::Manager& manager, suture::Lane lane) {
+    connectPair(manager, pair, kElsewhere, lane);
+  });
   const std::uint64_t images = pair.viewer.images();
   writeResult(std::span(&images, 1));
 }
 
+void serveProcess(const Arguments& given) {
+  if (given.process == "desk") return serveDesk(given);
+  if (given.process == "vision") return serveVision(given);
+  servePair(given);
+}
+
 }  // namespace
 
-void connectPair(suture::Manager& manager, const ArmPair& pair, const std::string& desk,
+void connectPair(suture::Manager& manager, const ArmPair& pair, const Places& places,
                  suture::Lane lane) {
   const std::string viewer = std::string("Viewer") + kArms[pair.first].name;
-  connect(manager, viewer + "/Images", desk, "Endoscope/Images", lane);
+  connect(manager, viewer + "/Images", places.vision, "Endoscope/Images", lane);
   for (std::size_t arm : {pair.first, pair.first + 1}) {
-    connect(manager, std::string(kArms[arm].name) + "Drives/Stop", desk, "Coordinator/Stop", lane);
+    connect(manager, std::string(kArms[arm].name) + "Drives/Stop", places.desk, "Coordinator/Stop",
+            lane);
   }
 }
 
-void connectDesk(suture::Manager& manager, const std::string& left, const std::string& right,
-                 suture::Lane lane) {
-  connect(manager, "Strand/Left", left, "PSM2/Arm", lane);
-  connect(manager, "Strand/Right", right, "PSM1/Arm", lane);
+void connectVision(suture::Manager& manager, const Places& places, suture::Lane lane) {
+  connect(manager, "Strand/Left", places.left, "PSM2/Arm", lane);
+  connect(manager, "Strand/Right", places.right, "PSM1/Arm", lane);
 }
 
 void addStopProcess(CLI::App& program) {
@@ -75,7 +93,7 @@ void addStopProcess(CLI::App& program) {
   process->add_option("--process", given->process)->required();
   process->add_option("--manager", given->address)->required();
   process->add_option("--lane", given->lane)->required();
-  process->callback([given] { given->process == "desk" ? serveDesk(*given) : servePair(*given); });
+  process->callback([given] { serveProcess(*given); });
 }
 
 std::vector<std::string> stopProcessArguments(const std::string& process,

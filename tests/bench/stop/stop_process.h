@@ -1,5 +1,5 @@
 #pragma once
-// The desk, or a pair of arms, in a process of its own.
+// The desk, a pair of arms or the endoscope in a process of its own.
 
 #include <suture/manager/lane.h>
 
@@ -11,16 +11,19 @@
 
 namespace bench {
 
-/// Connects the drives of a pair to the stop and its viewer to the endoscope of process `desk`, ""
-/// if that is this one.
-void connectPair(suture::Manager& manager, const ArmPair& pair, const std::string& desk,
-                 suture::Lane lane);
-/// Connects the strand of a desk to the slaves of both pairs' processes, likewise.
-void connectDesk(suture::Manager& manager, const std::string& left, const std::string& right,
-                 suture::Lane lane);
+/// Says where the others are, for connections to them: processes, or "" for this one.
+struct Places {
+  std::string desk, left, right, vision;
+};
 
-/// Adds the hidden subcommand: is process "desk", "left" or "right" until it is told to end; a pair
-/// then writes how many images it has seen.
+/// Connects the drives of a pair to the stop, and its viewer to the endoscope.
+void connectPair(suture::Manager& manager, const ArmPair& pair, const Places& places,
+                 suture::Lane lane);
+/// Connects the strand to both slaves.
+void connectVision(suture::Manager& manager, const Places& places, suture::Lane lane);
+
+/// Adds the hidden subcommand: is process "desk", "left", "right" or "vision" until it is told to
+/// end; a pair then writes how many images it has seen.
 void addStopProcess(CLI::App& program);
 /// How this program is called to be that process.
 std::vector<std::string> stopProcessArguments(const std::string& process,

@@ -31,9 +31,9 @@ StopSystem::StopSystem(suture::Lane lane) : isOneProcess_(lane == suture::Lane::
   manager_->add("Watch", watch_);
   manager_->start();
   if (isOneProcess_) {
-    connectPair(*manager_, *left_, "", lane);
-    connectPair(*manager_, *right_, "", lane);
-    connectDesk(*manager_, "", "", lane);
+    connectPair(*manager_, *left_, {}, lane);
+    connectPair(*manager_, *right_, {}, lane);
+    connectVision(*manager_, {}, lane);
   }
   connectWatchers(lane);
   (void)panel_.stop.release();
@@ -54,13 +54,15 @@ void StopSystem::addHere() {
   desk_.emplace();
   left_.emplace(0, robots::MtmSide::Left);
   right_.emplace(2, robots::MtmSide::Right);
+  vision_.emplace();
   desk_->addTo(*manager_);
+  vision_->addTo(*manager_);
   left_->addTo(*manager_);
   right_->addTo(*manager_);
 }
 
 void StopSystem::startElsewhere(suture::Lane lane) {
-  for (const char* const process : {"desk", "left", "right"}) {
+  for (const char* const process : {"desk", "left", "right", "vision"}) {
     processes_.push_back(
         std::make_unique<ChildProcess>(stopProcessArguments(process, names_->address(), lane)));
   }

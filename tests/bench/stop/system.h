@@ -15,8 +15,8 @@
 
 namespace bench {
 
-/// Desk and pairs are processes of their own, or, on Lane::Auto, all in this one. Arms have power
-/// at the beginning of each press and cut.
+/// Desk, pairs and endoscope are processes of their own, or, on Lane::Auto, all in this one. Arms
+/// have power at the beginning of each press and cut.
 class StopSystem {
  public:
   /// Throws SetupError.
@@ -45,6 +45,7 @@ class StopSystem {
   std::optional<Names> names_;
   std::optional<StopDesk> desk_;
   std::optional<ArmPair> left_, right_;
+  std::optional<StopVision> vision_;
   std::vector<std::unique_ptr<ChildProcess>> processes_;  // the desk's is the first
   StopPanel panel_;
   StopWatch watch_;
