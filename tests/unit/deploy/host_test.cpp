@@ -89,8 +89,7 @@ class Refusing final : public suture::PeriodicTask {
 
 template <class T>
 std::unique_ptr<Component> createWithoutParameters(const JsonReader& in) {
-  JsonReader reader = in;
-  reader.finish();
+  in.finish();
   return std::make_unique<T>();
 }
 
@@ -319,7 +318,7 @@ TEST(Host, ManagerThatIsNotRunning) {
                           "\"processes\": [{\"name\": \"all\", \"components\": []}]}",
                           "d.json"));
   try {
-    Host(deployment, "all", kClasses, 100ms);
+    const Host host(deployment, "all", kClasses, 100ms);
     FAIL();
   } catch (const DocumentError& error) {
     EXPECT_TRUE(std::string(error.what()).starts_with("d.json:2: error: ")) << error.what();

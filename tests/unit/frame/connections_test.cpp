@@ -49,8 +49,8 @@ TEST_F(FrameConnections, AskedForOnAUnixSocketAreHandedOver) {
 }
 
 TEST_F(FrameConnections, ServeWhoMayOnlyRead) {
-  Policy readers({{"user:same", {.full = {}, .read = {"*/*"}}}});
-  begin(unixAddress(), std::move(readers));
+  const Policy readers({{"user:same", {.full = {}, .read = {"*/*"}}}});
+  begin(unixAddress(), readers);
   connect();
   EXPECT_EQ(channel()->lane, "frame");
   EXPECT_EQ(channel()->laneReason, "the policy gives it for reading only");
