@@ -11,7 +11,7 @@ capnp::uint sizeOf(const auto& values) { return static_cast<capnp::uint>(values.
 }  // namespace
 
 void write(const robots::JointState& value, wire::JointState::Builder out) {
-  write(value.name, out.initName(sizeOf(value.name)));
+  writeTexts(value.name, out.initName(sizeOf(value.name)));
   write(value.position, out.initPosition(sizeOf(value.position)));
   write(value.velocity, out.initVelocity(sizeOf(value.velocity)));
   write(value.effort, out.initEffort(sizeOf(value.effort)));
@@ -20,7 +20,7 @@ void write(const robots::JointState& value, wire::JointState::Builder out) {
 }
 
 void read(wire::JointState::Reader in, robots::JointState& value) {
-  read(in.getName(), value.name);
+  readTexts(in.getName(), value.name);
   read(in.getPosition(), value.position);
   read(in.getVelocity(), value.velocity);
   read(in.getEffort(), value.effort);
@@ -109,7 +109,7 @@ robots::JointType read(wire::JointType type) {
 }  // namespace
 
 void write(const robots::JointConfiguration& value, wire::JointConfiguration::Builder out) {
-  write(value.name, out.initName(sizeOf(value.name)));
+  writeTexts(value.name, out.initName(sizeOf(value.name)));
   auto types = out.initType(sizeOf(value.type));
   for (capnp::uint i = 0; i < types.size(); ++i) types.set(i, write(value.type[i]));
   write(value.position_min, out.initPositionMin(sizeOf(value.position_min)));
@@ -124,7 +124,7 @@ void write(const robots::JointConfiguration& value, wire::JointConfiguration::Bu
 }
 
 void read(wire::JointConfiguration::Reader in, robots::JointConfiguration& value) {
-  read(in.getName(), value.name);
+  readTexts(in.getName(), value.name);
   const auto types = in.getType();
   KJ_REQUIRE(types.size() <= kMaxElements, "a list is too long");
   value.type.resize(types.size());

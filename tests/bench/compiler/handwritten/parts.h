@@ -81,11 +81,12 @@ void read(typename capnp::List<Element, capnp::Kind::PRIMITIVE>::Reader in,
   for (capnp::uint i = 0; i < N; ++i) values[i] = in[i];
 }
 
-inline void write(const std::vector<std::string>& values, capnp::List<capnp::Text>::Builder out) {
+inline void writeTexts(const std::vector<std::string>& values,
+                       capnp::List<capnp::Text>::Builder out) {
   for (capnp::uint i = 0; i < out.size(); ++i) out.set(i, textOf(values[i]));
 }
 
-inline void read(capnp::List<capnp::Text>::Reader in, std::vector<std::string>& values) {
+inline void readTexts(capnp::List<capnp::Text>::Reader in, std::vector<std::string>& values) {
   KJ_REQUIRE(in.size() <= kMaxElements, "a list is too long");
   values.resize(in.size());
   for (capnp::uint i = 0; i < in.size(); ++i) read(in[i], values[i]);
