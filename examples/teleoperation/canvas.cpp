@@ -45,28 +45,28 @@ void Canvas::put(const robots::ImageFrame& image, int x, int y) {
   source(cv::Rect(0, 0, place.width, place.height)).copyTo(pixels_(place));
 }
 
-void Canvas::fill(Vector2d upperLeft, Vector2d lowerRight, Colour colour) {
+void Canvas::fill(const Vector2d& upperLeft, const Vector2d& lowerRight, Colour colour) {
   if (!isNear(upperLeft) || !isNear(lowerRight)) return;
   cv::rectangle(pixels_, pixel(upperLeft), pixel(lowerRight), scalar(colour), cv::FILLED);
 }
 
-void Canvas::line(Vector2d from, Vector2d to, Colour colour) {
+void Canvas::line(const Vector2d& from, const Vector2d& to, Colour colour) {
   if (!isNear(from) || !isNear(to)) return;
   cv::line(pixels_, exact(from), exact(to), scalar(colour), 1, cv::LINE_AA, kFraction);
 }
 
-void Canvas::ring(Vector2d centre, double radius, Colour colour) {
+void Canvas::ring(const Vector2d& centre, double radius, Colour colour) {
   if (!isNear(centre)) return;
   cv::circle(pixels_, exact(centre), static_cast<int>(std::lround(radius * (1 << kFraction))),
              scalar(colour), 1, cv::LINE_AA, kFraction);
 }
 
-void Canvas::cross(Vector2d centre, double size, Colour colour) {
+void Canvas::cross(const Vector2d& centre, double size, Colour colour) {
   line(centre - Vector2d(size, 0), centre + Vector2d(size, 0), colour);
   line(centre - Vector2d(0, size), centre + Vector2d(0, size), colour);
 }
 
-void Canvas::text(Vector2d lowerLeft, const std::string& words, Colour colour) {
+void Canvas::text(const Vector2d& lowerLeft, const std::string& words, Colour colour) {
   if (!isNear(lowerLeft)) return;
   cv::putText(pixels_, words, pixel(lowerLeft), cv::FONT_HERSHEY_SIMPLEX, kLetters, scalar(colour),
               1, cv::LINE_AA);

@@ -19,12 +19,13 @@ class Canvas {
 
   /// Puts an image of three channels there, as far as it fits.
   void put(const robots::ImageFrame& image, int x, int y);
-  void fill(Eigen::Vector2d upperLeft, Eigen::Vector2d lowerRight, robots::Colour colour);
-  void line(Eigen::Vector2d from, Eigen::Vector2d to, robots::Colour colour);
-  void ring(Eigen::Vector2d centre, double radius, robots::Colour colour);
-  void cross(Eigen::Vector2d centre, double size, robots::Colour colour);
+  void fill(const Eigen::Vector2d& upperLeft, const Eigen::Vector2d& lowerRight,
+            robots::Colour colour);
+  void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, robots::Colour colour);
+  void ring(const Eigen::Vector2d& centre, double radius, robots::Colour colour);
+  void cross(const Eigen::Vector2d& centre, double size, robots::Colour colour);
   /// From `lowerLeft` to the right.
-  void text(Eigen::Vector2d lowerLeft, const std::string& words, robots::Colour colour);
+  void text(const Eigen::Vector2d& lowerLeft, const std::string& words, robots::Colour colour);
 
   /// Throws suture::SetupError if the file cannot be written.
   void write(const std::filesystem::path& file) const;
