@@ -47,7 +47,7 @@ def commands(build):
 
 def examine(job):
     database, source, options = job
-    result = subprocess.run([TOOL, "--quiet", f"--extra-arg=-include{FIRST}", *options, "-p", database, source], capture_output=True, text=True)
+    result = subprocess.run([TOOL, "--quiet", f"--extra-arg-before=-include{FIRST}", *options, "-p", database, source], capture_output=True, text=True)
     return result.returncode, [line for line in result.stdout.splitlines() if FINDING.search(line)] or [result.stderr]
 
 
