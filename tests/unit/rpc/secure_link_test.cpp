@@ -51,7 +51,7 @@ class SecureLinkTest : public testing::Test {
   }
   std::string unixAddress() const { return "unix:" + directory_.file("s"); }
 
-  void serve(const std::string& address, Trust trust) {
+  void serve(const std::string& address, const Trust& trust) {
     server_ = kj::heap<LinkServer>(
         port_, Address::parse(address),
         [this](std::shared_ptr<Caller> caller) -> capnp::Capability::Client {
@@ -59,7 +59,7 @@ class SecureLinkTest : public testing::Test {
           last_ = caller->identity;
           return Echo::Client(kj::heap<EchoServer>());
         },
-        refusals_, limits_, 3, std::move(trust));
+        refusals_, limits_, 3, trust);
   }
   void serveTls() { serve("tls://127.0.0.1:0", trustOf("server")); }
 
