@@ -1,5 +1,5 @@
 #pragma once
-// What is kept of a run: one arm's poses, the moments when a teleoperation began to follow, and
+// A recording keeps of a run one arm's poses, the moments when a teleoperation began to follow, and
 // those when an emergency stop was pressed or released.
 
 #include <suture/base/time.h>

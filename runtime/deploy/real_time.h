@@ -1,5 +1,5 @@
 #pragma once
-// What a deployment says about the threads and the memory of a process, as far as the machine
+// This gives a process what its deployment says about threads and memory, as far as the machine
 // grants it.
 
 #include <suture/component/component.h>

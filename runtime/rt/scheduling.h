@@ -49,7 +49,7 @@ void schedule(const std::string& name, const Scheduling& scheduling);
 /// has its timed sleeps end when they are due. Throws as schedule() does.
 void configureThisThread(const std::string& name, const Scheduling& scheduling);
 
-/// What the kernel grants of a wish, and why not the rest.
+/// It tells what the kernel grants of a wish, and why not the rest.
 struct Granted {
   Scheduling scheduling;
   std::vector<std::string> refusals;  ///< what was asked, what was found, what to do; one each

@@ -1,5 +1,5 @@
 #pragma once
-// What a user may choose of `suture-bench stop`.
+// This is what a user may choose of `suture-bench stop`.
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

@@ -210,45 +210,6 @@ TEST(Deployment, Restarts) {
   EXPECT_EQ(budget->per, 1h);
 }
 
-TEST(Deployment, SchedulingOfTasksAndProcesses) {
-  const auto rightOf = [](const std::string& text) {
-    return Deployment(JsonDocument::parse(text, "d.json")).process("right");
-  };
-  EXPECT_FALSE(rightOf(kSound).scheduling);
-  EXPECT_FALSE(rightOf(kSound).lockMemory);
-  EXPECT_FALSE(rightOf(kSound).realTimeRequired);
-  EXPECT_FALSE(rightOf(kSound).components[0].scheduling);
-  const auto task =
-      rightOf(psmWith(R"("scheduling": {"policy": "fifo", "priority": 80, "processor": 1})"));
-  EXPECT_EQ(task.components[0].scheduling,
-            (suture::rt::Scheduling{suture::rt::Policy::Fifo, 80, 1}));
-  const auto process = rightOf(rightWith(
-      R"("scheduling": {"policy": "round_robin", "priority": 1}, "lock_memory": true, "real_time": "required")"));
-  EXPECT_EQ(process.scheduling, (suture::rt::Scheduling{suture::rt::Policy::RoundRobin, 1}));
-  EXPECT_TRUE(process.lockMemory);
-  EXPECT_TRUE(process.realTimeRequired);
-}
-
-TEST(Deployment, SchedulingThatIsNone) {
-  const auto problemWith = [](const std::string& value) {
-    const auto problems = problemsOf(psmWith("\"scheduling\": " + value));
-    return problems.size() == 1 ? problems[0] : std::to_string(problems.size()) + " problems";
-  };
-  const std::string line = "d.json:13: error: ";
-  EXPECT_EQ(problemWith(R"({"policy": "fifo"})"),
-            line + "a policy needs a priority; add for example \"priority\": 80");
-  EXPECT_EQ(problemWith(R"({"priority": 80})"),
-            line + "a priority needs a policy; add for example \"policy\": \"fifo\"");
-  for (const char* priority : {"0", "100", "2.5", "\"3\""}) {
-    EXPECT_TRUE(problemWith(std::string(R"({"policy": "fifo", "priority": )") + priority + "}")
-                    .starts_with(line + "expected the priority under that policy, 1 to 99, the "
-                                        "most urgent; found "))
-        << priority;
-  }
-  EXPECT_TRUE(problemWith(R"({"policy": "realtime", "priority": 1})").starts_with(line));
-  EXPECT_TRUE(problemWith("{}").starts_with(line));
-}
-
 TEST(Deployment, RestartsThatAreNone) {
   const auto problemWith = [](const std::string& value) {
     const auto problems = problemsOf(psmWith("\"restart\": " + value));

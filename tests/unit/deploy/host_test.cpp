@@ -181,48 +181,6 @@ TEST(Host, DelaysTheConnectionsOfWhichTheFileSaysSo) {
   EXPECT_GE(channels[1]->commandAge.max(), 20ms);
 }
 
-TEST(Host, ADeviceHasNoThreadToBeScheduled) {
-  const std::array classes{ComponentClass{"Shelf", createWithoutParameters<Shelf>}};
-  const Deployment deployment = deploymentOf(
-      "{\"name\": \"Books\", \"class\": \"Shelf\",\n"
-      "\"scheduling\": {\"processor\": 0}}");
-  try {
-    Host host(deployment, "all", classes);
-    FAIL() << "it was scheduled";
-  } catch (const DocumentError& error) {
-    EXPECT_STREQ(error.what(),
-                 "d.json:3: error: component 'Books' of class 'Shelf' is to be scheduled, but it "
-                 "has no thread of its own; remove 'scheduling', or schedule the component in "
-                 "whose thread it runs");
-  }
-}
-
-TEST(Host, WhatTheMachineDoesNotGrantIsAWarningOrAnErrorIfItIsRequired) {
-  const auto withFarProcessor = [](const std::string& key) {
-    return Deployment(JsonDocument::parse(
-        "{\"processes\": [{\"name\": \"all\"," + key +
-            "\n\"scheduling\": {\"processor\": 1000},\n"
-            "\"components\": [{\"name\": \"PSM\", \"class\": \"SimulatedArm\",\n"
-            "\"scheduling\": {\"processor\": 1001}}]}]}",
-        "d.json"));
-  };
-  const std::string task =
-      "cannot pin the thread of component 'PSM' to processor 1001: Invalid argument. Choose a "
-      "processor that this process may use (nproc)";
-  const std::string process =
-      "cannot pin the thread of the connections of process 'all' to processor 1000: Invalid "
-      "argument. Choose a processor that this process may use (nproc)";
-  const Deployment preferred = withFarProcessor("");
-  Host host(preferred, "all", kClasses);
-  EXPECT_EQ(host.news(),
-            (std::vector<std::string>{"d.json:4: warning: " + task + "; it runs without",
-                                      "d.json:2: warning: " + process + "; it runs without"}));
-  host.start();
-  EXPECT_TRUE(host.news().empty());
-  EXPECT_EQ(problemsOf(withFarProcessor("\"real_time\": \"required\",")),
-            (std::vector<std::string>{"d.json:4: error: " + task, "d.json:2: error: " + process}));
-}
-
 TEST(Host, UnknownClass) {
   const auto problems =
       problemsOf(deploymentOf("{\"name\": \"PSM\", \"class\": \"SimulatedArn\"}"));
