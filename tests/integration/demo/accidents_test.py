@@ -12,7 +12,7 @@ import threading
 import time
 import unittest
 
-from programs import Demo, all_end, interrupt
+from programs import WITHOUT_REAL_TIME, Demo, all_end, interrupt
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 SECONDS = 10  # the longest that a death may go unanswered
@@ -97,7 +97,7 @@ class Workstation(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def start(self, program, *arguments):
-        process = subprocess.Popen([PROGRAMS / program, *arguments], cwd=self.folder, text=True,
+        process = subprocess.Popen([*WITHOUT_REAL_TIME, PROGRAMS / program, *arguments], cwd=self.folder, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.stdout.close)

@@ -14,8 +14,8 @@ PROGRAMS = pathlib.Path(sys.argv.pop(1))
 
 
 class Break(unittest.TestCase):
-    def run_and_break(self, *options):
-        with Demo(PROGRAMS, *options) as demo:
+    def run_and_break(self, *options, real_time=False):
+        with Demo(PROGRAMS, *options, real_time=real_time) as demo:
             status, output = demo.finish()
             result = demo.result()
             print(output)
@@ -33,7 +33,8 @@ class Break(unittest.TestCase):
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
 
     def test_the_workstation_that_permits_power(self):
-        held = self.run_and_break("--topology", "fig3c", "--seconds", "6", "--break", "left@1s")
+        held = self.run_and_break("--topology", "fig3c", "--seconds", "6", "--break", "left@1s",
+                                  real_time=True)
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
 
     def test_a_workstation_that_is_frozen(self):

@@ -11,21 +11,25 @@ import tempfile
 import time
 
 sys.path.append(str(pathlib.Path(__file__).parents[2] / "support"))
-from rights import WITHOUT_REAL_TIME  # for those who import this
+from rights import WITHOUT_REAL_TIME  # also for those who import this
 
 PATIENCE = 60  # s; only so that a hang ends the test
 
 
 class Demo:
-    """A demo under way. Standard output and error together. `prefix`: a program that starts it, and its arguments."""
+    """A demo under way. Standard output and error together.
 
-    def __init__(self, programs, *arguments, prefix=()):
+    Without `real_time` its user may have no real-time priorities: two demos beside each other would take all time of two
+    processors from everybody else, so those that have them take turns (CMakeLists.txt).
+    """
+
+    def __init__(self, programs, *arguments, real_time=False):
         self.folder = tempfile.TemporaryDirectory()
         self.json = pathlib.Path(self.folder.name) / "result.json"
         # Its own temporary folder, so that what it leaves there can be seen.
         environment = dict(os.environ, TMPDIR=self.folder.name)
         self.process = subprocess.Popen(
-            [*prefix, programs / "suture-demo", "--json", self.json, *arguments],
+            [*([] if real_time else WITHOUT_REAL_TIME), programs / "suture-demo", "--json", self.json, *arguments],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment)
 
     def __enter__(self):

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-from programs import WITHOUT_REAL_TIME, Demo
+from programs import Demo
 
 LOOSE = 10  # times the demo's own bounds
 PROCESSES = {"single": 1, "fig3a": 2, "fig3b": 3, "fig3c": 2}
@@ -95,9 +95,7 @@ def main():
         picture = pathlib.Path(folder) / "knot.png"
         if topology == "fig3b":
             options += ["--picture", picture]
-        # Of some demos beside each other, tasks under real-time priorities would leave no time to anybody else.
-        prefix = [] if lane == "auto" else WITHOUT_REAL_TIME
-        with Demo(programs, *options, prefix=prefix) as demo:
+        with Demo(programs, *options, real_time=lane == network == "auto") as demo:
             status, output = demo.finish()
             print(output)
             result = demo.result()

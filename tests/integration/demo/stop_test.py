@@ -8,14 +8,14 @@ import subprocess
 import sys
 import unittest
 
-from programs import WITHOUT_REAL_TIME, Demo
+from programs import Demo
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
 
 
 class Stop(unittest.TestCase):
-    def run_and_stop(self, *options, prefix=()):
-        with Demo(PROGRAMS, *options, prefix=prefix) as demo:
+    def run_and_stop(self, *options, real_time=False):
+        with Demo(PROGRAMS, *options, real_time=real_time) as demo:
             status, output = demo.finish()
             result = demo.result()
             print(output)
@@ -31,10 +31,10 @@ class Stop(unittest.TestCase):
             return output
 
     def test_across_processes(self):
-        self.run_and_stop("--topology", "fig3c", "--seconds", "7", "--stop", "3s")
+        self.run_and_stop("--topology", "fig3c", "--seconds", "7", "--stop", "3s", real_time=True)
 
     def test_in_one_process_without_real_time_priorities(self):
-        output = self.run_and_stop("--topology", "single", "--seconds", "7", "--stop", "3s", prefix=WITHOUT_REAL_TIME)
+        output = self.run_and_stop("--topology", "single", "--seconds", "7", "--stop", "3s")
         self.assertIn("at most 250 ms old, for this user may have no real-time priorities", output)
         self.assertNotIn("warning", output)
 
