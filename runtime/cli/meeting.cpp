@@ -43,16 +43,18 @@ ComponentRecord findComponent(Peer& peer, const Target& target) {
 Found findInterface(Peer& peer, const Target& target) {
   const ComponentRecord component = findComponent(peer, target);
   using Side = wire::Peer::Side;
-  const bool provided = findIn(component.provided, target.interface) != nullptr;
-  if (!provided && findIn(component.required, target.interface) == nullptr) {
+  const InterfaceRecord* const provided = findIn(component.provided, target.interface);
+  const InterfaceRecord* const found =
+      provided != nullptr ? provided : findIn(component.required, target.interface);
+  if (found == nullptr) {
     std::vector<std::string> names;
     for (const auto& one : component.provided) names.push_back(one.name);
     for (const auto& one : component.required) names.push_back(one.name);
     refuse(target.toString(), "component '" + target.component + "' has interfaces",
            target.interface, names);
   }
-  const Side side = provided ? Side::PROVIDED : Side::REQUIRED;
-  return {side, peer.explain(target, side)};
+  const Side side = provided != nullptr ? Side::PROVIDED : Side::REQUIRED;
+  return {side, found->frames, peer.explain(target, side)};
 }
 
 }  // namespace suture::cli

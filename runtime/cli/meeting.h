@@ -18,6 +18,7 @@ ComponentRecord findComponent(Peer& peer, const Target& target);
 /// An interface as its process explains it, and on which side its component has it.
 struct Found {
   wire::Peer::Side side;
+  Frames frames;
   std::shared_ptr<const Contract> contract;
 };
 

@@ -12,9 +12,20 @@ namespace {
 Json interfacesToJson(const std::vector<InterfaceRecord>& interfaces) {
   Json all = Json::array();
   for (const InterfaceRecord& one : interfaces) {
-    all.push_back({{"name", one.name}, {"contract", one.contract}, {"hash", one.hash}});
+    Json interface {
+      {"name", one.name}, {"contract", one.contract}, { "hash", one.hash }
+    };
+    if (!one.frames.reference.empty()) interface["reference_frame"] = one.frames.reference;
+    if (!one.frames.moving.empty()) interface["moving_frame"] = one.frames.moving;
+    all.push_back(std::move(interface));
   }
   return all;
+}
+
+/// "PSM1_tip in PSM1_base"
+std::string framesText(const Frames& frames) {
+  if (frames.reference.empty()) return frames.moving;
+  return (frames.moving.empty() ? "" : frames.moving + " ") + "in " + frames.reference;
 }
 
 Json toJson(const ComponentRecord& component) {
@@ -59,10 +70,12 @@ std::string componentsText(const std::vector<ComponentRecord>& components) {
   for (const ComponentRecord& component : components) {
     std::vector<std::vector<std::string>> rows;
     for (const auto& one : component.provided) {
-      rows.push_back({"provides", plain(one.name), plain(one.contract)});
+      rows.push_back(
+          {"provides", plain(one.name), plain(one.contract), plain(framesText(one.frames))});
     }
     for (const auto& one : component.required) {
-      rows.push_back({"requires", plain(one.name), plain(one.contract)});
+      rows.push_back(
+          {"requires", plain(one.name), plain(one.contract), plain(framesText(one.frames))});
     }
     text += "  " + plain(component.name) + "\n" + columns(rows, 4);
   }

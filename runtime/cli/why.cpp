@@ -2,6 +2,7 @@
 #include <suture/cli/screen.h>
 #include <suture/cli/verbs.h>
 #include <suture/wiring/connect.h>
+#include <suture/wiring/frames.h>
 
 #include <algorithm>
 #include <optional>
@@ -32,12 +33,13 @@ struct Compared {
 
 struct Verdict {
   bool connects = false;
+  bool sameContract = false;
   std::vector<std::uint16_t> lacking;  ///< the numbers of the required commands that it lacks
   std::vector<std::string> differences;
 };
 
-/// Judges as the provider itself does: its contract may be the required one, or derive from it.
-Verdict judge(const End& required, const End& provided) {
+/// The provider's contract may be the required one, or derive from it.
+Verdict judgeContracts(const End& required, const End& provided) {
   const Compared needed(required.found.contract->descriptionText());
   std::vector<std::string> offers{provided.found.contract->descriptionText()};
   for (const std::string& base : provided.found.contract->baseTexts()) offers.push_back(base);
@@ -46,6 +48,7 @@ Verdict judge(const End& required, const End& provided) {
     try {
       const Compared offered(offer);
       return {true,
+              true,
               (sameProcess ? requireSameContract(needed.info(), offered.info(), "")
                            : requireCompatibleContract(needed.info(), offered.info(), ""))
                   .lacking,
@@ -54,7 +57,17 @@ Verdict judge(const End& required, const End& provided) {
       // A base of it may still be the required one.
     }
   }
-  return {false, {}, contractDifferences(needed.info(), Compared(offers.front()).info())};
+  return {false, false, {}, contractDifferences(needed.info(), Compared(offers.front()).info())};
+}
+
+/// Judges as the provider itself does.
+Verdict judge(const End& required, const End& provided) {
+  Verdict verdict = judgeContracts(required, provided);
+  const std::string frames = frameDifference(required.found.frames, provided.found.frames);
+  if (frames.empty()) return verdict;
+  verdict.connects = false;
+  verdict.differences.push_back("it " + frames);
+  return verdict;
 }
 
 End endOf(rpc::EventPort& loop, const Options& options, const std::string& name) {
@@ -81,7 +94,10 @@ std::vector<std::string> missingCommands(const End& required, const Verdict& ver
   return names;
 }
 
-std::string remedyFor(const End& required, const End& provided) {
+std::string remedyFor(const End& required, const End& provided, const Verdict& verdict) {
+  if (verdict.sameContract) {
+    return "Connect interfaces of the same frames, or correct what is declared of them.";
+  }
   return required.found.contract->name() == provided.found.contract->name()
              ? "Build both sides from the same header."
              : "Connect interfaces of the same contract.";
@@ -94,7 +110,7 @@ std::string text(const End& required, const End& provided, const Verdict& verdic
   std::string text = both + (verdict.connects ? ": they connect\n" : ": they do not connect\n") +
                      "  requires " + needs + ", is offered " + offers + "\n";
   for (const std::string& line : verdict.differences) text += "    " + line + "\n";
-  if (!verdict.connects) return text + remedyFor(required, provided) + "\n";
+  if (!verdict.connects) return text + remedyFor(required, provided, verdict) + "\n";
   for (const std::string& name : missingCommands(required, verdict)) {
     text += "    the provider does not have '" + name + "': calls of it are refused\n";
   }
@@ -111,7 +127,7 @@ Json json(const End& required, const End& provided, const Verdict& verdict) {
     json["missing_commands"] = missingCommands(required, verdict);
   } else {
     json["differences"] = verdict.differences;
-    json["remedy"] = remedyFor(required, provided);
+    json["remedy"] = remedyFor(required, provided, verdict);
   }
   return json;
 }

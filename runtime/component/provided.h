@@ -4,6 +4,7 @@
 #include <suture/base/errors.h>
 #include <suture/component/channel_list.h>
 #include <suture/component/component.h>
+#include <suture/component/declared_frames.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/last_invalid.h>
 
@@ -57,6 +58,12 @@ class ProvidedBase {
   /// In the component's constructor. Throws SetupError if the interface is in use already, or
   /// cannot be so.
   void keepState(const StateOptions& options);
+
+  /// Before anybody connects, in the component's constructor for example: the frames that its poses
+  /// and vectors are in. A client that expects others is refused. Throws SetupError if others have
+  /// been declared.
+  void declareFrames(const Frames& frames) { frames_.add(frames, name_); }
+  const Frames& frames() const { return frames_.get(); }
 
   /// Any thread: one more client. It is served from the next cycle on.
   void attach(std::shared_ptr<Channel> channel);
@@ -136,6 +143,7 @@ class ProvidedBase {
   std::shared_ptr<rt::StateTable> state_;
   bool manual_ = false;
   ChannelList channels_;
+  DeclaredFrames frames_;
   bool everyState_ = false;
   Duration commandAge_{0};
   LastInvalid lastInvalid_;

@@ -5,6 +5,7 @@
 #include <suture/base/sample.h>
 #include <suture/component/component.h>
 #include <suture/component/connection_contract.h>
+#include <suture/component/declared_frames.h>
 #include <suture/component/interface_info.h>
 #include <suture/component/provided.h>
 
@@ -51,6 +52,12 @@ class RequiredBase {
   /// by its class.
   void limitAge(Duration maxAge) { maxAge_ = maxAge; }
   Duration maxAge() const { return maxAge_; }
+
+  /// Before it is connected, in the component's constructor for example: the frames in which it
+  /// takes poses and vectors. A provider that declares others is refused. Throws SetupError if
+  /// others have been declared.
+  void declareFrames(const Frames& frames) { frames_.add(frames, name_); }
+  const Frames& frames() const { return frames_.get(); }
 
   /// True if calls can reach the provider now.
   bool connected() { return unusable() == Errc{}; }
@@ -254,6 +261,7 @@ class RequiredBase {
   bool handling_ = false;                // a handler of an event is running
   bool optional_ = false;
   Duration maxAge_{0};
+  DeclaredFrames frames_;
   // True once noticeLoss() has dealt with the loss of channel_.
   bool lossNoticed_ = false;
   std::atomic<bool> resumeAsked_{false};  // of a device

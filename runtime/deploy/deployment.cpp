@@ -26,6 +26,16 @@ const Entry* find(const std::vector<Entry>& entries, std::string_view name) {
   return found == entries.end() ? nullptr : &*found;
 }
 
+std::map<std::string, Frames> framesOf(const json& component) {
+  std::map<std::string, Frames> frames;
+  const auto all = component.find("frames");
+  if (all == component.end()) return frames;
+  for (const auto& [interface, given] : all->items()) {
+    frames[interface] = {given.value("reference", ""), given.value("moving", "")};
+  }
+  return frames;
+}
+
 std::string suggestion(std::string_view name, const std::vector<std::string>& existing) {
   const std::string nearest = nearestName(name, existing);
   return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
@@ -76,6 +86,7 @@ ComponentEntry Deployment::readComponent(const json& component, const std::strin
           .parameters = component.value("parameters", json::object()),
           .restart = readRestart(component, pointer),
           .scheduling = readScheduling(component, pointer),
+          .frames = framesOf(component),
           .pointer = pointer};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A system as data: which process runs which components, and how their interfaces are connected.
 
+#include <suture/base/frames.h>
 #include <suture/component/task.h>
 #include <suture/deploy/json_document.h>
 #include <suture/manager/manager.h>
@@ -8,6 +9,7 @@
 #include <suture/wiring/endpoint.h>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +24,7 @@ struct ComponentEntry {
   nlohmann::json parameters;
   std::optional<RestartBudget> restart;
   std::optional<rt::Scheduling> scheduling;  ///< of its thread; without, as its class says
+  std::map<std::string, Frames> frames;      ///< by the names of its interfaces
   std::string pointer;                       ///< where it stands in the document
 };
 

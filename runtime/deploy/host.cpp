@@ -3,6 +3,7 @@
 #include <suture/component/required.h>
 #include <suture/component/task.h>
 #include <suture/deploy/host.h>
+#include <suture/deploy/interface_frames.h>
 #include <suture/deploy/policy_file.h>
 #include <suture/transport/tls/keys.h>
 
@@ -58,6 +59,7 @@ Host::Host(const Deployment& deployment, std::string_view process,
            std::span<const ComponentClass> classes, Duration patience)
     : deployment_(deployment), process_(deployment.process(process)), patience_(patience) {
   createComponents(classes);
+  declareFrames(deployment_.document(), process_, components_);
   checkRequired();
   faults_.emplace(deployment_.document(), process_, components_);
   realTime_.giveTo(components_);

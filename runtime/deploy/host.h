@@ -36,8 +36,8 @@ class Host {
   /// Creates the components of `process` from `classes` and from the libraries that it names, and
   /// its manager. Throws DocumentError: library that cannot be loaded, unknown class, wrong
   /// parameters, a component that refuses its parameters, a required interface that no connection
-  /// begins at, a restart, a black box or a scheduling that cannot be, a global manager that does
-  /// not answer within `patience`. `deployment` outlives the host.
+  /// begins at, frames, a restart, a black box or a scheduling that cannot be, a global manager
+  /// that does not answer within `patience`. `deployment` outlives the host.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;

@@ -22,6 +22,12 @@ struct Place {
   std::string pointer;
 };
 
+// The schema of a key: one of its own, or that of all keys.
+const json* schemaOf(const std::string& key, const json& schema) {
+  const auto properties = schema.find("properties");
+  return properties == schema.end() ? &schema.at("additionalProperties") : &properties->at(key);
+}
+
 // valijson's context is "<root>", then "[key]" or "[index]" for each step.
 Place placeOf(const std::vector<std::string>& context, const json& value, const json& schema) {
   Place place{&value, &schema, ""};
@@ -33,7 +39,7 @@ Place placeOf(const std::vector<std::string>& context, const json& value, const 
       place.schema = &place.schema->at("items");
     } else {
       place.value = &place.value->at(step);
-      place.schema = &place.schema->at("properties").at(step);
+      place.schema = schemaOf(step, *place.schema);
     }
   }
   return place;

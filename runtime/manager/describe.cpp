@@ -7,7 +7,7 @@ template <class Interface>
 std::vector<InterfaceRecord> describe(const std::vector<Interface*>& interfaces) {
   std::vector<InterfaceRecord> records;
   for (const Interface* one : interfaces) {
-    records.push_back({one->name(), one->info().name, one->info().hash});
+    records.push_back({one->name(), one->info().name, one->info().hash, one->frames()});
   }
   return records;
 }

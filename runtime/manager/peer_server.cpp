@@ -11,6 +11,7 @@
 #include <suture/transport/rpc/failure.h>
 #include <suture/transport/rpc/stamps.h>
 #include <suture/wiring/connect.h>
+#include <suture/wiring/frames.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
@@ -209,6 +210,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
   try {
     const Match match = requireCompatibleContract(describedInfo(contract, hash, description),
                                                   provided.info(), name);
+    requireSameFrames(fromWire(in.getFrames()), provided.frames(), name);
     if (in.getEpoch() == 0 || takesOver(client.toString(), name, context)) {
       return accept({provided, client.toString(), endpoint, name, match,
                      fromWireNumbers(match.contract->wireEvents, in.getEvents()), context});

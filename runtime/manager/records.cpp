@@ -11,14 +11,15 @@ void interfacesToWire(const std::vector<InterfaceRecord>& interfaces, WireInterf
     out[i].setName(textOf(interfaces[i].name));
     out[i].setContract(textOf(interfaces[i].contract));
     out[i].setHash(textOf(interfaces[i].hash));
+    toWire(interfaces[i].frames, out[i].initFrames());
   }
 }
 
 std::vector<InterfaceRecord> interfacesFromWire(WireInterfaces::Reader in) {
   std::vector<InterfaceRecord> interfaces;
   for (const auto& one : in) {
-    interfaces.push_back(
-        {stringOf(one.getName()), stringOf(one.getContract()), stringOf(one.getHash())});
+    interfaces.push_back({stringOf(one.getName()), stringOf(one.getContract()),
+                          stringOf(one.getHash()), fromWire(one.getFrames())});
   }
   return interfaces;
 }
@@ -26,7 +27,8 @@ std::vector<InterfaceRecord> interfacesFromWire(WireInterfaces::Reader in) {
 std::size_t bytesOf(const std::vector<InterfaceRecord>& interfaces) {
   std::size_t bytes = 0;
   for (const InterfaceRecord& one : interfaces) {
-    bytes += sizeof(one) + one.name.size() + one.contract.size() + one.hash.size();
+    bytes += sizeof(one) + one.name.size() + one.contract.size() + one.hash.size() +
+             one.frames.reference.size() + one.frames.moving.size();
   }
   return bytes;
 }
@@ -74,6 +76,11 @@ void toWire(const ProcessRecord& process, wire::ProcessRecord::Builder out) {
   out.setSilent(process.silent);
 }
 
+void toWire(const Frames& frames, wire::Frames::Builder out) {
+  out.setReference(textOf(frames.reference));
+  out.setMoving(textOf(frames.moving));
+}
+
 void toWire(const Refusal& refusal, wire::Refusal::Builder out) {
   out.setKind(refusal.kind);
   out.setText(textOf(refusal.text));
@@ -98,6 +105,10 @@ ProcessRecord fromWire(wire::ProcessRecord::Reader in) {
   process.generation = in.getGeneration();
   process.silent = in.getSilent();
   return process;
+}
+
+Frames fromWire(wire::Frames::Reader in) {
+  return {stringOf(in.getReference()), stringOf(in.getMoving())};
 }
 
 Refusal fromWire(wire::Refusal::Reader in) { return {in.getKind(), stringOf(in.getText())}; }

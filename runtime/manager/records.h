@@ -1,6 +1,7 @@
 #pragma once
 // What the global manager knows of a process, as plain values.
 
+#include <suture/base/frames.h>
 #include <suture/manager.capnp.h>
 
 #include <cstdint>
@@ -13,6 +14,7 @@ struct InterfaceRecord {
   std::string name;      ///< "Arm"
   std::string contract;  ///< "robots::Arm"
   std::string hash;      ///< of the wire contract
+  Frames frames;
 };
 
 struct ComponentRecord {
@@ -43,10 +45,12 @@ std::size_t bytesOf(const ProcessRecord& process);
 void toWire(const std::vector<ComponentRecord>& components,
             capnp::List<wire::ComponentRecord>::Builder out);
 void toWire(const ProcessRecord& process, wire::ProcessRecord::Builder out);
+void toWire(const Frames& frames, wire::Frames::Builder out);
 void toWire(const Refusal& refusal, wire::Refusal::Builder out);
 
 std::vector<ComponentRecord> fromWire(capnp::List<wire::ComponentRecord>::Reader in);
 ProcessRecord fromWire(wire::ProcessRecord::Reader in);
+Frames fromWire(wire::Frames::Reader in);
 Refusal fromWire(wire::Refusal::Reader in);
 /// A refusal as what ends a promise.
 kj::Exception refused(wire::Refusal::Reader in);

@@ -213,6 +213,7 @@ kj::Promise<void> RemoteConnection::ask(Lanes lanes) {
   request.setContract(required_.info().name);
   request.setHash(required_.info().hash);
   request.setDescription(required_.info().description);
+  toWire(required_.frames(), request.initFrames());
   asked_ = required_.subscribed();
   request.setEvents(toWireNumbers(required_.info().wireEvents, asked_));
   request.setClockOffset(-clock_.offset().count());

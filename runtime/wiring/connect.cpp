@@ -2,6 +2,7 @@
 #include <suture/wiring/compatibility.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/differences.h>
+#include <suture/wiring/frames.h>
 #include <suture/wiring/optional_commands.h>
 
 #include <algorithm>
@@ -99,6 +100,7 @@ std::shared_ptr<Channel> makeChannel(const RequiredBase& required, ProvidedBase&
                                      const std::string& connection, Channel::Ends ends,
                                      std::shared_ptr<rt::Doorbell> clientsBell) {
   Match match = requireSameContract(required.info(), provided.info(), connection);
+  requireSameFrames(required.frames(), provided.frames(), connection);
   auto channel = std::make_shared<Channel>(required.info(), connection, "local", ends,
                                            provided.state(), required.subscribed());
   channel->lacking = std::move(match.lacking);

@@ -44,8 +44,8 @@ std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase
                                       std::shared_ptr<rt::Doorbell> client, rt::Doorbell& provider);
 
 /// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle.
-/// `watch`: what the connection is to keep to, if anything. Throws SetupError if the contracts
-/// differ.
+/// `watch`: what the connection is to keep to, if anything. Throws SetupError if the contracts or
+/// the frames differ.
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
                                         const std::string& connection,
                                         std::shared_ptr<ConnectionWatch> watch = nullptr);

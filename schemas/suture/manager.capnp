@@ -5,7 +5,7 @@
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
-const protocolVersion :UInt16 = 3;
+const protocolVersion :UInt16 = 4;
 # It counts the changes of manager.capnp, peer.capnp, frames and shared memory. Both sides say theirs in hello; a difference
 # is a refusal.
 
@@ -26,7 +26,7 @@ struct Refusal {
     noSuchProcess @2;
     noSuchComponent @3;
     noSuchInterface @4;
-    contractMismatch @5;
+    contractMismatch @5;  # of contracts or frames
     alreadyConnected @6;
     timedOut @7;
     malformed @8;
@@ -41,6 +41,13 @@ struct InterfaceRecord {
   name @0 :Text;      # "Arm"
   contract @1 :Text;  # "robots::Arm"
   hash @2 :Text;      # of the wire contract; equal hashes are compatible
+  frames @3 :Frames;
+}
+
+struct Frames {
+  # The coordinate frames that an interface declares. None: not declared, and not compared.
+  reference @0 :Text;  # in which its poses are given
+  moving @1 :Text;     # whose poses they are
 }
 
 struct ComponentRecord {

@@ -103,6 +103,7 @@ struct ConnectRequest {
   silence @15 :Int64;
   # How long the caller waits for an answer to a ping before it gives the provider up, ns. When as much has passed
   # since the responder sent what was last answered, it executes nothing of this connection any more. 0: for ever.
+  frames @16 :Manager.Frames;  # what the required interface expects
 }
 
 struct MemoryRequest {

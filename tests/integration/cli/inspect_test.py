@@ -130,6 +130,18 @@ class Inspect(System):
                 self.assertEqual((told["connects"], told["requires"], told["offers"], told["missing_commands"]),
                                  (True, "robots::Arm", "robots::Gripper", []))
 
+    def test_frames_are_told_and_compared(self):
+        self.start_robot()
+        self.assertRegex(self.said("describe", "robot"), r"provides +Gripper +robots::Gripper +fingers in wrist\n")
+        self.assertRegex(self.said("describe", "robot"), r"requires +FarArm +robots::Arm +in camera\n")
+        hand = self.told("describe", "robot:Hand")["components"][0]["provided"][0]
+        self.assertEqual((hand["reference_frame"], hand["moving_frame"]), ("wrist", "fingers"))
+        done = self.run_suture("why", "robot:Surgeon/FarArm", GRIPPER)
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertIn("they do not connect\n", done.stdout)
+        self.assertIn("\n    it expects reference frame 'camera' and is offered 'wrist'\n", done.stdout)
+        self.assertIn("Connect interfaces of the same frames, or correct what is declared of them.\n", done.stdout)
+
     def test_why_two_do_not_connect(self):
         self.start_robot()
         done = self.run_suture("why", "robot:Surgeon/Names", GRIPPER)

@@ -24,6 +24,7 @@ using robots::PoseStamped;
 class Hand final : public suture::EventTask, public robots::Gripper {
  public:
   Hand() {
+    gripper_.declareFrames({.reference = "wrist", .moving = "fingers"});
     everything_.label = "hand";
     everything_.bytes = {1, 2, 255};
     everything_.flags = {true, false};
@@ -73,11 +74,16 @@ class Hand final : public suture::EventTask, public robots::Gripper {
 
 /// Only needs. Whatever is to be read is too old for its connection.
 class Surgeon final : public suture::EventTask {
+ public:
+  Surgeon() { far_.declareFrames({.reference = "camera", .moving = ""}); }
+
+ private:
   void run() override { (void)gripper_.opening(); }
 
   suture::Required<robots::Arm> arm_{*this, "Arm"};
   suture::Required<robots::Gripper> gripper_{*this, "Gripper"};
   suture::Required<robots::Names> names_{*this, "Names"};
+  suture::Required<robots::Arm> far_{*this, "FarArm"};
 };
 
 }  // namespace

@@ -5,15 +5,13 @@
 #include <suture/deploy/host.h>
 
 #include <array>
-#include <functional>
 #include <memory>
 
 #include "reference/simulated_arm.suture.h"
+#include "unit/deploy/document_problems.h"
 
 namespace suture {
 namespace {
-
-using Texts = std::vector<std::string>;
 
 struct Cupboard final : Device {};
 
@@ -31,15 +29,6 @@ Deployment deploymentWith(const std::string& processKeys, const std::string& com
                                             "\n\"components\": [{\"name\": \"One\", \"class\": \"" +
                                             className + "\"\n" + componentKeys + "}]}]}",
                                         "d.json"));
-}
-
-Texts refusalsOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const DocumentError& error) {
-    return error.problems();
-  }
-  return {};
 }
 
 TEST(RealTime, IsReadForTasksAndProcesses) {
@@ -61,7 +50,7 @@ TEST(RealTime, IsReadForTasksAndProcesses) {
 TEST(RealTime, WhatIsNoSchedulingIsAnError) {
   const auto problemWith = [](const std::string& value) {
     const Texts problems =
-        refusalsOf([&] { (void)deploymentWith("", ", \"scheduling\": " + value); });
+        problemsOf([&] { (void)deploymentWith("", ", \"scheduling\": " + value); });
     return problems.size() == 1 ? problems[0] : std::to_string(problems.size()) + " problems";
   };
   const std::string line = "d.json:4: error: ";
@@ -82,7 +71,7 @@ TEST(RealTime, WhatIsNoSchedulingIsAnError) {
 TEST(RealTime, ADeviceHasNoThreadToBeScheduled) {
   const Deployment deployment =
       deploymentWith("", ", \"scheduling\": {\"processor\": 0}", "Cupboard");
-  EXPECT_EQ(refusalsOf([&] { const Host host(deployment, "all", kOffered); }),
+  EXPECT_EQ(problemsOf([&] { const Host host(deployment, "all", kOffered); }),
             Texts{"d.json:4: error: component 'One' of class 'Cupboard' is to be scheduled, but it "
                   "has no thread of its own; remove 'scheduling', or schedule the component in "
                   "whose thread it runs"});
@@ -106,7 +95,7 @@ TEST(RealTime, WhatTheMachineDoesNotGrantIsAWarningOrAnErrorIfItIsRequired) {
   host.start();
   EXPECT_TRUE(host.news().empty());
   const Deployment required = withFarProcessors("\"real_time\": \"required\", ");
-  EXPECT_EQ(refusalsOf([&] { const Host refused(required, "all", kOffered); }),
+  EXPECT_EQ(problemsOf([&] { const Host refused(required, "all", kOffered); }),
             (Texts{"d.json:4: error: " + task, "d.json:2: error: " + process}));
 }
 

@@ -112,12 +112,15 @@ INSTANTIATE_TEST_SUITE_P(Sockets, GlobalManagerTest, testing::Values(SOCKET),
 
 TEST_P(GlobalManagerTest, TellsWhereAProcessIsAndWhatItOffers) {
   auto left = enrolled("left"), right = enrolled("right");
-  right->update({{"PSM", {{"Arm", "robots::Arm", "abc"}}, {{"Camera", "robots::Camera", "def"}}}});
+  right->update({{"PSM",
+                  {{"Arm", "robots::Arm", "abc", {"base", "tip"}}},
+                  {{"Camera", "robots::Camera", "def", {}}}}});
   ASSERT_TRUE(eventually([&] { return !left->resolve("right").components.empty(); }));
   const ProcessRecord found = left->resolve("right");
   EXPECT_EQ(found.addresses, std::vector<std::string>{"unix:/tmp/right"});
   EXPECT_EQ(found.components[0].name, "PSM");
   EXPECT_EQ(found.components[0].provided[0].contract, "robots::Arm");
+  EXPECT_EQ(found.components[0].provided[0].frames, (Frames{"base", "tip"}));
   EXPECT_EQ(found.components[0].provided[0].hash, "abc");
   EXPECT_EQ(found.components[0].required[0].name, "Camera");
   EXPECT_EQ(left->list().size(), 2u);

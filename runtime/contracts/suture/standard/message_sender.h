@@ -12,8 +12,8 @@
 namespace suture {
 
 /// A member of the component, beside what provides the contract:
-///   suture::Provided<CrtkArm> crtk_{*this, "Crtk", *this};
-///   suture::MessageSender<CrtkArm> messages_{crtk_};
+///   suture::Provided<Arm> arm_{*this, "Arm", *this};
+///   suture::MessageSender<Arm> messages_{arm_};
 ///   messages_.warning("the goal is out of reach");
 /// Sending belongs to the component's thread; of a device, to any. It neither allocates nor waits.
 /// Texts of more than 255 bytes are cut (MessageDraft). `code`: Message::code.
