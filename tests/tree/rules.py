@@ -149,7 +149,7 @@ def check_format(root):
     for i in range(0, len(files), 100):
         result = subprocess.run([tool, "--dry-run", "--style=file", *map(str, files[i : i + 100])],
                                 capture_output=True, text=True, cwd=root)
-        for path in sorted({line.split(":")[0] for line in result.stderr.splitlines() if "warning" in line}):
+        for path in sorted({line.split(":")[0] for line in result.stderr.splitlines() if ": warning: " in line}):
             yield f"{pathlib.Path(path).relative_to(root)}: not formatted; run clang-format-14 -i on it"
 
 
