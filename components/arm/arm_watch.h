@@ -3,9 +3,11 @@
 
 #include <suture/component/required.h>
 
+#include <cstdint>
 #include <utility>
 
 #include "arm/arm.suture.h"
+#include "arm/arm_warning.h"
 
 namespace robots {
 
@@ -19,8 +21,9 @@ class ArmWatch {
       homed_ = state.is_homed;
       busy_ = state.is_busy;
     });
-    arm_.on().warning([this](const ArmWarning& warning) {
-      brokenOff_ = brokenOff_ || warning == ArmWarning::StepTooFar;
+    arm_.on().warning([this](const suture::Message& warning) {
+      constexpr auto kStepTooFar = static_cast<std::uint32_t>(ArmWarning::StepTooFar);
+      brokenOff_ = brokenOff_ || warning.code == kStepTooFar;
     });
   }
   ArmWatch(const ArmWatch&) = delete;

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "arm/goals.h"
+#include "arm_control/goals.h"
 
 namespace robots {
 namespace {

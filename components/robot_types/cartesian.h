@@ -1,14 +1,15 @@
 #pragma once
 // Motion and force of a tool tip: what CRTK's _cv, _cf and _cs carry, and the goals with
-// feed-forward that the cisst libraries' prm types have.
+// feed-forward that the cisst libraries' prm types have. Frames are named by suture::frameId(),
+// since strings would cost too much in control loops; 0: not named.
 
 #include <suture/annotate.h>
+#include <suture/base/frames.h>
 #include <suture/base/time.h>
 
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
-#include <string>
 
 namespace robots {
 
@@ -16,8 +17,8 @@ namespace robots {
 struct SUTURE_TYPE() Twist {
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
-  SUTURE_FIELD(capacity(15)) std::string moving_frame;
-  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  suture::FrameId moving_frame = 0;
+  suture::FrameId reference_frame = 0;
   suture::Time stamp;
   /// False: do not use.
   bool valid = false;
@@ -40,8 +41,8 @@ struct SUTURE_TYPE() Wrench {
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
   /// Which components are known.
   std::array<bool, 6> mask = {true, true, true, true, true, true};
-  SUTURE_FIELD(capacity(15)) std::string moving_frame;
-  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  suture::FrameId moving_frame = 0;
+  suture::FrameId reference_frame = 0;
   suture::Time stamp;
   /// False: do not use.
   bool valid = false;
@@ -58,8 +59,8 @@ struct SUTURE_TYPE() WrenchGoal {
 
 /// Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
 struct SUTURE_TYPE() CartesianState {
-  SUTURE_FIELD(capacity(15)) std::string moving_frame;
-  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  suture::FrameId moving_frame = 0;
+  suture::FrameId reference_frame = 0;
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d position = Eigen::Isometry3d::Identity();
   bool position_is_valid = false;
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
@@ -80,8 +81,8 @@ struct SUTURE_TYPE() CartesianGoal {
   SUTURE_FIELD(unit("rad/s2")) Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();
   /// Whether position and orientation count.
   std::array<bool, 2> mask = {true, true};
-  SUTURE_FIELD(capacity(15)) std::string moving_frame;
-  SUTURE_FIELD(capacity(15)) std::string reference_frame;
+  suture::FrameId moving_frame = 0;
+  suture::FrameId reference_frame = 0;
   suture::Time stamp;
   bool valid = false;
 };

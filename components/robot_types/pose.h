@@ -1,7 +1,8 @@
 #pragma once
-// Poses: of a tool tip in its arm's base frame unless frames are named.
+// Poses: of and in the frames that their interface declares, unless they name others.
 
 #include <suture/annotate.h>
+#include <suture/base/frames.h>
 #include <suture/base/time.h>
 
 #include <Eigen/Geometry>
@@ -12,9 +13,21 @@ namespace robots {
 
 /// A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
 struct SUTURE_TYPE() PoseStamped {
-  /// Tool tip in the base frame.
+  /// The moving frame of the interface in its reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   /// When the pose was true; of a set-point, the stamp of the data it was made from.
+  suture::Time stamp;
+  /// False: do not use.
+  bool valid = false;
+};
+
+/// Where one frame is in another, for whoever cannot know from the interface which they are.
+struct SUTURE_TYPE() TransformStamped {
+  /// The moving frame in the reference frame.
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
+  /// suture::frameId() of their names; 0: not named.
+  suture::FrameId reference_frame = 0;
+  suture::FrameId moving_frame = 0;
   suture::Time stamp;
   /// False: do not use.
   bool valid = false;

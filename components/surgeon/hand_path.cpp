@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "arm/smooth_step.h"
+#include "arm_control/smooth_step.h"
 
 namespace robots {
 namespace {

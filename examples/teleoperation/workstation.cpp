@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "arm/mtm.suture.h"
-#include "arm/psm.suture.h"
+#include "arm_control/mtm.suture.h"
+#include "arm_control/psm.suture.h"
 #include "assistant/assistant.suture.h"
 #include "coordinator/coordinator.suture.h"
 #include "drives/mtm_drives.suture.h"

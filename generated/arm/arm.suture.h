@@ -8,9 +8,13 @@
 #include <suture/component/required.h>
 
 #include "arm/arm.h"
+#include "robot_types/cartesian.suture.h"
+#include "robot_types/joint_commands.suture.h"
 #include "robot_types/joints.suture.h"
+#include "robot_types/messages.suture.h"
 #include "robot_types/operating_state.suture.h"
 #include "robot_types/pose.suture.h"
+#include "suture/standard/messages.suture.h"
 
 namespace robots {
 
@@ -51,6 +55,155 @@ struct ArmInverseKinematicsArguments {
 bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot);
 void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift);
 
+struct ArmStateCommandArguments {
+  suture::BoundedText<15> name;
+};
+
+bool store(const std::string& name, ArmStateCommandArguments& slot);
+
+struct ArmSetBaseFrameArguments {
+  TransformStampedSlot base;
+};
+
+bool store(const TransformStamped& base, ArmSetBaseFrameArguments& slot);
+void shiftStamps(ArmSetBaseFrameArguments& slot, suture::Duration shift);
+
+struct ArmUseGravityCompensationArguments {
+  std::uint8_t use;
+};
+
+bool store(const bool& use, ArmUseGravityCompensationArguments& slot);
+
+struct ArmServoJrArguments {
+  JointGoalSlot step;
+};
+
+bool store(const JointGoal& step, ArmServoJrArguments& slot);
+void shiftStamps(ArmServoJrArguments& slot, suture::Duration shift);
+
+struct ArmServoJvArguments {
+  JointVelocityGoalSlot goal;
+};
+
+bool store(const JointVelocityGoal& goal, ArmServoJvArguments& slot);
+void shiftStamps(ArmServoJvArguments& slot, suture::Duration shift);
+
+struct ArmServoJfArguments {
+  JointEffortGoalSlot goal;
+};
+
+bool store(const JointEffortGoal& goal, ArmServoJfArguments& slot);
+void shiftStamps(ArmServoJfArguments& slot, suture::Duration shift);
+
+struct ArmServoCrArguments {
+  PoseStampedSlot step;
+};
+
+bool store(const PoseStamped& step, ArmServoCrArguments& slot);
+void shiftStamps(ArmServoCrArguments& slot, suture::Duration shift);
+
+struct ArmServoCvArguments {
+  TwistGoalSlot goal;
+};
+
+bool store(const TwistGoal& goal, ArmServoCvArguments& slot);
+void shiftStamps(ArmServoCvArguments& slot, suture::Duration shift);
+
+struct ArmBodyServoCfArguments {
+  WrenchGoalSlot goal;
+};
+
+bool store(const WrenchGoal& goal, ArmBodyServoCfArguments& slot);
+void shiftStamps(ArmBodyServoCfArguments& slot, suture::Duration shift);
+
+struct ArmSpatialServoCfArguments {
+  WrenchGoalSlot goal;
+};
+
+bool store(const WrenchGoal& goal, ArmSpatialServoCfArguments& slot);
+void shiftStamps(ArmSpatialServoCfArguments& slot, suture::Duration shift);
+
+struct ArmInterpolateJpArguments {
+  JointGoalSlot goal;
+};
+
+bool store(const JointGoal& goal, ArmInterpolateJpArguments& slot);
+void shiftStamps(ArmInterpolateJpArguments& slot, suture::Duration shift);
+
+struct ArmInterpolateJrArguments {
+  JointGoalSlot step;
+};
+
+bool store(const JointGoal& step, ArmInterpolateJrArguments& slot);
+void shiftStamps(ArmInterpolateJrArguments& slot, suture::Duration shift);
+
+struct ArmInterpolateCpArguments {
+  PoseStampedSlot goal;
+};
+
+bool store(const PoseStamped& goal, ArmInterpolateCpArguments& slot);
+void shiftStamps(ArmInterpolateCpArguments& slot, suture::Duration shift);
+
+struct ArmInterpolateCrArguments {
+  PoseStampedSlot step;
+};
+
+bool store(const PoseStamped& step, ArmInterpolateCrArguments& slot);
+void shiftStamps(ArmInterpolateCrArguments& slot, suture::Duration shift);
+
+struct ArmMoveJrArguments {
+  JointGoalSlot step;
+};
+
+bool store(const JointGoal& step, ArmMoveJrArguments& slot);
+void shiftStamps(ArmMoveJrArguments& slot, suture::Duration shift);
+
+struct ArmMoveCpArguments {
+  PoseStampedSlot goal;
+};
+
+bool store(const PoseStamped& goal, ArmMoveCpArguments& slot);
+void shiftStamps(ArmMoveCpArguments& slot, suture::Duration shift);
+
+struct ArmMoveCrArguments {
+  PoseStampedSlot step;
+};
+
+bool store(const PoseStamped& step, ArmMoveCrArguments& slot);
+void shiftStamps(ArmMoveCrArguments& slot, suture::Duration shift);
+
+struct ArmTrajectoryJSetRatioArguments {
+  double ratio;
+};
+
+bool store(const double& ratio, ArmTrajectoryJSetRatioArguments& slot);
+
+struct ArmTrajectoryJSetRatioVArguments {
+  double ratio;
+};
+
+bool store(const double& ratio, ArmTrajectoryJSetRatioVArguments& slot);
+
+struct ArmTrajectoryJSetRatioAArguments {
+  double ratio;
+};
+
+bool store(const double& ratio, ArmTrajectoryJSetRatioAArguments& slot);
+
+struct ArmQueryCpArguments {
+  JointGoalSlot q;
+};
+
+bool store(const JointGoal& q, ArmQueryCpArguments& slot);
+void shiftStamps(ArmQueryCpArguments& slot, suture::Duration shift);
+
+struct ArmLocalQueryCpArguments {
+  JointGoalSlot q;
+};
+
+bool store(const JointGoal& q, ArmLocalQueryCpArguments& slot);
+void shiftStamps(ArmLocalQueryCpArguments& slot, suture::Duration shift);
+
 /// The numbers of Arm's commands in every table and record.
 enum class ArmCommand : std::uint16_t {
   enable,
@@ -67,13 +220,60 @@ enum class ArmCommand : std::uint16_t {
   operating_state,
   forward_kinematics,
   inverse_kinematics,
+  configuration_js,
+  period_statistics,
+  pause,
+  resume,
+  unhome,
+  state_command,
+  goal_js,
+  goal_cp,
+  local_measured_cp,
+  local_setpoint_cp,
+  measured_cv,
+  setpoint_cv,
+  body_measured_cf,
+  spatial_measured_cf,
+  measured_cs,
+  body_jacobian,
+  spatial_jacobian,
+  base_frame,
+  set_base_frame,
+  free,
+  use_gravity_compensation,
+  servo_jr,
+  servo_jv,
+  servo_jf,
+  servo_cr,
+  servo_cv,
+  body_servo_cf,
+  spatial_servo_cf,
+  interpolate_jp,
+  interpolate_jr,
+  interpolate_cp,
+  interpolate_cr,
+  move_jr,
+  move_cp,
+  move_cr,
+  trajectory_j_set_ratio,
+  trajectory_j_set_ratio_v,
+  trajectory_j_set_ratio_a,
+  trajectory_j_ratio,
+  trajectory_j_ratio_v,
+  trajectory_j_ratio_a,
+  query_cp,
+  local_query_cp,
 };
 
-/// The numbers of Arm's events.
+/// The numbers of Arm's own events.
 enum class ArmEvent : std::uint16_t {
-  operating_state,
+  operating_state = 3,
   goal_reached,
-  warning,
+  desired_state,
+  gravity_compensation,
+  trajectory_j_ratio,
+  trajectory_j_ratio_v,
+  trajectory_j_ratio_a,
 };
 
 }  // namespace robots
@@ -85,7 +285,7 @@ const InterfaceInfo& interfaceInfo<robots::Arm>();
 
 /// What a client of robots::Arm calls.
 template <>
-class Required<robots::Arm> : public RequiredBase {
+class Required<robots::Arm> : public Required<suture::Messages> {
   using Contract = robots::Arm;
   using Id = robots::ArmCommand;
   using EventId = robots::ArmEvent;
@@ -104,13 +304,13 @@ class Required<robots::Arm> : public RequiredBase {
   Command<&Contract::hold, NoSlot> hold{*this, static_cast<std::uint16_t>(Id::hold)};
   /// Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the
   /// nearest that the limits leave; a goal out of reach, or too far for one step, leaves the
-  /// set-point. All three it says in `warning`. setpoint_cp keeps the goal's stamp.
+  /// set-point. It says so. setpoint_cp keeps the goal's stamp.
   Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{
       *this, static_cast<std::uint16_t>(Id::servo_cp)};
   /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
   Command<&Contract::servo_jp, robots::ArmServoJpArguments> servo_jp{
       *this, static_cast<std::uint16_t>(Id::servo_jp)};
-  /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.
+  /// Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.
   Command<&Contract::move_jp, robots::ArmMoveJpArguments> move_jp{
       *this, static_cast<std::uint16_t>(Id::move_jp)};
   /// Where the joints are. Stamp: the drives' cycle that measured them.
@@ -122,8 +322,8 @@ class Required<robots::Arm> : public RequiredBase {
   /// Where the tool tip is. Stamp: the drives' cycle that measured the joints.
   ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
       *this, static_cast<std::uint16_t>(Id::measured_cp)};
-  /// Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's
-  /// cycle.
+  /// Where the tool tip shall be. Stamp: that of the servo_cp or interpolate_cp goal it came from,
+  /// else the arm's cycle.
   ReadCommand<&Contract::setpoint_cp, robots::PoseStampedSlot> setpoint_cp{
       *this, static_cast<std::uint16_t>(Id::setpoint_cp)};
   ReadCommand<&Contract::operating_state, robots::OperatingStateSlot> operating_state{
@@ -136,28 +336,150 @@ class Required<robots::Arm> : public RequiredBase {
   QualifiedReadCommand<&Contract::inverse_kinematics, robots::ArmInverseKinematicsArguments,
                        robots::JointSolutionSlot> inverse_kinematics{
       *this, static_cast<std::uint16_t>(Id::inverse_kinematics)};
+  /// What the joints are and may do.
+  ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
+      *this, static_cast<std::uint16_t>(Id::configuration_js)};
+  /// How regularly the arm's task ran in the last second.
+  ReadCommand<&Contract::period_statistics, robots::IntervalStatisticsSlot> period_statistics{
+      *this, static_cast<std::uint16_t>(Id::period_statistics)};
+  /// Stops where the joints are and ignores motion until resume().
+  Command<&Contract::pause, NoSlot> pause{*this, static_cast<std::uint16_t>(Id::pause)};
+  Command<&Contract::resume, NoSlot> resume{*this, static_cast<std::uint16_t>(Id::resume)};
+  /// Forgets that it is homed.
+  Command<&Contract::unhome, NoSlot> unhome{*this, static_cast<std::uint16_t>(Id::unhome)};
+  /// One of the six above, by name; anything else is an `error`.
+  Command<&Contract::state_command, robots::ArmStateCommandArguments> state_command{
+      *this, static_cast<std::uint16_t>(Id::state_command)};
+  /// Where the move under way ends; without one, the set-point.
+  ReadCommand<&Contract::goal_js, robots::JointStateSlot> goal_js{
+      *this, static_cast<std::uint16_t>(Id::goal_js)};
+  /// Where the move under way ends; without one, the set-point.
+  ReadCommand<&Contract::goal_cp, robots::PoseStampedSlot> goal_cp{
+      *this, static_cast<std::uint16_t>(Id::goal_cp)};
+  ReadCommand<&Contract::local_measured_cp, robots::PoseStampedSlot> local_measured_cp{
+      *this, static_cast<std::uint16_t>(Id::local_measured_cp)};
+  ReadCommand<&Contract::local_setpoint_cp, robots::PoseStampedSlot> local_setpoint_cp{
+      *this, static_cast<std::uint16_t>(Id::local_setpoint_cp)};
+  /// Of the tip, in the directions of the reference frame, which it names.
+  ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{
+      *this, static_cast<std::uint16_t>(Id::measured_cv)};
+  ReadCommand<&Contract::setpoint_cv, robots::TwistSlot> setpoint_cv{
+      *this, static_cast<std::uint16_t>(Id::setpoint_cv)};
+  /// Force on the tip in its own directions.
+  ReadCommand<&Contract::body_measured_cf, robots::WrenchSlot> body_measured_cf{
+      *this, static_cast<std::uint16_t>(Id::body_measured_cf)};
+  /// Force on the tip in the directions of the arm's base frame.
+  ReadCommand<&Contract::spatial_measured_cf, robots::WrenchSlot> spatial_measured_cf{
+      *this, static_cast<std::uint16_t>(Id::spatial_measured_cf)};
+  /// Pose, velocity and force of one cycle, in the reference frame.
+  ReadCommand<&Contract::measured_cs, robots::CartesianStateSlot> measured_cs{
+      *this, static_cast<std::uint16_t>(Id::measured_cs)};
+  /// From joint velocities to those of the tip, in its own directions.
+  ReadCommand<&Contract::body_jacobian, robots::JacobianSlot> body_jacobian{
+      *this, static_cast<std::uint16_t>(Id::body_jacobian)};
+  /// The same in the directions of the arm's base frame.
+  ReadCommand<&Contract::spatial_jacobian, robots::JacobianSlot> spatial_jacobian{
+      *this, static_cast<std::uint16_t>(Id::spatial_jacobian)};
+  ReadCommand<&Contract::base_frame, robots::TransformStampedSlot> base_frame{
+      *this, static_cast<std::uint16_t>(Id::base_frame)};
+  /// The arm's base in the reference frame of this interface. Refused if it is given in another
+  /// one.
+  Command<&Contract::set_base_frame, robots::ArmSetBaseFrameArguments> set_base_frame{
+      *this, static_cast<std::uint16_t>(Id::set_base_frame)};
+  /// Lets go: the set-point follows the joints until another command.
+  Command<&Contract::free, NoSlot> free{*this, static_cast<std::uint16_t>(Id::free)};
+  Command<&Contract::use_gravity_compensation,
+          robots::ArmUseGravityCompensationArguments> use_gravity_compensation{
+      *this, static_cast<std::uint16_t>(Id::use_gravity_compensation)};
+  Command<&Contract::servo_jr, robots::ArmServoJrArguments> servo_jr{
+      *this, static_cast<std::uint16_t>(Id::servo_jr)};
+  Command<&Contract::servo_jv, robots::ArmServoJvArguments> servo_jv{
+      *this, static_cast<std::uint16_t>(Id::servo_jv)};
+  Command<&Contract::servo_jf, robots::ArmServoJfArguments> servo_jf{
+      *this, static_cast<std::uint16_t>(Id::servo_jf)};
+  /// The step's translation in the reference frame; its rotation turns the tip about itself.
+  Command<&Contract::servo_cr, robots::ArmServoCrArguments> servo_cr{
+      *this, static_cast<std::uint16_t>(Id::servo_cr)};
+  Command<&Contract::servo_cv, robots::ArmServoCvArguments> servo_cv{
+      *this, static_cast<std::uint16_t>(Id::servo_cv)};
+  /// In the tip's own directions.
+  Command<&Contract::body_servo_cf, robots::ArmBodyServoCfArguments> body_servo_cf{
+      *this, static_cast<std::uint16_t>(Id::body_servo_cf)};
+  /// In the directions of the arm's base frame.
+  Command<&Contract::spatial_servo_cf, robots::ArmSpatialServoCfArguments> spatial_servo_cf{
+      *this, static_cast<std::uint16_t>(Id::spatial_servo_cf)};
+  /// Goals that come more slowly than the arm's cycles, newest wins. The set-point goes to each in
+  /// a straight line of the joints, in as much time as lay between it and the goal before it, but
+  /// no faster than the joints can, and stays there. Limits and reach are as of servo commands.
+  Command<&Contract::interpolate_jp, robots::ArmInterpolateJpArguments> interpolate_jp{
+      *this, static_cast<std::uint16_t>(Id::interpolate_jp)};
+  Command<&Contract::interpolate_jr, robots::ArmInterpolateJrArguments> interpolate_jr{
+      *this, static_cast<std::uint16_t>(Id::interpolate_jr)};
+  Command<&Contract::interpolate_cp, robots::ArmInterpolateCpArguments> interpolate_cp{
+      *this, static_cast<std::uint16_t>(Id::interpolate_cp)};
+  Command<&Contract::interpolate_cr, robots::ArmInterpolateCrArguments> interpolate_cr{
+      *this, static_cast<std::uint16_t>(Id::interpolate_cr)};
+  Command<&Contract::move_jr, robots::ArmMoveJrArguments> move_jr{
+      *this, static_cast<std::uint16_t>(Id::move_jr)};
+  Command<&Contract::move_cp, robots::ArmMoveCpArguments> move_cp{
+      *this, static_cast<std::uint16_t>(Id::move_cp)};
+  Command<&Contract::move_cr, robots::ArmMoveCrArguments> move_cr{
+      *this, static_cast<std::uint16_t>(Id::move_cr)};
+  /// How fast moves are, of what the joints can do: velocity and acceleration together.
+  Command<&Contract::trajectory_j_set_ratio,
+          robots::ArmTrajectoryJSetRatioArguments> trajectory_j_set_ratio{
+      *this, static_cast<std::uint16_t>(Id::trajectory_j_set_ratio)};
+  Command<&Contract::trajectory_j_set_ratio_v,
+          robots::ArmTrajectoryJSetRatioVArguments> trajectory_j_set_ratio_v{
+      *this, static_cast<std::uint16_t>(Id::trajectory_j_set_ratio_v)};
+  Command<&Contract::trajectory_j_set_ratio_a,
+          robots::ArmTrajectoryJSetRatioAArguments> trajectory_j_set_ratio_a{
+      *this, static_cast<std::uint16_t>(Id::trajectory_j_set_ratio_a)};
+  /// The smaller of the two below.
+  ReadCommand<&Contract::trajectory_j_ratio, double> trajectory_j_ratio{
+      *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio)};
+  ReadCommand<&Contract::trajectory_j_ratio_v, double> trajectory_j_ratio_v{
+      *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio_v)};
+  ReadCommand<&Contract::trajectory_j_ratio_a, double> trajectory_j_ratio_a{
+      *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio_a)};
+  /// The pose of the link behind as many joints as the vector has, at most all: none, the base.
+  QualifiedReadCommand<&Contract::query_cp, robots::ArmQueryCpArguments,
+                       robots::PoseStampedSlot> query_cp{
+      *this, static_cast<std::uint16_t>(Id::query_cp)};
+  /// The same in the arm's base frame.
+  QualifiedReadCommand<&Contract::local_query_cp, robots::ArmLocalQueryCpArguments,
+                       robots::PoseStampedSlot> local_query_cp{
+      *this, static_cast<std::uint16_t>(Id::local_query_cp)};
 
   /// The events of robots::Arm, to subscribe to.
-  struct Events {
+  struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
-        : operating_state{required, static_cast<std::uint16_t>(EventId::operating_state)},
+        : Required<suture::Messages>::Events(required),
+          operating_state{required, static_cast<std::uint16_t>(EventId::operating_state)},
           goal_reached{required, static_cast<std::uint16_t>(EventId::goal_reached)},
-          warning{required, static_cast<std::uint16_t>(EventId::warning)} {}
+          desired_state{required, static_cast<std::uint16_t>(EventId::desired_state)},
+          gravity_compensation{required, static_cast<std::uint16_t>(EventId::gravity_compensation)},
+          trajectory_j_ratio{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio)},
+          trajectory_j_ratio_v{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_v)},
+          trajectory_j_ratio_a{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)} {}
 
     /// Each change of the operating state, and the last one to whoever connects.
     Subscription<robots::OperatingStateSlot, robots::OperatingState> operating_state;
     /// A move ended: true at its goal, false when something else replaced it.
     Subscription<std::uint8_t, bool> goal_reached;
-    /// The arm refused a command, or something has befallen it. Each reason is told once until the
-    /// arm obeys again; a refused state command is told each time.
-    Subscription<std::uint8_t, robots::ArmWarning> warning;
+    /// The state that a command asked for.
+    Subscription<std::uint8_t, robots::ArmState> desired_state;
+    Subscription<std::uint8_t, bool> gravity_compensation;
+    Subscription<double, double> trajectory_j_ratio;
+    Subscription<double, double> trajectory_j_ratio_v;
+    Subscription<double, double> trajectory_j_ratio_a;
   };
   Events& on() { return events_; }
 
  protected:
   // For contracts that derive from this one.
   Required(Component& owner, std::string_view name, const InterfaceInfo& info)
-      : RequiredBase(owner, name, info) {}
+      : Required<suture::Messages>(owner, name, info) {}
 
  private:
   Events events_{*this};
@@ -165,7 +487,7 @@ class Required<robots::Arm> : public RequiredBase {
 
 /// What serves robots::Arm from a component.
 template <>
-class Provided<robots::Arm> : public ProvidedBase {
+class Provided<robots::Arm> : public Provided<suture::Messages> {
   using Contract = robots::Arm;
   using EventId = robots::ArmEvent;
 
@@ -174,19 +496,27 @@ class Provided<robots::Arm> : public ProvidedBase {
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
   /// The events of robots::Arm, to emit.
-  struct Events {
+  struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
-        : operating_state{provided, static_cast<std::uint16_t>(EventId::operating_state)},
+        : Provided<suture::Messages>::Events(provided),
+          operating_state{provided, static_cast<std::uint16_t>(EventId::operating_state)},
           goal_reached{provided, static_cast<std::uint16_t>(EventId::goal_reached)},
-          warning{provided, static_cast<std::uint16_t>(EventId::warning)} {}
+          desired_state{provided, static_cast<std::uint16_t>(EventId::desired_state)},
+          gravity_compensation{provided, static_cast<std::uint16_t>(EventId::gravity_compensation)},
+          trajectory_j_ratio{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio)},
+          trajectory_j_ratio_v{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_v)},
+          trajectory_j_ratio_a{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)} {}
 
     /// Each change of the operating state, and the last one to whoever connects.
     Emitter<robots::OperatingStateSlot, robots::OperatingState> operating_state;
     /// A move ended: true at its goal, false when something else replaced it.
     Emitter<std::uint8_t, bool> goal_reached;
-    /// The arm refused a command, or something has befallen it. Each reason is told once until the
-    /// arm obeys again; a refused state command is told each time.
-    Emitter<std::uint8_t, robots::ArmWarning> warning;
+    /// The state that a command asked for.
+    Emitter<std::uint8_t, robots::ArmState> desired_state;
+    Emitter<std::uint8_t, bool> gravity_compensation;
+    Emitter<double, double> trajectory_j_ratio;
+    Emitter<double, double> trajectory_j_ratio_v;
+    Emitter<double, double> trajectory_j_ratio_a;
   };
   Events& emit() { return events_; }
 
@@ -194,7 +524,7 @@ class Provided<robots::Arm> : public ProvidedBase {
   // For contracts that derive from this one: `whole` points to their implementation.
   Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
            Contract& implementation)
-      : ProvidedBase(owner, name, info, whole),
+      : Provided<suture::Messages>(owner, name, info, whole, implementation),
         implementation_(implementation) {}
 
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
@@ -207,6 +537,28 @@ class Provided<robots::Arm> : public ProvidedBase {
     robots::JointGoal move_jp_goal;
     robots::JointGoal forward_kinematics_q;
     robots::PoseStamped inverse_kinematics_goal;
+    std::string state_command_name;
+    robots::TransformStamped set_base_frame_base;
+    bool use_gravity_compensation_use;
+    robots::JointGoal servo_jr_step;
+    robots::JointVelocityGoal servo_jv_goal;
+    robots::JointEffortGoal servo_jf_goal;
+    robots::PoseStamped servo_cr_step;
+    robots::TwistGoal servo_cv_goal;
+    robots::WrenchGoal body_servo_cf_goal;
+    robots::WrenchGoal spatial_servo_cf_goal;
+    robots::JointGoal interpolate_jp_goal;
+    robots::JointGoal interpolate_jr_step;
+    robots::PoseStamped interpolate_cp_goal;
+    robots::PoseStamped interpolate_cr_step;
+    robots::JointGoal move_jr_step;
+    robots::PoseStamped move_cp_goal;
+    robots::PoseStamped move_cr_step;
+    double trajectory_j_set_ratio_ratio;
+    double trajectory_j_set_ratio_v_ratio;
+    double trajectory_j_set_ratio_a_ratio;
+    robots::JointGoal query_cp_q;
+    robots::JointGoal local_query_cp_q;
 
     static Scratch reserved();
   };

@@ -39,8 +39,8 @@ static_assert(static_cast<std::uint8_t>(ServoMode::VelocityEffort) == 6);
 static_assert(static_cast<std::uint8_t>(ServoMode::All) == 7);
 static_assert(std::is_same_v<decltype(Twist::linear), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(Twist::angular), Eigen::Vector3d>);
-static_assert(std::is_same_v<decltype(Twist::moving_frame), std::string>);
-static_assert(std::is_same_v<decltype(Twist::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(Twist::moving_frame), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Twist::reference_frame), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Twist::stamp), std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(Twist::valid), bool>);
 static_assert(std::is_same_v<decltype(TwistGoal::linear), Eigen::Vector3d>);
@@ -52,16 +52,16 @@ static_assert(std::is_same_v<decltype(TwistGoal::stamp), std::chrono::steady_clo
 static_assert(std::is_same_v<decltype(Wrench::force), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(Wrench::torque), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(Wrench::mask), std::array<bool, 6>>);
-static_assert(std::is_same_v<decltype(Wrench::moving_frame), std::string>);
-static_assert(std::is_same_v<decltype(Wrench::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(Wrench::moving_frame), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Wrench::reference_frame), std::uint32_t>);
 static_assert(std::is_same_v<decltype(Wrench::stamp), std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(Wrench::valid), bool>);
 static_assert(std::is_same_v<decltype(WrenchGoal::force), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(WrenchGoal::torque), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(WrenchGoal::mask), std::array<bool, 6>>);
 static_assert(std::is_same_v<decltype(WrenchGoal::stamp), std::chrono::steady_clock::time_point>);
-static_assert(std::is_same_v<decltype(CartesianState::moving_frame), std::string>);
-static_assert(std::is_same_v<decltype(CartesianState::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(CartesianState::moving_frame), std::uint32_t>);
+static_assert(std::is_same_v<decltype(CartesianState::reference_frame), std::uint32_t>);
 static_assert(std::is_same_v<decltype(CartesianState::position), Eigen::Isometry3d>);
 static_assert(std::is_same_v<decltype(CartesianState::position_is_valid), bool>);
 static_assert(std::is_same_v<decltype(CartesianState::linear_velocity), Eigen::Vector3d>);
@@ -78,8 +78,8 @@ static_assert(std::is_same_v<decltype(CartesianGoal::angular_velocity), Eigen::V
 static_assert(std::is_same_v<decltype(CartesianGoal::linear_acceleration), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(CartesianGoal::angular_acceleration), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(CartesianGoal::mask), std::array<bool, 2>>);
-static_assert(std::is_same_v<decltype(CartesianGoal::moving_frame), std::string>);
-static_assert(std::is_same_v<decltype(CartesianGoal::reference_frame), std::string>);
+static_assert(std::is_same_v<decltype(CartesianGoal::moving_frame), std::uint32_t>);
+static_assert(std::is_same_v<decltype(CartesianGoal::reference_frame), std::uint32_t>);
 static_assert(std::is_same_v<decltype(CartesianGoal::stamp),
                              std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(CartesianGoal::valid), bool>);
@@ -135,11 +135,6 @@ void load(const TwistSlot& slot, Twist& value) {
   load(slot.valid, value.valid);
 }
 
-void reserve(const TwistSlot*, Twist& value) {
-  suture::reserveFor<decltype(TwistSlot::moving_frame)>(value.moving_frame);
-  suture::reserveFor<decltype(TwistSlot::reference_frame)>(value.reference_frame);
-}
-
 void shiftStamps(TwistSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
 
 bool store(const TwistGoal& value, TwistGoalSlot& slot) {
@@ -184,11 +179,6 @@ void load(const WrenchSlot& slot, Wrench& value) {
   load(slot.reference_frame, value.reference_frame);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
-}
-
-void reserve(const WrenchSlot*, Wrench& value) {
-  suture::reserveFor<decltype(WrenchSlot::moving_frame)>(value.moving_frame);
-  suture::reserveFor<decltype(WrenchSlot::reference_frame)>(value.reference_frame);
 }
 
 void shiftStamps(WrenchSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
@@ -241,11 +231,6 @@ void load(const CartesianStateSlot& slot, CartesianState& value) {
   load(slot.stamp, value.stamp);
 }
 
-void reserve(const CartesianStateSlot*, CartesianState& value) {
-  suture::reserveFor<decltype(CartesianStateSlot::moving_frame)>(value.moving_frame);
-  suture::reserveFor<decltype(CartesianStateSlot::reference_frame)>(value.reference_frame);
-}
-
 void shiftStamps(CartesianStateSlot& slot, Duration shift) {
   slot.stamp = shifted(slot.stamp, shift);
 }
@@ -276,11 +261,6 @@ void load(const CartesianGoalSlot& slot, CartesianGoal& value) {
   load(slot.reference_frame, value.reference_frame);
   load(slot.stamp, value.stamp);
   load(slot.valid, value.valid);
-}
-
-void reserve(const CartesianGoalSlot*, CartesianGoal& value) {
-  suture::reserveFor<decltype(CartesianGoalSlot::moving_frame)>(value.moving_frame);
-  suture::reserveFor<decltype(CartesianGoalSlot::reference_frame)>(value.reference_frame);
 }
 
 void shiftStamps(CartesianGoalSlot& slot, Duration shift) {
@@ -429,13 +409,15 @@ Errc fromWire(wire::ServoMode in, std::uint8_t& slot) {
 void toWire(const TwistSlot& slot, wire::Twist::Builder out) {
   toWire(slot.linear, out.initLinear());
   toWire(slot.angular, out.initAngular());
-  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
-  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  out.setMovingFrame(slot.moving_frame);
+  out.setReferenceFrame(slot.reference_frame);
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
 
 Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, Duration shift) {
+  slot.moving_frame = in.getMovingFrame();
+  slot.reference_frame = in.getReferenceFrame();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return firstError({
@@ -443,8 +425,6 @@ Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, Duration shift) {
           : fromDefault(Twist().linear, slot.linear),
       in.hasAngular() ? fromWire(in.getAngular(), slot.angular)
           : fromDefault(Twist().angular, slot.angular),
-      fromWire(in.getMovingFrame(), slot.moving_frame),
-      fromWire(in.getReferenceFrame(), slot.reference_frame),
   });
 }
 
@@ -489,13 +469,15 @@ void toWire(const WrenchSlot& slot, wire::Wrench::Builder out) {
   toWire(slot.force, out.initForce());
   toWire(slot.torque, out.initTorque());
   toWire(slot.mask, out.initMask(6));
-  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
-  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  out.setMovingFrame(slot.moving_frame);
+  out.setReferenceFrame(slot.reference_frame);
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
 
 Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, Duration shift) {
+  slot.moving_frame = in.getMovingFrame();
+  slot.reference_frame = in.getReferenceFrame();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return firstError({
@@ -504,8 +486,6 @@ Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, Duration shift) {
           : fromDefault(Wrench().torque, slot.torque),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
           : fromDefault(Wrench().mask, slot.mask),
-      fromWire(in.getMovingFrame(), slot.moving_frame),
-      fromWire(in.getReferenceFrame(), slot.reference_frame),
   });
 }
 
@@ -539,8 +519,8 @@ bool isValid(const WrenchGoalSlot& slot, FieldPath* path) {
 }
 
 void toWire(const CartesianStateSlot& slot, wire::CartesianState::Builder out) {
-  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
-  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  out.setMovingFrame(slot.moving_frame);
+  out.setReferenceFrame(slot.reference_frame);
   toWire(slot.position, out.initPosition());
   out.setPositionIsValid(slot.position_is_valid != 0);
   toWire(slot.linear_velocity, out.initLinearVelocity());
@@ -553,13 +533,13 @@ void toWire(const CartesianStateSlot& slot, wire::CartesianState::Builder out) {
 }
 
 Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot, Duration shift) {
+  slot.moving_frame = in.getMovingFrame();
+  slot.reference_frame = in.getReferenceFrame();
   slot.position_is_valid = in.getPositionIsValid();
   slot.velocity_is_valid = in.getVelocityIsValid();
   slot.force_is_valid = in.getForceIsValid();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return firstError({
-      fromWire(in.getMovingFrame(), slot.moving_frame),
-      fromWire(in.getReferenceFrame(), slot.reference_frame),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
           : fromDefault(CartesianState().position, slot.position),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
@@ -588,13 +568,15 @@ void toWire(const CartesianGoalSlot& slot, wire::CartesianGoal::Builder out) {
   toWire(slot.linear_acceleration, out.initLinearAcceleration());
   toWire(slot.angular_acceleration, out.initAngularAcceleration());
   toWire(slot.mask, out.initMask(2));
-  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
-  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  out.setMovingFrame(slot.moving_frame);
+  out.setReferenceFrame(slot.reference_frame);
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
 
 Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot, Duration shift) {
+  slot.moving_frame = in.getMovingFrame();
+  slot.reference_frame = in.getReferenceFrame();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return firstError({
@@ -610,8 +592,6 @@ Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot, Duration 
           : fromDefault(CartesianGoal().angular_acceleration, slot.angular_acceleration),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
           : fromDefault(CartesianGoal().mask, slot.mask),
-      fromWire(in.getMovingFrame(), slot.moving_frame),
-      fromWire(in.getReferenceFrame(), slot.reference_frame),
   });
 }
 

@@ -11,15 +11,14 @@ namespace robots {
 struct TwistSlot {
   std::array<double, 3> linear;   // Eigen::Vector3d, m/s
   std::array<double, 3> angular;  // Eigen::Vector3d, rad/s
-  suture::BoundedText<15> moving_frame;
-  suture::BoundedText<15> reference_frame;
+  std::uint32_t moving_frame;
+  std::uint32_t reference_frame;
   std::int64_t stamp;  // suture::Time, ns
   std::uint8_t valid;  // bool
 };
 
 bool store(const Twist& value, TwistSlot& slot);
 void load(const TwistSlot& slot, Twist& value);
-void reserve(const TwistSlot*, Twist& value);
 void shiftStamps(TwistSlot& slot, suture::Duration shift);
 
 /// A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
@@ -41,15 +40,14 @@ struct WrenchSlot {
   std::array<double, 3> force;   // Eigen::Vector3d, N
   std::array<double, 3> torque;  // Eigen::Vector3d, N.m
   std::array<std::uint8_t, 6> mask;
-  suture::BoundedText<15> moving_frame;
-  suture::BoundedText<15> reference_frame;
+  std::uint32_t moving_frame;
+  std::uint32_t reference_frame;
   std::int64_t stamp;  // suture::Time, ns
   std::uint8_t valid;  // bool
 };
 
 bool store(const Wrench& value, WrenchSlot& slot);
 void load(const WrenchSlot& slot, Wrench& value);
-void reserve(const WrenchSlot*, Wrench& value);
 void shiftStamps(WrenchSlot& slot, suture::Duration shift);
 
 /// Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
@@ -66,8 +64,8 @@ void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift);
 
 /// Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
 struct CartesianStateSlot {
-  suture::BoundedText<15> moving_frame;
-  suture::BoundedText<15> reference_frame;
+  std::uint32_t moving_frame;
+  std::uint32_t reference_frame;
   std::array<double, 12> position;         // Eigen::Isometry3d, m
   std::uint8_t position_is_valid;          // bool
   std::array<double, 3> linear_velocity;   // Eigen::Vector3d, m/s
@@ -81,7 +79,6 @@ struct CartesianStateSlot {
 
 bool store(const CartesianState& value, CartesianStateSlot& slot);
 void load(const CartesianStateSlot& slot, CartesianState& value);
-void reserve(const CartesianStateSlot*, CartesianState& value);
 void shiftStamps(CartesianStateSlot& slot, suture::Duration shift);
 
 /// A pose to reach, with how to get there: prmPositionCartesianSet.
@@ -92,15 +89,14 @@ struct CartesianGoalSlot {
   std::array<double, 3> linear_acceleration;   // Eigen::Vector3d, m/s2
   std::array<double, 3> angular_acceleration;  // Eigen::Vector3d, rad/s2
   std::array<std::uint8_t, 2> mask;
-  suture::BoundedText<15> moving_frame;
-  suture::BoundedText<15> reference_frame;
+  std::uint32_t moving_frame;
+  std::uint32_t reference_frame;
   std::int64_t stamp;  // suture::Time, ns
   std::uint8_t valid;  // bool
 };
 
 bool store(const CartesianGoal& value, CartesianGoalSlot& slot);
 void load(const CartesianGoalSlot& slot, CartesianGoal& value);
-void reserve(const CartesianGoalSlot*, CartesianGoal& value);
 void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift);
 
 /// Position, velocity and effort in one servo command: prmServoCartesian.

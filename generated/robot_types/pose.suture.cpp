@@ -28,6 +28,12 @@ namespace {
 static_assert(std::is_same_v<decltype(PoseStamped::pose), Eigen::Isometry3d>);
 static_assert(std::is_same_v<decltype(PoseStamped::stamp), std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(PoseStamped::valid), bool>);
+static_assert(std::is_same_v<decltype(TransformStamped::transform), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(TransformStamped::reference_frame), std::uint32_t>);
+static_assert(std::is_same_v<decltype(TransformStamped::moving_frame), std::uint32_t>);
+static_assert(std::is_same_v<decltype(TransformStamped::stamp),
+                             std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(TransformStamped::valid), bool>);
 static_assert(std::is_same_v<decltype(PoseSample::rotation), Eigen::Matrix3d>);
 static_assert(std::is_same_v<decltype(PoseSample::position), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(PoseSample::stamp), std::chrono::steady_clock::time_point>);
@@ -57,6 +63,28 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
 }
 
 void shiftStamps(PoseStampedSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+
+bool store(const TransformStamped& value, TransformStampedSlot& slot) {
+  bool fits = true;
+  fits &= store(value.transform, slot.transform);
+  fits &= store(value.reference_frame, slot.reference_frame);
+  fits &= store(value.moving_frame, slot.moving_frame);
+  fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.valid, slot.valid);
+  return fits;
+}
+
+void load(const TransformStampedSlot& slot, TransformStamped& value) {
+  load(slot.transform, value.transform);
+  load(slot.reference_frame, value.reference_frame);
+  load(slot.moving_frame, value.moving_frame);
+  load(slot.stamp, value.stamp);
+  load(slot.valid, value.valid);
+}
+
+void shiftStamps(TransformStampedSlot& slot, Duration shift) {
+  slot.stamp = shifted(slot.stamp, shift);
+}
 
 bool store(const PoseSample& value, PoseSampleSlot& slot) {
   bool fits = true;
@@ -124,6 +152,27 @@ Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shif
 
 bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
   return isValid(slot.pose) || refusedAt(path, "pose");
+}
+
+void toWire(const TransformStampedSlot& slot, wire::TransformStamped::Builder out) {
+  toWire(slot.transform, out.initTransform());
+  out.setReferenceFrame(slot.reference_frame);
+  out.setMovingFrame(slot.moving_frame);
+  out.setStamp(slot.stamp);
+  out.setValid(slot.valid != 0);
+}
+
+Errc fromWire(wire::TransformStamped::Reader in, TransformStampedSlot& slot, Duration shift) {
+  slot.reference_frame = in.getReferenceFrame();
+  slot.moving_frame = in.getMovingFrame();
+  slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.valid = in.getValid();
+  return in.hasTransform() ? fromWire(in.getTransform(), slot.transform)
+      : fromDefault(TransformStamped().transform, slot.transform);
+}
+
+bool isValid(const TransformStampedSlot& slot, FieldPath* path) {
+  return isValid(slot.transform) || refusedAt(path, "transform");
 }
 
 void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out) {

@@ -18,6 +18,19 @@ bool store(const PoseStamped& value, PoseStampedSlot& slot);
 void load(const PoseStampedSlot& slot, PoseStamped& value);
 void shiftStamps(PoseStampedSlot& slot, suture::Duration shift);
 
+/// Where one frame is in another, for whoever cannot know from the interface which they are.
+struct TransformStampedSlot {
+  std::array<double, 12> transform;  // Eigen::Isometry3d, m
+  std::uint32_t reference_frame;
+  std::uint32_t moving_frame;
+  std::int64_t stamp;  // suture::Time, ns
+  std::uint8_t valid;  // bool
+};
+
+bool store(const TransformStamped& value, TransformStampedSlot& slot);
+void load(const TransformStampedSlot& slot, TransformStamped& value);
+void shiftStamps(TransformStampedSlot& slot, suture::Duration shift);
+
 /// The pose of the latency figures: 120 bytes and no strings.
 struct PoseSampleSlot {
   std::array<double, 9> rotation;  // Eigen::Matrix3d

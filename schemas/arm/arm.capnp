@@ -3,44 +3,46 @@
 
 using Cxx = import "/capnp/c++.capnp";
 using Meta = import "/suture/meta.capnp";
+using Cartesian = import "/robot_types/cartesian.capnp";
+using JointCommands = import "/robot_types/joint_commands.capnp";
 using Joints = import "/robot_types/joints.capnp";
+using Messages = import "/robot_types/messages.capnp";
 using OperatingState = import "/robot_types/operating_state.capnp";
 using Pose = import "/robot_types/pose.capnp";
 using Rpc = import "/suture/rpc.capnp";
+using SuturestandardMessages = import "/suture/standard/messages.capnp";
 $Cxx.namespace("robots::wire");
 $Meta.header("arm/arm.h");
 
-enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.underlying("UInt8") {
-  # Why an arm does not do what it is asked.
-
+enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.removed("ArmWarning")
+    $Meta.underlying("UInt8") {
   notEnabled @0 $Meta.cxx("NotEnabled") $Meta.value(0);
-  # motion commands need an enabled arm
   outOfReach @1 $Meta.cxx("OutOfReach") $Meta.value(1);
-  # no joint vector reaches the goal; for a move, none within limits
   malformed @2 $Meta.cxx("Malformed") $Meta.value(2);
-  # the goal has the wrong length, is not finite or not a pose
   clientGone @3 $Meta.cxx("ClientGone") $Meta.value(3);
-  # the client whose stream it followed is gone; the arm holds
   wrongState @4 $Meta.cxx("WrongState") $Meta.value(4);
-  # the operating state does not admit the command: operating_states.h
   followingError @5 $Meta.cxx("FollowingError") $Meta.value(5);
-  # a joint trailed its set-point by more than its bound; the arm is in FAULT
   atLimit @6 $Meta.cxx("AtLimit") $Meta.value(6);
-  # what it follows leads beyond a joint limit: the arm slides along it; once
-  # until it leads within again
   stepTooFar @7 $Meta.cxx("StepTooFar") $Meta.value(7);
-  # a servo goal lies farther from the set-point than the rates allow
   powerLost @8 $Meta.cxx("PowerLost") $Meta.value(8);
-  # the drives have no power any more, or may not have it: the arm is disabled
   drivesSilent @9 $Meta.cxx("DrivesSilent") $Meta.value(9);
-  # the drives have measured nothing for 250 ms; the arm is in FAULT
 }
 
-interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
+interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta.cxx("robots::Arm")
+    $Meta.major(2) $Meta.version(2) {
   # Commands run in the arm's own thread before its next cycle; reads are from the end of its last
-  # one. Poses are of the tool tip in the arm's base frame. An arm starts, and restarts, undefined;
-  # once it hears of its drives, and they may have power, it is disabled and not homed. Until it is
-  # enabled it ignores motion commands.
+  # one. An arm starts, and restarts, undefined; once it hears of its drives, and they may have
+  # power, it is disabled and not homed. Until it is enabled it ignores motion commands.
+  #
+  # `local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of
+  # the interface, in which base_frame() is the arm's base; the two are one until somebody sets
+  # another. A motion command replaces the one before it, of whichever space; relative goals are
+  # relative to the set-point. A servo stream that falls silent for 0.1 s ends as hold(), and so
+  # does any stream whose client is gone.
+  #
+  # Status, warning and error are the standard messages. Their `code` is an ArmWarning
+  # (arm_warning.h) where the arm refuses a command or something has befallen it; each reason is
+  # told once until the arm obeys again, a refused state command each time.
 
   subscribe @0 (events :ArmEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
@@ -56,13 +58,13 @@ interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   # Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the
   # nearest that the limits leave; a goal out of reach, or too far for one step, leaves the
-  # set-point. All three it says in `warning`. setpoint_cp keeps the goal's stamp.
+  # set-point. It says so. setpoint_cp keeps the goal's stamp.
   servoJp @6 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   # Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
   moveJp @7 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jp") $Meta.kind("write")
       $Meta.queue(16);
-  # Plans and executes a smooth motion from the set-point. Ends with goal_reached.
+  # Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.
   measuredJs @8 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
   # Where the joints are. Stamp: the drives' cycle that measured them.
@@ -74,8 +76,8 @@ interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
   # Where the tool tip is. Stamp: the drives' cycle that measured the joints.
   setpointCp @11 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("setpoint_cp") $Meta.kind("read");
-  # Where the tool tip shall be. Stamp: that of the servo_cp goal it came from, else the arm's
-  # cycle.
+  # Where the tool tip shall be. Stamp: that of the servo_cp or interpolate_cp goal it came from,
+  # else the arm's cycle.
   operatingState @12 (sent :Rpc.Sent) -> (value :OperatingState.OperatingState, stamp :Int64)
       $Meta.cxx("operating_state") $Meta.kind("read");
   forwardKinematics @13 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
@@ -84,6 +86,115 @@ interface Arm @0xd2a6fc6237d6fd07 $Meta.cxx("robots::Arm") {
   inverseKinematics @14 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> (value :Joints.JointSolution)
       $Meta.cxx("inverse_kinematics") $Meta.kind("qualifiedRead");
   # A joint vector for a tool tip, searched from the present set-point.
+  configurationJs @15 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration, stamp :Int64)
+      $Meta.cxx("configuration_js") $Meta.kind("read");
+  # What the joints are and may do.
+  periodStatistics @16 (sent :Rpc.Sent) -> (value :Messages.IntervalStatistics, stamp :Int64)
+      $Meta.cxx("period_statistics") $Meta.kind("read");
+  # How regularly the arm's task ran in the last second.
+  pause @17 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  # Stops where the joints are and ignores motion until resume().
+  resume @18 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  unhome @19 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  # Forgets that it is homed.
+  stateCommand @20 (name :Text $Meta.capacity([15]), sent :Rpc.Sent) -> ()
+      $Meta.cxx("state_command") $Meta.kind("write") $Meta.queue(16);
+  # One of the six above, by name; anything else is an `error`.
+  goalJs @21 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64) $Meta.cxx("goal_js")
+      $Meta.kind("read");
+  # Where the move under way ends; without one, the set-point.
+  goalCp @22 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64) $Meta.cxx("goal_cp")
+      $Meta.kind("read");
+  # Where the move under way ends; without one, the set-point.
+  localMeasuredCp @23 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
+      $Meta.cxx("local_measured_cp") $Meta.kind("read");
+  localSetpointCp @24 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
+      $Meta.cxx("local_setpoint_cp") $Meta.kind("read");
+  measuredCv @25 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
+      $Meta.cxx("measured_cv") $Meta.kind("read");
+  # Of the tip, in the directions of the reference frame, which it names.
+  setpointCv @26 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
+      $Meta.cxx("setpoint_cv") $Meta.kind("read");
+  bodyMeasuredCf @27 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
+      $Meta.cxx("body_measured_cf") $Meta.kind("read");
+  # Force on the tip in its own directions.
+  spatialMeasuredCf @28 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
+      $Meta.cxx("spatial_measured_cf") $Meta.kind("read");
+  # Force on the tip in the directions of the arm's base frame.
+  measuredCs @29 (sent :Rpc.Sent) -> (value :Cartesian.CartesianState, stamp :Int64)
+      $Meta.cxx("measured_cs") $Meta.kind("read");
+  # Pose, velocity and force of one cycle, in the reference frame.
+  bodyJacobian @30 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
+      $Meta.cxx("body_jacobian") $Meta.kind("read");
+  # From joint velocities to those of the tip, in its own directions.
+  spatialJacobian @31 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
+      $Meta.cxx("spatial_jacobian") $Meta.kind("read");
+  # The same in the directions of the arm's base frame.
+  baseFrame @32 (sent :Rpc.Sent) -> (value :Pose.TransformStamped, stamp :Int64)
+      $Meta.cxx("base_frame") $Meta.kind("read");
+  setBaseFrame @33 (base :Pose.TransformStamped, sent :Rpc.Sent) -> () $Meta.cxx("set_base_frame")
+      $Meta.kind("write") $Meta.queue(16);
+  # The arm's base in the reference frame of this interface. Refused if it is given in another
+  # one.
+  free @34 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
+  # Lets go: the set-point follows the joints until another command.
+  useGravityCompensation @35 (use :Bool, sent :Rpc.Sent) -> ()
+      $Meta.cxx("use_gravity_compensation") $Meta.kind("write") $Meta.queue(16);
+  servoJr @36 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jr")
+      $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
+  servoJv @37 (goal :JointCommands.JointVelocityGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jv")
+      $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
+  servoJf @38 (goal :JointCommands.JointEffortGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jf")
+      $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
+  servoCr @39 (step :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("servo_cr")
+      $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
+  # The step's translation in the reference frame; its rotation turns the tip about itself.
+  servoCv @40 (goal :Cartesian.TwistGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_cv")
+      $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
+  bodyServoCf @41 (goal :Cartesian.WrenchGoal, sent :Rpc.Sent) -> () $Meta.cxx("body_servo_cf")
+      $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
+  # In the tip's own directions.
+  spatialServoCf @42 (goal :Cartesian.WrenchGoal, sent :Rpc.Sent) -> ()
+      $Meta.cxx("spatial_servo_cf") $Meta.kind("write") $Meta.latest $Meta.queue(16)
+      $Meta.ttl(20000000);
+  # In the directions of the arm's base frame.
+  interpolateJp @43 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_jp")
+      $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(200000000);
+  # Goals that come more slowly than the arm's cycles, newest wins. The set-point goes to each in
+  # a straight line of the joints, in as much time as lay between it and the goal before it, but
+  # no faster than the joints can, and stays there. Limits and reach are as of servo commands.
+  interpolateJr @44 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_jr")
+      $Meta.kind("write") $Meta.queue(16) $Meta.ttl(200000000);
+  interpolateCp @45 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_cp")
+      $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(200000000);
+  interpolateCr @46 (step :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_cr")
+      $Meta.kind("write") $Meta.queue(16) $Meta.ttl(200000000);
+  moveJr @47 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jr")
+      $Meta.kind("write") $Meta.queue(16);
+  moveCp @48 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("move_cp")
+      $Meta.kind("write") $Meta.queue(16);
+  moveCr @49 (step :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("move_cr")
+      $Meta.kind("write") $Meta.queue(16);
+  trajectoryJSetRatio @50 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
+      $Meta.cxx("trajectory_j_set_ratio") $Meta.kind("write") $Meta.queue(16);
+  # How fast moves are, of what the joints can do: velocity and acceleration together.
+  trajectoryJSetRatioV @51 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
+      $Meta.cxx("trajectory_j_set_ratio_v") $Meta.kind("write") $Meta.queue(16);
+  trajectoryJSetRatioA @52 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
+      $Meta.cxx("trajectory_j_set_ratio_a") $Meta.kind("write") $Meta.queue(16);
+  trajectoryJRatio @53 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
+      $Meta.cxx("trajectory_j_ratio") $Meta.kind("read");
+  # The smaller of the two below.
+  trajectoryJRatioV @54 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
+      $Meta.cxx("trajectory_j_ratio_v") $Meta.kind("read");
+  trajectoryJRatioA @55 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
+      $Meta.cxx("trajectory_j_ratio_a") $Meta.kind("read");
+  queryCp @56 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
+      $Meta.cxx("query_cp") $Meta.kind("qualifiedRead");
+  # The pose of the link behind as many joints as the vector has, at most all: none, the base.
+  localQueryCp @57 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
+      $Meta.cxx("local_query_cp") $Meta.kind("qualifiedRead");
+  # The same in the arm's base frame.
 }
 
 interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
@@ -96,9 +207,23 @@ interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
   # Each change of the operating state, and the last one to whoever connects.
   goalReached @2 (value :Bool) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
   # A move ended: true at its goal, false when something else replaced it.
-  warning @3 (value :ArmWarning) -> () $Meta.queue(16);
-  # The arm refused a command, or something has befallen it. Each reason is told once until the
-  # arm obeys again; a refused state command is told each time.
+  warning @3 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  # Something was refused, or is not as it should be; the component goes on.
+  status @4 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  # All is well; something has been done.
+  error @5 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  # Something failed, and somebody should see to it.
+  desiredState @6 (value :OperatingState.ArmState) -> () $Meta.cxx("desired_state") $Meta.latched
+      $Meta.queue(16);
+  # The state that a command asked for.
+  gravityCompensation @7 (value :Bool) -> () $Meta.cxx("gravity_compensation") $Meta.latched
+      $Meta.queue(16);
+  trajectoryJRatio @8 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio") $Meta.latched
+      $Meta.queue(16);
+  trajectoryJRatioV @9 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio_v") $Meta.latched
+      $Meta.queue(16);
+  trajectoryJRatioA @10 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio_a") $Meta.latched
+      $Meta.queue(16);
 }
 
 struct ArmStateRow @0x8c45d754ae03e800 $Meta.stateOf("robots::Arm") {
@@ -115,4 +240,21 @@ struct ArmStateRow @0x8c45d754ae03e800 $Meta.stateOf("robots::Arm") {
   operatingState @6 :OperatingState.OperatingState $Meta.cxx("operating_state");
   tooLarge @7 :UInt64;
   # Bit i: column i did not fit its declared capacity.
+  configurationJs @8 :JointCommands.JointConfiguration $Meta.cxx("configuration_js");
+  periodStatistics @9 :Messages.IntervalStatistics $Meta.cxx("period_statistics");
+  goalJs @10 :Joints.JointState $Meta.cxx("goal_js");
+  goalCp @11 :Pose.PoseStamped $Meta.cxx("goal_cp");
+  localMeasuredCp @12 :Pose.PoseStamped $Meta.cxx("local_measured_cp");
+  localSetpointCp @13 :Pose.PoseStamped $Meta.cxx("local_setpoint_cp");
+  measuredCv @14 :Cartesian.Twist $Meta.cxx("measured_cv");
+  setpointCv @15 :Cartesian.Twist $Meta.cxx("setpoint_cv");
+  bodyMeasuredCf @16 :Cartesian.Wrench $Meta.cxx("body_measured_cf");
+  spatialMeasuredCf @17 :Cartesian.Wrench $Meta.cxx("spatial_measured_cf");
+  measuredCs @18 :Cartesian.CartesianState $Meta.cxx("measured_cs");
+  bodyJacobian @19 :JointCommands.Jacobian $Meta.cxx("body_jacobian");
+  spatialJacobian @20 :JointCommands.Jacobian $Meta.cxx("spatial_jacobian");
+  baseFrame @21 :Pose.TransformStamped $Meta.cxx("base_frame");
+  trajectoryJRatio @22 :Float64 $Meta.cxx("trajectory_j_ratio");
+  trajectoryJRatioV @23 :Float64 $Meta.cxx("trajectory_j_ratio_v");
+  trajectoryJRatioA @24 :Float64 $Meta.cxx("trajectory_j_ratio_a");
 }

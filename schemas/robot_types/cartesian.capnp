@@ -25,8 +25,8 @@ struct Twist @0xaa62fba3aef11562 $Meta.cxx("robots::Twist") {
 
   linear @0 :Types.Vec3 $Meta.unit("m/s");
   angular @1 :Types.Vec3 $Meta.unit("rad/s");
-  movingFrame @2 :Text $Meta.capacity([15]) $Meta.cxx("moving_frame");
-  referenceFrame @3 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
+  movingFrame @2 :UInt32 $Meta.cxx("moving_frame");
+  referenceFrame @3 :UInt32 $Meta.cxx("reference_frame");
   stamp @4 :Int64 $Meta.clock("steady");
   valid @5 :Bool;
   # False: do not use.
@@ -51,8 +51,8 @@ struct Wrench @0xdefffdcf07aeb2d1 $Meta.cxx("robots::Wrench") {
   torque @1 :Types.Vec3 $Meta.unit("N.m");
   mask @2 :List(Bool) $Meta.shape("6");
   # Which components are known.
-  movingFrame @3 :Text $Meta.capacity([15]) $Meta.cxx("moving_frame");
-  referenceFrame @4 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
+  movingFrame @3 :UInt32 $Meta.cxx("moving_frame");
+  referenceFrame @4 :UInt32 $Meta.cxx("reference_frame");
   stamp @5 :Int64 $Meta.clock("steady");
   valid @6 :Bool;
   # False: do not use.
@@ -71,8 +71,8 @@ struct WrenchGoal @0x913714b88c44b8c4 $Meta.cxx("robots::WrenchGoal") {
 struct CartesianState @0xe8c20fc8c27161a7 $Meta.cxx("robots::CartesianState") {
   # Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
 
-  movingFrame @0 :Text $Meta.capacity([15]) $Meta.cxx("moving_frame");
-  referenceFrame @1 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
+  movingFrame @0 :UInt32 $Meta.cxx("moving_frame");
+  referenceFrame @1 :UInt32 $Meta.cxx("reference_frame");
   position @2 :Types.Pose $Meta.unit("m");
   positionIsValid @3 :Bool $Meta.cxx("position_is_valid");
   linearVelocity @4 :Types.Vec3 $Meta.cxx("linear_velocity") $Meta.unit("m/s");
@@ -94,8 +94,8 @@ struct CartesianGoal @0xe4d650549dee47fd $Meta.cxx("robots::CartesianGoal") {
   angularAcceleration @4 :Types.Vec3 $Meta.cxx("angular_acceleration") $Meta.unit("rad/s2");
   mask @5 :List(Bool) $Meta.shape("2");
   # Whether position and orientation count.
-  movingFrame @6 :Text $Meta.capacity([15]) $Meta.cxx("moving_frame");
-  referenceFrame @7 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
+  movingFrame @6 :UInt32 $Meta.cxx("moving_frame");
+  referenceFrame @7 :UInt32 $Meta.cxx("reference_frame");
   stamp @8 :Int64 $Meta.clock("steady");
   valid @9 :Bool;
 }

@@ -11,7 +11,7 @@ struct PoseStamped @0xe84bc0a4b9a0c529 $Meta.cxx("robots::PoseStamped") {
   # A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
 
   pose @0 :Types.Pose $Meta.unit("m");
-  # Tool tip in the base frame.
+  # The moving frame of the interface in its reference frame.
   stamp @1 :Int64 $Meta.clock("steady");
   # When the pose was true; of a set-point, the stamp of the data it was made from.
   valid @2 :Bool;
@@ -40,4 +40,17 @@ struct PosePrm @0xedd17c97b8723561 $Meta.cxx("robots::PosePrm") {
   referenceFrame @4 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
   position @5 :Types.Pose $Meta.unit("m");
   # The moving frame in the reference frame.
+}
+
+struct TransformStamped @0xee7e9483e69ea03a $Meta.cxx("robots::TransformStamped") {
+  # Where one frame is in another, for whoever cannot know from the interface which they are.
+
+  transform @0 :Types.Pose $Meta.unit("m");
+  # The moving frame in the reference frame.
+  referenceFrame @1 :UInt32 $Meta.cxx("reference_frame");
+  # suture::frameId() of their names; 0: not named.
+  movingFrame @2 :UInt32 $Meta.cxx("moving_frame");
+  stamp @3 :Int64 $Meta.clock("steady");
+  valid @4 :Bool;
+  # False: do not use.
 }

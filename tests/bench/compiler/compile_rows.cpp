@@ -14,12 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kContract[] = "arm/crtk_arm.suture.cpp";
+constexpr char kContract[] = "arm/arm.suture.cpp";
 constexpr const char* kTypes[] = {
     "robot_types/cartesian.suture.cpp",       "robot_types/joint_commands.suture.cpp",
     "robot_types/joints.suture.cpp",          "robot_types/messages.suture.cpp",
     "robot_types/operating_state.suture.cpp", "robot_types/pose.suture.cpp"};
-constexpr const char* kHandwritten[] = {"crtk_client.cpp", "crtk_server.cpp"};
+constexpr const char* kHandwritten[] = {"arm_client.cpp", "arm_server.cpp"};
 constexpr const char* kHandwrittenTypes[] = {"cartesian_conversions.cpp", "joint_conversions.cpp",
                                              "pose_conversions.cpp"};
 
@@ -93,9 +93,9 @@ void measureCompiling(const CompilerOptions& options, Report& report, Table& tab
   const std::size_t handTypes = sources.add(handwrittenTypes, scratch / "hand_types");
   sources.run(options.compileRounds(), "compiling the arm interface");
   const std::size_t plain =
-      users.add({call(userFile(scratch, "plain.cpp", "arm/crtk_arm.h"))}, scratch / "plain");
+      users.add({call(userFile(scratch, "plain.cpp", "arm/arm.h"))}, scratch / "plain");
   const std::size_t proxy =
-      users.add({call(userFile(scratch, "proxy.cpp", "arm/crtk_arm.suture.h"))}, scratch / "proxy");
+      users.add({call(userFile(scratch, "proxy.cpp", "arm/arm.suture.h"))}, scratch / "proxy");
   users.run(options.toolRounds(), "compiling a user's file");
 
   const auto add = [&](const Comparison& from, const char* title, const char* figure,

@@ -48,7 +48,7 @@ Counts countOver(suture::Lane lane, std::uint64_t cycles) {
   suture::Manager manager("client", names.address());
   manager.add("Client", client);
   manager.start();
-  connectBy(lane, manager, "Client/Arm", "arm:Arm/Crtk");
+  connectBy(lane, manager, "Client/Arm", "arm:Arm/Arm");
   awaitCycles(count, cycles);
   // Ending allocates.
   Counts counts{

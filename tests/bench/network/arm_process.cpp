@@ -16,7 +16,7 @@ constexpr const char* kArmSubcommand = "network-arm";
 void serve(const std::string& managerAddress) {
   AllocationCount count;
   proof::ArmTask<suture::PeriodicTask> arm(kCycle);
-  arm.also = [&] { count.cycle(!arm.crtk.channels().empty()); };
+  arm.also = [&] { count.cycle(!arm.arm.channels().empty()); };
   suture::Manager manager{"arm", managerAddress};
   manager.add("Arm", arm);
   manager.start();

@@ -57,7 +57,7 @@ struct ArmResult {
   std::uint64_t laneThreads;
 };
 
-/// Adds the hidden subcommand: serves "arm:Arm/Crtk" at 1 kHz until it is told to end, then writes
+/// Adds the hidden subcommand: serves "arm:Arm/Arm" at 1 kHz until it is told to end, then writes
 /// an ArmResult.
 void addArmProcess(CLI::App& program);
 /// How this program is called to be that process.

@@ -93,7 +93,7 @@ class Survivor {
     client_.also = [this] { look(client_.arm.connected()); };
     manager_.add("Client", client_);
     manager_.start();
-    connectBy(lane, manager_, "Client/Arm", "arm:Arm/Crtk", {.silence = kSilence});
+    connectBy(lane, manager_, "Client/Arm", "arm:Arm/Arm", {.silence = kSilence});
     awaitConnection();
   }
 

@@ -176,7 +176,7 @@ class Workstation(unittest.TestCase):
 
     def test_what_arms_say_is_told_if_asked_for(self):
         process = self.workstation(TOPOLOGIES / "single.json", "--messages")
-        self.await_line(process, "console: PSM1/Crtk status: ")
+        self.await_line(process, "console: PSM1/Arm status: ")
 
     def test_being_told_to_end_is_a_success(self):
         for number in (signal.SIGINT, signal.SIGTERM):

@@ -79,6 +79,13 @@ class Workstation(unittest.TestCase):
                                                        ("p:R/Arm", "p:PSM1/Arm")]))
         self.assertIn("it requires robots::Teleoperation and is offered robots::Arm", error)
 
+    def test_frames_that_differ(self):
+        arm = dict(ARM, frames={"Arm": {"reference": "PSM1_base"}})
+        teleop = dict(TELEOP, frames={"Slave": {"reference": "PSM2_base"}})
+        error = self.error_of(system([arm, DRIVES, teleop], [DRIVEN, ("p:Teleop/Slave", "p:PSM1/Arm"),
+                                                             ("p:Teleop/Master", "p:PSM1/Arm")]))
+        self.assertIn("it expects reference frame 'PSM2_base' and is offered 'PSM1_base'", error)
+
     def test_process_that_must_be_named(self):
         deployment = system([ARM, DRIVES], [DRIVEN], manager="unix:/tmp/nobody.sock")
         deployment["processes"].append({"name": "q", "components": []})

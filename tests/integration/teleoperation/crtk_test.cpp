@@ -1,4 +1,4 @@
-// The complete CRTK interface of an arm, from another process and from the same one.
+// The whole contract of an arm, from another process and from the same one.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "arm/crtk_arm.suture.h"
+#include "arm/arm.suture.h"
 #include "integration/teleoperation/workstation.h"
 #include "support/patience.h"
 
@@ -26,7 +26,7 @@ struct Operator final : suture::Device {
     arm.on().error([this](const suture::Message& message) { errors.push_back(message.text); });
     arm.on().trajectory_j_ratio([this](const double& value) { ratio = value; });
   }
-  suture::Required<CrtkArm> arm{*this, "Arm"};
+  suture::Required<Arm> arm{*this, "Arm"};
   ArmState state = ArmState::Undefined;
   std::vector<bool> goals;
   std::vector<std::string> errors;
@@ -42,7 +42,7 @@ class Crtk : public testing::TestWithParam<bool> {
     client.add("Operator", operator_);
     here_.start();
     if (!GetParam()) there_.start();
-    client.connect("Operator/Arm", GetParam() ? "PSM/Crtk" : "here:PSM/Crtk");
+    client.connect("Operator/Arm", GetParam() ? "PSM/Arm" : "here:PSM/Arm");
     ASSERT_TRUE(heard([this] { return operator_.state == ArmState::Disabled; }));
   }
   void TearDown() override {
@@ -74,7 +74,7 @@ TEST_P(Crtk, ItsMessagesAreTheStandardOnes) {
   } listener;
   suture::Manager& client = GetParam() ? here_ : there_;
   client.add("Listener", listener);
-  client.connect("Listener/From", GetParam() ? "PSM/Crtk" : "here:PSM/Crtk");
+  client.connect("Listener/From", GetParam() ? "PSM/Arm" : "here:PSM/Arm");
   ASSERT_TRUE(operator_.arm.servo_jp(JointGoal{}));
   const suture::Time deadline = suture::now() + suture::kPatience;
   while (listener.warning.counter == 0 && suture::now() < deadline) {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "arm/mtm.h"
-#include "arm/psm.h"
+#include "arm_control/mtm.h"
+#include "arm_control/psm.h"
 #include "drives/mtm_drives.h"
 #include "drives/psm_drives.h"
 

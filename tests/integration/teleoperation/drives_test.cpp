@@ -7,6 +7,7 @@
 #include <chrono>
 #include <vector>
 
+#include "arm/arm_warning.h"
 #include "integration/teleoperation/driven_arm.h"
 #include "support/pass.h"
 #include "support/stepped.h"
@@ -21,10 +22,12 @@ class DrivenArmTest : public testing::Test {
  protected:
   struct Panel final : suture::Device {
     Panel() {
-      arm.on().warning([this](const ArmWarning& warning) { warnings.push_back(warning); });
+      arm.on().error([this](const suture::Message& said) {
+        codes.push_back(static_cast<ArmWarning>(said.code));
+      });
     }
     suture::Required<Arm> arm{*this, "Arm"};
-    std::vector<ArmWarning> warnings;
+    std::vector<ArmWarning> codes;
   };
 
   DrivenArmTest() {
@@ -85,7 +88,7 @@ TEST_F(DrivenArmTest, IsInFaultWhenItsDrivesHang) {
   pass(100ms);
   EXPECT_EQ(state(), ArmState::Fault);
   panel_.processEvents();
-  EXPECT_EQ(panel_.warnings, std::vector{ArmWarning::DrivesSilent});
+  EXPECT_EQ(panel_.codes, std::vector{ArmWarning::DrivesSilent});
 }
 
 /// It cannot tell, for it did not look.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "arm/arm_warning.h"
 #include "integration/teleoperation/driven_arm.h"
 #include "integration/teleoperation/scripted_arm.h"
 #include "support/pass.h"
@@ -27,10 +28,12 @@ using suture::pass;
 /// Hears what the arm warns of.
 struct Panel final : suture::Device {
   Panel() {
-    arm.on().warning([this](const ArmWarning& warning) { warnings.push_back(warning); });
+    arm.on().warning([this](const suture::Message& said) {
+      codes.push_back(static_cast<ArmWarning>(said.code));
+    });
   }
   suture::Required<Arm> arm{*this, "Arm"};
-  std::vector<ArmWarning> warnings;
+  std::vector<ArmWarning> codes;
 };
 
 /// The arm's process, and the console's with all that drives it.
@@ -64,7 +67,7 @@ class GoneConsole : public testing::TestWithParam<suture::Lane> {
   void expectHolds() {
     EXPECT_EQ(activity(), "holding");
     panel_.processEvents();
-    EXPECT_EQ(panel_.warnings, std::vector{ArmWarning::ClientGone});
+    EXPECT_EQ(panel_.codes, std::vector{ArmWarning::ClientGone});
   }
 
   const suture::TemporaryDirectory directory_;

@@ -12,11 +12,13 @@
 #include <vector>
 
 #include "arm/arm.suture.h"
+#include "arm/arm_warning.h"
+#include "integration/teleoperation/still_arm.h"
 
 namespace robots::test {
 
 /// Its public methods are any thread's, those of the contract its own.
-class ScriptedArm final : public suture::PeriodicTask, public Arm {
+class ScriptedArm final : public suture::PeriodicTask, public StillArm {
  public:
   ScriptedArm() : PeriodicTask({.period = std::chrono::milliseconds(1)}) {
     port_.keepState({.manual = true});
@@ -62,29 +64,21 @@ class ScriptedArm final : public suture::PeriodicTask, public Arm {
     goals_.clear();
   }
 
-  void enable() override {}
-  void disable() override {}
-  void home() override {}
-  void hold() override {}
   void servo_cp(const PoseStamped& goal) override {
     const std::lock_guard lock(mutex_);
     if ((goal.pose.translation() - pose_.translation()).norm() > longestStep_) {
-      port_.emit().warning(ArmWarning::StepTooFar);
+      suture::Message refusal;
+      refusal.code = static_cast<std::uint32_t>(ArmWarning::StepTooFar);
+      port_.emit().warning(refusal);
       return;
     }
     goals_.push_back(goal);
     pose_ = goal.pose;
     pose_.translation().z() = std::max(pose_.translation().z(), lowest_);
   }
-  void servo_jp(const JointGoal&) override {}
-  void move_jp(const JointGoal&) override {}
-  const JointState& measured_js() const override { return joints_; }
-  const JointState& setpoint_js() const override { return joints_; }
   PoseStamped measured_cp() const override { return {pose(), stamp_, true}; }
   PoseStamped setpoint_cp() const override { return {pose(), stamp_, true}; }
   const OperatingState& operating_state() const override { return state_; }
-  PoseStamped forward_kinematics(const JointGoal&) const override { return {}; }
-  JointSolution inverse_kinematics(const PoseStamped&) const override { return {}; }
 
  private:
   void onStart() override {
@@ -108,7 +102,6 @@ class ScriptedArm final : public suture::PeriodicTask, public Arm {
   double lowest_ = -std::numeric_limits<double>::infinity();
   bool silent_ = false, stuck_ = false;
   suture::Time stamp_;
-  JointState joints_;
   OperatingState state_;
   suture::Provided<Arm> port_{*this, "Arm", *this};
 };

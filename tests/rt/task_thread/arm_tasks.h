@@ -1,14 +1,12 @@
 #pragma once
-// The two ends of the proof: a seven-joint arm with the complete CRTK interface, and a client that
-// uses all of it.
+// The two ends of the proof: a seven-joint arm and a client that uses all of its contract.
 
 #include <functional>
 #include <string>
 
 #include "arm/arm.suture.h"
-#include "arm/arm_controller.h"
-#include "arm/crtk_arm.suture.h"
-#include "arm/crtk_face.h"
+#include "arm_control/arm_controller.h"
+#include "arm_control/crtk_arm.h"
 #include "rt/task_thread/arm_user.h"
 #include "unit/arm/trailing_joints.h"
 
@@ -28,22 +26,20 @@ class ArmTask final : public Kind, public robots::ArmController<7> {
   void run() override {
     if (also) also();
     const suture::Time now = suture::now();
-    face_.advance(now);
+    contract_.advance(now);
     joints_.step(*this, now);
-    face_.publish(now);
-    face_.announce(crtk.emit());
-    announce(arm_.emit());
+    contract_.publish(now);
+    contract_.announce(arm.emit());
   }
 
   std::function<void()> also;
 
  private:
-  robots::CrtkFace<7> face_{*this};
+  robots::CrtkArm<7> contract_{*this};
   robots::test::TrailingJoints<7> joints_{masterArm(), Joints::Constant(0.1)};
-  suture::Provided<robots::Arm> arm_{*this, "Arm", *this};
 
  public:
-  suture::Provided<robots::CrtkArm> crtk{*this, "Crtk", face_};
+  suture::Provided<robots::Arm> arm{*this, "Arm", contract_};
 };
 
 /// Does in each cycle what ArmUser does, and `also`.
@@ -60,7 +56,7 @@ class UserTask final : public Kind {
   }
 
   std::function<void()> also;
-  suture::Required<robots::CrtkArm> arm{*this, "Arm"};
+  suture::Required<robots::Arm> arm{*this, "Arm"};
   ArmUser user{arm};
 };
 

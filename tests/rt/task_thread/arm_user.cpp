@@ -19,13 +19,14 @@ robots::ArmModel<7> masterArm() {
           .rate_limit = Joints::Constant(4)};
 }
 
-ArmUser::ArmUser(suture::Required<robots::CrtkArm>& arm) : arm_(arm) {
+ArmUser::ArmUser(suture::Required<robots::Arm>& arm) : arm_(arm) {
   here_.position.assign(7, 0.15);
   step_.position.assign(7, 0.001);
   short_.position.assign(3, 0.0);
   velocity_.goal.assign(7, 0.1);
   effort_.effort.assign(7, 0.1);
   noStep_.valid = true;
+  base_.valid = true;
   arm_.configuration_js.reserve(configuration_);
   arm_.operating_state.reserve(state_);
   arm_.measured_js.reserve(joints_);
@@ -96,6 +97,10 @@ std::vector<ArmUser::Step> ArmUser::streamSteps() {
 
 std::vector<ArmUser::Step> ArmUser::moveSteps() {
   return {
+      [this] { return arm_.interpolate_jp(here_); },
+      [this] { return arm_.interpolate_jr(step_); },
+      [this] { return arm_.interpolate_cp(pose_); },
+      [this] { return arm_.interpolate_cr(noStep_); },
       [this] { return arm_.move_jp(here_); },
       [this] { return arm_.move_jr(step_); },
       [this] { return arm_.move_cp(pose_); },
@@ -105,7 +110,7 @@ std::vector<ArmUser::Step> ArmUser::moveSteps() {
 
 std::vector<ArmUser::Step> ArmUser::settingSteps() {
   return {
-      [this] { return arm_.set_base_frame(noStep_); },
+      [this] { return arm_.set_base_frame(base_); },
       [this] { return arm_.use_gravity_compensation(true); },
       [this] { return arm_.trajectory_j_set_ratio(0.5); },
       [this] { return arm_.trajectory_j_set_ratio_v(0.6); },
@@ -120,7 +125,7 @@ void ArmUser::readAll() {
   read(arm_.trajectory_j_ratio, ratio_);
   read(arm_.trajectory_j_ratio_v, ratio_);
   read(arm_.trajectory_j_ratio_a, ratio_);
-  read(arm_.base_frame, pose_);
+  read(arm_.base_frame, base_);
   read(arm_.body_measured_cf, wrench_);
   read(arm_.spatial_measured_cf, wrench_);
   read(arm_.body_jacobian, jacobian_);

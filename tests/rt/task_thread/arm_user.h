@@ -1,12 +1,12 @@
 #pragma once
-// Uses all of the complete Arm contract, without ever waiting.
+// Uses all of the Arm contract, without ever waiting.
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "arm/crtk_arm.suture.h"
+#include "arm/arm.suture.h"
 
 namespace proof {
 
@@ -14,7 +14,7 @@ namespace proof {
 /// Subscribes to every event.
 class ArmUser {
  public:
-  explicit ArmUser(suture::Required<robots::CrtkArm>& arm);
+  explicit ArmUser(suture::Required<robots::Arm>& arm);
 
   /// The thread that owns the required interface.
   void cycle();
@@ -43,7 +43,7 @@ class ArmUser {
     reads += command(value) ? 1 : 0;
   }
 
-  suture::Required<robots::CrtkArm>& arm_;
+  suture::Required<robots::Arm>& arm_;
   std::vector<Step> steps_;
   std::size_t next_ = 0;
   std::optional<Question> question_;
@@ -55,6 +55,7 @@ class ArmUser {
   robots::IntervalStatistics periods_;
   robots::JointState joints_;
   robots::PoseStamped pose_;
+  robots::TransformStamped base_;
   robots::Twist twist_;
   robots::Wrench wrench_;
   robots::CartesianState cartesian_;

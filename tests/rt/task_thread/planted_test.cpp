@@ -52,7 +52,7 @@ Case watched(const std::function<void()>& crime) {
     if (client.user.isWarm()) warm = true;
     if (warm) clientWatch.cycle();
   };
-  suture::connectLocally(client.arm, arm.crtk, "test");
+  suture::connectLocally(client.arm, arm.arm, "test");
   arm.start();
   client.start();
   while (!armWatch.done() || !clientWatch.done()) {

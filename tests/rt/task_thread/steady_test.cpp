@@ -47,7 +47,7 @@ int someProcessor() {
 TEST(TaskThread, CyclesInOneThreadCostNothing) {
   ArmTask<suture::CallbackTask> arm;
   UserTask<suture::CallbackTask> client;
-  const auto channel = suture::connectLocally(client.arm, arm.crtk, "test");
+  const auto channel = suture::connectLocally(client.arm, arm.arm, "test");
   arm.start();
   client.start();
   Watch watch("the thread of both", kWarmUp, kCycles);
@@ -76,7 +76,7 @@ TEST(TaskThread, CyclesInOneThreadCostNothing) {
 TEST(TaskThread, NotEvenTheFirstUseOfAnythingAllocates) {
   ArmTask<suture::CallbackTask> arm;
   UserTask<suture::CallbackTask> client;
-  suture::connectLocally(client.arm, arm.crtk, "test");
+  suture::connectLocally(client.arm, arm.arm, "test");
   arm.start();
   client.start();
   Watch watch("the thread of both", 1, 2'000);
@@ -107,7 +107,7 @@ TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
     if (client.user.isWarm()) warm = true;
     if (warm) clientWatch.cycle();
   };
-  const auto channel = suture::connectLocally(client.arm, arm.crtk, "test");
+  const auto channel = suture::connectLocally(client.arm, arm.arm, "test");
   arm.start();
   client.start();
   EXPECT_TRUE(eventuallyDone(armWatch) && eventuallyDone(clientWatch));
@@ -133,8 +133,8 @@ TEST(TaskThread, CyclesThatSleepCostASleepAndARingForEachSleepingPeer) {
   arm.also = [&] { armWatch.cycle(); };
   first.also = [&] { firstWatch.cycle(); };
   second.also = [&] { secondWatch.cycle(); };
-  suture::connectLocally(first.arm, arm.crtk, "first");
-  suture::connectLocally(second.arm, arm.crtk, "second");
+  suture::connectLocally(first.arm, arm.arm, "first");
+  suture::connectLocally(second.arm, arm.arm, "second");
   arm.start();
   first.start();
   second.start();

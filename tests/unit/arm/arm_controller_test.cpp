@@ -1,14 +1,14 @@
-// The Arm contract on a simulated arm, called directly: readiness, motion, refusal, what it
-// announces.
-
-#include "arm/arm_controller.h"
+// An arm, called directly: readiness, motion, refusal, what it announces.
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <limits>
+#include <vector>
 
+#include "arm_control/crtk_arm.h"
 #include "kinematics/pose_error.h"
+#include "unit/arm/deaf.h"
 #include "unit/arm/psm_model.h"
 #include "unit/arm/trailing_joints.h"
 
@@ -18,15 +18,16 @@ namespace {
 using namespace std::chrono_literals;
 using Joints = ArmModel<6>::Joints;
 
-// Stands in for Provided<Arm>::emit().
-struct Heard {
+struct Heard : Deaf {
   std::vector<OperatingState> states;
   std::vector<bool> goals;
   std::vector<ArmWarning> warnings;
 
   void operating_state(const OperatingState& state) { states.push_back(state); }
   void goal_reached(bool reached) { goals.push_back(reached); }
-  void warning(ArmWarning warning) { warnings.push_back(warning); }
+  void warning(const suture::Message& warning) {
+    warnings.push_back(static_cast<ArmWarning>(warning.code));
+  }
 };
 
 class ArmControllerTest : public testing::Test {
@@ -34,7 +35,7 @@ class ArmControllerTest : public testing::Test {
   void cycles(int count) {
     for (int i = 0; i < count; ++i) {
       time_ += 1ms;
-      joints_.step(arm_, time_);
+      joints_.step(controller_, time_);
       arm_.announce(heard_);
     }
   }
@@ -58,7 +59,8 @@ class ArmControllerTest : public testing::Test {
   Joints measured() const { return Joints::Map(arm_.measured_js().position.data()); }
 
   suture::Time time_ = suture::fromNanoseconds(1'000'000'000);
-  ArmController<6> arm_{psmModel()};
+  ArmController<6> controller_{psmModel()};
+  CrtkArm<6> arm_{controller_};
   TrailingJoints<6> joints_{psmModel(), psmParked()};
   Heard heard_;
 };

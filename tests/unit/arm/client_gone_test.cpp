@@ -1,12 +1,12 @@
 // An arm whose client is gone holds, if it followed that client's stream.
 #include <gtest/gtest.h>
 
-#include "unit/arm/crtk_face_fixture.h"
+#include "unit/arm/crtk_arm_fixture.h"
 
 namespace robots::test {
 namespace {
 
-class ClientGone : public CrtkFaceTest {
+class ClientGone : public CrtkArmTest {
  protected:
   const std::string& activity() const { return crtk_.operating_state().sub_state; }
   template <class Servo>
@@ -49,6 +49,8 @@ TEST_F(ClientGone, EndsItsStreamAsHoldInTheSameCycle) {
   expectHeld("servo_jf", [&] { crtk_.servo_jf(efforts); });
   expectHeld("servo_cp", [&] { crtk_.servo_cp(pose); });
   expectHeld("servo_cv", [&] { crtk_.servo_cv(twist); });
+  expectHeld("interpolate_jp", [&] { crtk_.interpolate_jp(joints(0.15)); });
+  expectHeld("interpolate_cp", [&] { crtk_.interpolate_cp(pose); });
   expectHeld("servo_cf", [&] { crtk_.spatial_servo_cf(force); });
 }
 

@@ -1,12 +1,12 @@
 // Velocities, twists, efforts and forces: the commands that have to be repeated.
 #include <gtest/gtest.h>
 
-#include "unit/arm/crtk_face_fixture.h"
+#include "unit/arm/crtk_arm_fixture.h"
 
 namespace robots::test {
 namespace {
 
-using CrtkStreamsTest = CrtkFaceTest;
+using CrtkStreamsTest = CrtkArmTest;
 
 TEST_F(CrtkStreamsTest, AVelocityMovesUntilItFallsSilent) {
   JointVelocityGoal goal;
@@ -101,8 +101,8 @@ TEST_F(CrtkStreamsTest, AVelocityIsReachedAndLeftWithTheAccelerationsAskedFor) {
 }
 
 TEST_F(CrtkStreamsTest, ATwistIsReachedWithItsAccelerationAlongTheReferenceFrame) {
-  PoseStamped base;
-  base.pose.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  TransformStamped base;
+  base.transform.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   base.valid = true;
   crtk_.set_base_frame(base);
   cycles(1);

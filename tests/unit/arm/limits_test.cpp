@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "unit/arm/crtk_face_fixture.h"
+#include "unit/arm/crtk_arm_fixture.h"
 
 namespace robots::test {
 namespace {
 
-class LimitsTest : public CrtkFaceTest {
+class LimitsTest : public CrtkArmTest {
  protected:
   using Joints = Eigen::Matrix<double, 6, 1>;
   static constexpr int kInsertion = 2;

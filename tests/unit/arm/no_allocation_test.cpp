@@ -4,10 +4,10 @@
 
 #include <chrono>
 
-#include "arm/arm_controller.h"
-#include "arm/crtk_face.h"
+#include "arm_control/crtk_arm.h"
 #include "kinematics/davinci.h"
 #include "support/allocations.h"
+#include "unit/arm/deaf.h"
 #include "unit/arm/trailing_joints.h"
 
 namespace robots::test {
@@ -23,12 +23,6 @@ ArmModel<7> mtmModel() {
           .rate_limit = MtmJoints::Constant(4)};
 }
 
-struct Silent {
-  void operating_state(const OperatingState&) {}
-  void goal_reached(bool) {}
-  void warning(ArmWarning) {}
-};
-
 TEST(ArmController, NeverAllocatesInItsCycle) {
   ArmController<7> arm(mtmModel());
   TrailingJoints<7> joints(mtmModel(), MtmJoints::Constant(0.1));
@@ -37,8 +31,8 @@ TEST(ArmController, NeverAllocatesInItsCycle) {
   const std::uint64_t before = allocations();
 
   joints.step(arm, time);
-  arm.enable();
-  arm.home();
+  arm.obey(StateCommand::Enable);
+  arm.obey(StateCommand::Home);
   for (int i = 0; i < 1000; ++i) {
     time += std::chrono::milliseconds(1);
     if (i == 300) arm.move_jp(elsewhere);
@@ -48,28 +42,14 @@ TEST(ArmController, NeverAllocatesInItsCycle) {
       arm.servo_cp(goal);
     }
     joints.step(arm, time);
-    arm.announce(Silent{});
   }
   EXPECT_EQ(allocations() - before, 0u);
 }
 
-struct SilentCrtk {
-  void operating_state(const OperatingState&) {}
-  void goal_reached(bool) {}
-  void desired_state(ArmState) {}
-  void gravity_compensation(bool) {}
-  void trajectory_j_ratio(double) {}
-  void trajectory_j_ratio_v(double) {}
-  void trajectory_j_ratio_a(double) {}
-  void status(const suture::Message&) {}
-  void warning(const suture::Message&) {}
-  void error(const suture::Message&) {}
-};
-
-TEST(CrtkFace, NeverAllocatesInItsCycle) {
+TEST(CrtkArm, NeverAllocatesInItsCycle) {
   ArmController<7> arm(mtmModel());
   TrailingJoints<7> joints(mtmModel(), MtmJoints::Constant(0.1));
-  CrtkFace<7> crtk(arm);
+  CrtkArm<7> crtk(arm);
   const JointGoal step{std::vector<double>(7, 0.001), {}};
   JointVelocityGoal velocity;
   velocity.goal.assign(7, 0.1);
@@ -91,13 +71,14 @@ TEST(CrtkFace, NeverAllocatesInItsCycle) {
       case 4: crtk.body_servo_cf(wrench); break;
       case 5: crtk.move_cp(crtk.setpoint_cp()); break;
       case 6: crtk.state_command(unknown); break;
+      case 7: crtk.interpolate_jr(step); break;
+      case 8: crtk.interpolate_cp(crtk.measured_cp()); break;
       default: crtk.free();
     }
     crtk.advance(time);
     joints.step(arm, time);
     crtk.publish(time);
-    crtk.announce(SilentCrtk{});
-    arm.announce(Silent{});
+    crtk.announce(Deaf{});
   }
   EXPECT_EQ(allocations() - before, 0u);
 }

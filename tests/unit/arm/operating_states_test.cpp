@@ -1,11 +1,11 @@
 // The state machine of CRTK: every command in every state.
-#include "arm/operating_states.h"
+#include "arm_control/operating_states.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "unit/arm/crtk_face_fixture.h"
+#include "unit/arm/crtk_arm_fixture.h"
 
 namespace robots::test {
 namespace {
@@ -38,7 +38,7 @@ TEST(OperatingStates, AreLeftByTheCommandsThatCrtkNames) {
   EXPECT_EQ(leaving(ArmState::Fault), "enable disable ");
 }
 
-class OperatingStatesTest : public CrtkFaceTest {
+class OperatingStatesTest : public CrtkArmTest {
  protected:
   ArmState state() const { return crtk_.operating_state().state; }
   /// A goal that the joints cannot follow as closely as they are to.

@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "unit/arm/crtk_face_fixture.h"
+#include "unit/arm/crtk_arm_fixture.h"
 
 namespace robots::test {
 namespace {
 
-class PowerTest : public CrtkFaceTest {
+class PowerTest : public CrtkArmTest {
  protected:
   ArmState state() const { return crtk_.operating_state().state; }
   void expectError(const char* part) {
@@ -20,7 +20,6 @@ class PowerTest : public CrtkFaceTest {
     time_ += 1ms;
     arm_.step(time_, std::nullopt);
     crtk_.announce(heard_);
-    arm_.announce(Deaf{});
   }
 };
 
@@ -38,7 +37,7 @@ TEST(Power, AnArmIsUndefinedUntilItsDrivesMayHavePower) {
   EXPECT_FALSE(arm.measured_cp().valid);
   EXPECT_FALSE(arm.setpoint_cp().valid);
   EXPECT_EQ(stateWith(DrivePower::NotReady), ArmState::Undefined);
-  arm.enable();
+  arm.obey(StateCommand::Enable);
   EXPECT_EQ(stateWith(DrivePower::NotReady), ArmState::Undefined);
   EXPECT_EQ(stateWith(DrivePower::Off), ArmState::Disabled);
   EXPECT_TRUE(arm.measured_cp().valid);

@@ -1,7 +1,7 @@
 #pragma once
 // These tests move a PSM with an uneven parking place, whose quick joints keep them short.
 
-#include "arm/arm_controller.h"
+#include "arm_control/arm_controller.h"
 #include "kinematics/davinci.h"
 
 namespace robots::test {

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <optional>
 
-#include "arm/arm_controller.h"
+#include "arm_control/arm_controller.h"
 #include "drives/joint_dynamics.h"
 #include "timing/seconds.h"
 

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "arm/crtk_arm.suture.h"
+#include "arm/arm.suture.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -20,11 +20,11 @@ std::vector<json> linesOf(const std::string& file) {
 }
 
 TEST(JsonLines, WritesOneObjectALine) {
-  using Command = robots::CrtkArmCommand;
+  using Command = robots::ArmCommand;
   const TemporaryDirectory directory;
   const std::string file = directory.file("run.jsonl");
   JsonLines sink(file);
-  const CollectedInterface from{"Collector", interfaceInfo<robots::CrtkArm>()};
+  const CollectedInterface from{"Collector", interfaceInfo<robots::Arm>()};
 
   robots::PoseStamped pose;
   pose.pose.translation().x() = 0.25;
@@ -38,8 +38,8 @@ TEST(JsonLines, WritesOneObjectALine) {
   sink.row(from, 17, fromNanoseconds(6), values);
   sink.missed(from, 3);
   const std::uint8_t reached = 1;
-  sink.event(from, static_cast<std::uint16_t>(robots::CrtkArmEvent::goal_reached),
-             fromNanoseconds(7), reinterpret_cast<const std::byte*>(&reached));
+  sink.event(from, static_cast<std::uint16_t>(robots::ArmEvent::goal_reached), fromNanoseconds(7),
+             reinterpret_cast<const std::byte*>(&reached));
   ASSERT_TRUE(sink.flush());
 
   const std::vector<json> lines = linesOf(file);
@@ -57,10 +57,10 @@ TEST(JsonLines, WritesOneObjectALine) {
 }
 
 TEST(JsonLines, AReadDoesNotTakeTheNameOfTheLinesOwnKey) {
-  InterfaceInfo contract = interfaceInfo<robots::CrtkArm>();
+  InterfaceInfo contract = interfaceInfo<robots::Arm>();
   std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
-  const auto read = static_cast<std::size_t>(robots::CrtkArmCommand::measured_cp);
-  const auto other = static_cast<std::size_t>(robots::CrtkArmCommand::measured_js);
+  const auto read = static_cast<std::size_t>(robots::ArmCommand::measured_cp);
+  const auto other = static_cast<std::size_t>(robots::ArmCommand::measured_js);
   commands[read].name = "row";
   commands[other].name = "event";
   contract.commands = commands;

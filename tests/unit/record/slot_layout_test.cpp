@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "arm/crtk_arm.suture.h"
+#include "arm/arm.suture.h"
 
 namespace suture {
 namespace {
@@ -136,7 +136,7 @@ TEST(SlotLayout, RefusesWhatItDoesNotKnow) {
 
 // What suturec writes is what this reads: every read and event of the complete arm.
 TEST(SlotLayout, FitsAGeneratedContract) {
-  const InterfaceInfo& info = interfaceInfo<robots::CrtkArm>();
+  const InterfaceInfo& info = interfaceInfo<robots::Arm>();
   const json description = json::parse(info.description);
   for (std::size_t i = 0; i < info.commands.size(); ++i) {
     if (info.commands[i].resultSize == 0) continue;

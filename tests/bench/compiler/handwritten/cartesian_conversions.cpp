@@ -11,8 +11,8 @@ constexpr unsigned kMaxMessage = 255;
 void write(const robots::Twist& value, wire::Twist::Builder out) {
   write(value.linear, out.initLinear());
   write(value.angular, out.initAngular());
-  out.setMovingFrame(textOf(value.moving_frame));
-  out.setReferenceFrame(textOf(value.reference_frame));
+  out.setMovingFrame(value.moving_frame);
+  out.setReferenceFrame(value.reference_frame);
   out.setStamp(suture::toNanoseconds(value.stamp));
   out.setValid(value.valid);
 }
@@ -21,8 +21,8 @@ void read(wire::Twist::Reader in, robots::Twist& value) {
   KJ_REQUIRE(in.hasLinear() && in.hasAngular(), "a twist without its parts");
   read(in.getLinear(), value.linear);
   read(in.getAngular(), value.angular);
-  read(in.getMovingFrame(), value.moving_frame);
-  read(in.getReferenceFrame(), value.reference_frame);
+  value.moving_frame = in.getMovingFrame();
+  value.reference_frame = in.getReferenceFrame();
   value.stamp = suture::fromNanoseconds(in.getStamp());
   value.valid = in.getValid();
 }
@@ -52,8 +52,8 @@ void write(const robots::Wrench& value, wire::Wrench::Builder out) {
   write(value.force, out.initForce());
   write(value.torque, out.initTorque());
   write(value.mask, out.initMask(value.mask.size()));
-  out.setMovingFrame(textOf(value.moving_frame));
-  out.setReferenceFrame(textOf(value.reference_frame));
+  out.setMovingFrame(value.moving_frame);
+  out.setReferenceFrame(value.reference_frame);
   out.setStamp(suture::toNanoseconds(value.stamp));
   out.setValid(value.valid);
 }
@@ -63,8 +63,8 @@ void read(wire::Wrench::Reader in, robots::Wrench& value) {
   read(in.getForce(), value.force);
   read(in.getTorque(), value.torque);
   read(in.getMask(), value.mask);
-  read(in.getMovingFrame(), value.moving_frame);
-  read(in.getReferenceFrame(), value.reference_frame);
+  value.moving_frame = in.getMovingFrame();
+  value.reference_frame = in.getReferenceFrame();
   value.stamp = suture::fromNanoseconds(in.getStamp());
   value.valid = in.getValid();
 }
@@ -85,8 +85,8 @@ void read(wire::WrenchGoal::Reader in, robots::WrenchGoal& value) {
 }
 
 void write(const robots::CartesianState& value, wire::CartesianState::Builder out) {
-  out.setMovingFrame(textOf(value.moving_frame));
-  out.setReferenceFrame(textOf(value.reference_frame));
+  out.setMovingFrame(value.moving_frame);
+  out.setReferenceFrame(value.reference_frame);
   write(value.position, out.initPosition());
   out.setPositionIsValid(value.position_is_valid);
   write(value.linear_velocity, out.initLinearVelocity());
@@ -101,8 +101,8 @@ void write(const robots::CartesianState& value, wire::CartesianState::Builder ou
 void read(wire::CartesianState::Reader in, robots::CartesianState& value) {
   KJ_REQUIRE(in.hasPosition() && in.hasForce() && in.hasTorque(), "a state without its parts");
   KJ_REQUIRE(in.hasLinearVelocity() && in.hasAngularVelocity(), "a state without its velocity");
-  read(in.getMovingFrame(), value.moving_frame);
-  read(in.getReferenceFrame(), value.reference_frame);
+  value.moving_frame = in.getMovingFrame();
+  value.reference_frame = in.getReferenceFrame();
   read(in.getPosition(), value.position);
   value.position_is_valid = in.getPositionIsValid();
   read(in.getLinearVelocity(), value.linear_velocity);

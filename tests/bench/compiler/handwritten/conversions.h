@@ -5,7 +5,7 @@
 #include <suture/standard/messages.capnp.h>
 #include <suture/standard/messages.h>
 
-#include "arm/crtk_arm.capnp.h"
+#include "arm/arm.capnp.h"
 #include "robot_types/cartesian.h"
 #include "robot_types/joint_commands.h"
 #include "robot_types/joints.h"
@@ -18,6 +18,7 @@ namespace handwritten {
 namespace wire = robots::wire;
 
 void write(const robots::PoseStamped& value, wire::PoseStamped::Builder out);
+void write(const robots::TransformStamped& value, wire::TransformStamped::Builder out);
 void write(const robots::JointState& value, wire::JointState::Builder out);
 void write(const robots::JointGoal& value, wire::JointGoal::Builder out);
 void write(const robots::JointSolution& value, wire::JointSolution::Builder out);
@@ -36,6 +37,7 @@ void write(const robots::OperatingState& value, wire::OperatingState::Builder ou
 wire::ArmState write(robots::ArmState value);
 
 void read(wire::PoseStamped::Reader in, robots::PoseStamped& value);
+void read(wire::TransformStamped::Reader in, robots::TransformStamped& value);
 void read(wire::JointState::Reader in, robots::JointState& value);
 void read(wire::JointGoal::Reader in, robots::JointGoal& value);
 void read(wire::JointSolution::Reader in, robots::JointSolution& value);

@@ -40,4 +40,21 @@ void read(wire::PoseStamped::Reader in, robots::PoseStamped& value) {
   value.valid = in.getValid();
 }
 
+void write(const robots::TransformStamped& value, wire::TransformStamped::Builder out) {
+  write(value.transform, out.initTransform());
+  out.setReferenceFrame(value.reference_frame);
+  out.setMovingFrame(value.moving_frame);
+  out.setStamp(suture::toNanoseconds(value.stamp));
+  out.setValid(value.valid);
+}
+
+void read(wire::TransformStamped::Reader in, robots::TransformStamped& value) {
+  KJ_REQUIRE(in.hasTransform(), "a stamped transform without its transform");
+  read(in.getTransform(), value.transform);
+  value.reference_frame = in.getReferenceFrame();
+  value.moving_frame = in.getMovingFrame();
+  value.stamp = suture::fromNanoseconds(in.getStamp());
+  value.valid = in.getValid();
+}
+
 }  // namespace handwritten

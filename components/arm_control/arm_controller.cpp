@@ -1,0 +1,339 @@
+#include "arm_control/arm_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "arm_control/goals.h"
+#include "kinematics/inverse.h"
+#include "timing/seconds.h"
+
+namespace robots {
+namespace {
+
+// The arm says these of what it does when a command has led it to each of the states, in their
+// order.
+constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", ""};
+
+bool mayHavePower(DrivePower power) { return power == DrivePower::Off || power == DrivePower::On; }
+
+template <int N>
+JointState blank(const std::array<const char*, std::size_t{N}>& names) {
+  JointState state;
+  state.name.assign(names.begin(), names.end());
+  state.position.resize(N);
+  return state;
+}
+
+template <int N>
+void place(JointState& state, const Eigen::Matrix<double, N, 1>& position, suture::Time stamp,
+           bool valid) {
+  std::copy_n(position.data(), N, state.position.begin());
+  state.stamp = stamp;
+  state.valid = valid;
+}
+
+}  // namespace
+
+template <int N>
+ArmController<N>::ArmController(const ArmModel<N>& model)
+    : model_(model),
+      setpoint_(Joints::Zero()),
+      measuredJs_(blank<N>(model.joint_names)),
+      setpointJs_(measuredJs_) {
+  measuredJs_.velocity.resize(N);
+}
+
+template <int N>
+void ArmController<N>::obey(StateCommand command) {
+  const auto next = after(state_.state, command);
+  if (!next) return refuse(command);
+  if (command == StateCommand::Enable && !mayHavePower(reading_.power)) {
+    return warnings_.tell(ArmWarning::PowerLost);
+  }
+  if (command == StateCommand::Home) return startMove(model_.home, true);
+  if (command == StateCommand::Unhome) return unhome();
+  desired_ = next;
+  if (command == StateCommand::Enable) permitted_ = reading_.permitted;
+  if (*next != state_.state) restIn(*next, kActivities[static_cast<std::size_t>(*next)]);
+}
+
+template <int N>
+void ArmController<N>::refuse(StateCommand command) {
+  if (command == StateCommand::Home) return warn(ArmWarning::NotEnabled);
+  refusal_ = whyRefused(state_.state, command);
+  warnings_.tell(ArmWarning::WrongState);
+}
+
+template <int N>
+void ArmController<N>::unhome() {
+  state_.is_homed = false;
+  state_.stamp = suture::now();
+  stateChanged_ = true;
+}
+
+template <int N>
+void ArmController<N>::startAnew() {
+  state_.is_homed = false;
+  restIn(ArmState::Undefined, "");
+}
+
+template <int N>
+void ArmController<N>::restIn(ArmState state, const char* activity) {
+  endMove(false);
+  setpoint_ = reading_.position;
+  setpointStamp_ = {};
+  enter(state, activity);
+}
+
+template <int N>
+void ArmController<N>::hold() {
+  if (!mayMove()) return;
+  endMove(false);
+  enter(ArmState::Enabled, "holding");
+}
+
+template <int N>
+std::optional<typename ArmController<N>::ServoTarget> ArmController<N>::target(
+    const PoseStamped& goal) {
+  if (!mayMove()) return std::nullopt;
+  if (!isPose(goal)) return refused(ArmWarning::Malformed);
+  const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
+  if (!solution.found && !solution.limited) return refused(ArmWarning::OutOfReach);
+  return ServoTarget{solution.q, solution.limited};
+}
+
+template <int N>
+std::optional<typename ArmController<N>::ServoTarget> ArmController<N>::target(
+    const JointGoal& goal) {
+  if (!mayMove()) return std::nullopt;
+  const auto q = toJoints<N>(goal.position);
+  if (!q) return refused(ArmWarning::Malformed);
+  return withinLimits(*q);
+}
+
+template <int N>
+void ArmController<N>::servo_cp(const PoseStamped& goal) {
+  if (const auto to = target(goal)) servo(*to, goal.stamp, "servo_cp");
+}
+
+template <int N>
+void ArmController<N>::servo_jp(const JointGoal& goal) {
+  if (const auto to = target(goal)) servo(*to, goal.stamp, "servo_jp");
+}
+
+template <int N>
+void ArmController<N>::interpolate_cp(const PoseStamped& goal) {
+  if (const auto to = target(goal)) interpolate(*to, goal.stamp, "interpolate_cp");
+}
+
+template <int N>
+void ArmController<N>::interpolate_jp(const JointGoal& goal) {
+  if (const auto to = target(goal)) interpolate(*to, goal.stamp, "interpolate_jp");
+}
+
+template <int N>
+void ArmController<N>::move_jp(const JointGoal& goal) {
+  if (!mayMove()) return;
+  const auto q = toJoints<N>(goal.position);
+  if (!q) return warn(ArmWarning::Malformed);
+  if (!model_.chain.within(*q)) return warn(ArmWarning::OutOfReach);
+  startMove(*q, false);
+}
+
+template <int N>
+PoseStamped ArmController<N>::forward_kinematics(const JointGoal& goal) const {
+  const auto q = toJoints<N>(goal.position);
+  if (!q) return {};
+  return {model_.chain.forward(*q), goal.stamp, true};
+}
+
+template <int N>
+JointSolution ArmController<N>::inverse_kinematics(const PoseStamped& goal) const {
+  JointSolution answer;
+  if (!isPose(goal)) return answer;
+  const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
+  std::copy_n(solution.q.data(), N, answer.position.begin());
+  answer.joints = N;
+  answer.found = solution.found;
+  return answer;
+}
+
+template <int N>
+void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N>>& drives) {
+  take(drives);
+  // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
+  const bool paused = now - std::exchange(lastStep_, now) > StreamWatch::kSilence;
+  if (paused && state_.state == ArmState::Enabled) restIn(ArmState::Enabled, "holding");
+  if (trails()) {
+    restIn(ArmState::Fault, "following error");
+    warnings_.tell(ArmWarning::FollowingError);
+  }
+  if (servoing_.hasFallenSilent(now)) hold();
+  if (line_) setpoint_ = line_->at(now);
+  if (move_) {
+    if (moveStart_ == suture::Time{}) moveStart_ = now;
+    const double t = secondsBetween(moveStart_, now);
+    setpoint_ = move_->at(t);
+    if (t >= move_->duration()) endMove(true);
+  }
+  publish(now);
+}
+
+template <int N>
+void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
+  const bool wasHeard = std::exchange(heard_, drives.has_value());
+  if (drives) {
+    reading_ = *drives;
+    obeyPower();
+    // Without power the brakes hold the joints; after a silence they may be anywhere.
+    if (!powered() || !wasHeard) setpoint_ = reading_.position;
+  } else if (powered() && state_.state != ArmState::Fault) {
+    restIn(ArmState::Fault, "drives silent");
+    warnings_.tell(ArmWarning::DrivesSilent);
+  }
+}
+
+// A stop may be over before the arm looks, so it also looks at when power was permitted.
+template <int N>
+void ArmController<N>::obeyPower() {
+  const bool isLost = !mayHavePower(reading_.power) || reading_.permitted != permitted_;
+  if (state_.state == ArmState::Undefined && mayHavePower(reading_.power)) {
+    restIn(ArmState::Disabled, "");
+  } else if (powered() && isLost) {
+    restIn(ArmState::Disabled, "");
+    warnings_.tell(ArmWarning::PowerLost);
+  }
+}
+
+template <int N>
+bool ArmController<N>::trails() const {
+  const Joints error = model_.chain.clamp(setpoint_) - reading_.position;
+  return state_.state == ArmState::Enabled &&
+         (error.cwiseAbs().array() > model_.following_error.array()).any();
+}
+
+template <int N>
+bool ArmController<N>::mayMove() {
+  if (state_.state == ArmState::Enabled) return true;
+  warn(ArmWarning::NotEnabled);
+  return false;
+}
+
+template <int N>
+void ArmController<N>::enter(ArmState state, const char* activity) {
+  const bool busy = move_.has_value();
+  warnings_.obey();
+  if (state_.state == state && state_.sub_state == activity && state_.is_busy == busy) return;
+  state_.state = state;
+  state_.sub_state = activity;
+  state_.is_busy = busy;
+  state_.stamp = suture::now();
+  stateChanged_ = true;
+}
+
+template <int N>
+void ArmController<N>::startMove(const Joints& goal, bool homing) {
+  endMove(false);
+  move_.emplace(setpoint_, goal, moveRatio_ * model_.rate_limit);
+  moveStart_ = {};
+  homing_ = homing;
+  setpointStamp_ = {};
+  enter(ArmState::Enabled, homing ? "homing" : "moving");
+}
+
+template <int N>
+void ArmController<N>::endMove(bool reached) {
+  servoing_.end();
+  streamer_ = nullptr;
+  line_.reset();
+  sliding_ = false;
+  if (!move_) return;
+  move_.reset();
+  moveEnded_ = reached;
+  if (!reached) return;
+  state_.is_homed = state_.is_homed || homing_;
+  enter(ArmState::Enabled, "holding");
+}
+
+template <int N>
+void ArmController<N>::follow(const Joints& setpoint, suture::Time goalStamp,
+                              const char* activity) {
+  endMove(false);
+  setpoint_ = setpoint;
+  setpointStamp_ = goalStamp;
+  enter(ArmState::Enabled, activity);
+}
+
+template <int N>
+void ArmController<N>::followStream(const Joints& setpoint, suture::Time goalStamp,
+                                    const char* activity) {
+  follow(setpoint, goalStamp, activity);
+  streamer_ = asking();
+}
+
+template <int N>
+typename ArmController<N>::ServoTarget ArmController<N>::withinLimits(const Joints& q) const {
+  return {model_.chain.clamp(q), !model_.chain.within(q)};
+}
+
+template <int N>
+void ArmController<N>::servo(const ServoTarget& target, suture::Time goalStamp,
+                             const char* activity) {
+  const Joints furthest = model_.servo_horizon * model_.rate_limit;
+  const Joints step = target.q - setpoint_;
+  if ((step.cwiseAbs().array() > furthest.array()).any()) return warn(ArmWarning::StepTooFar);
+  const bool slid = sliding_;
+  followStream(target.q, goalStamp, activity);
+  servoing_.ask();
+  slide(target.limited, slid);
+}
+
+template <int N>
+void ArmController<N>::interpolate(const ServoTarget& target, suture::Time goalStamp,
+                                   const char* activity) {
+  constexpr double kLongest = 0.5;  // s; goals further apart are no stream
+  const double since = line_ ? secondsBetween(line_->begin(), lastStep_) : kLongest;
+  const JointLine<N> line(setpoint_, target.q, model_.rate_limit, lastStep_,
+                          since < kLongest ? since : 0);
+  const bool slid = sliding_;
+  followStream(setpoint_, goalStamp, activity);
+  line_ = line;
+  slide(target.limited, slid);
+}
+
+template <int N>
+void ArmController<N>::slide(bool limited, bool slid) {
+  sliding_ = limited;
+  if (limited && !slid) warnings_.tell(ArmWarning::AtLimit);
+}
+
+template <int N>
+void ArmController<N>::forgetNews() {
+  stateChanged_ = false;
+  moveEnded_.reset();
+  desired_.reset();
+  warnings_.forgetNews();
+}
+
+template <int N>
+void ArmController<N>::clientGone(const suture::ConnectedClient& client) {
+  if (&client != streamer_) return;
+  hold();
+  warnings_.tell(ArmWarning::ClientGone);
+}
+
+template <int N>
+void ArmController<N>::publish(suture::Time now) {
+  const bool known = reading_.stamp != suture::Time{};
+  place<N>(measuredJs_, reading_.position, reading_.stamp, heard_ && known);
+  Joints::Map(measuredJs_.velocity.data()) = reading_.velocity;
+  place<N>(setpointJs_, setpoint_, now, known);
+  measuredCp_ = {model_.chain.forward(reading_.position), reading_.stamp, measuredJs_.valid};
+  const suture::Time stamp = setpointStamp_ == suture::Time{} ? now : setpointStamp_;
+  setpointCp_ = {model_.chain.forward(setpoint_), stamp, known};
+}
+
+template class ArmController<6>;
+template class ArmController<7>;
+
+}  // namespace robots

@@ -1,0 +1,366 @@
+#include "arm_control/crtk_arm.h"
+
+#include <cmath>
+#include <iterator>
+
+#include "arm_control/goals.h"
+#include "kinematics/inverse.h"
+#include "timing/seconds.h"
+
+namespace robots {
+namespace {
+
+using kinematics::rotated;
+using kinematics::SpatialVector;
+
+void blank(Jacobian& jacobian, int joints) {
+  jacobian.joints = static_cast<std::uint32_t>(joints);
+  jacobian.coefficients.assign(6 * static_cast<std::size_t>(joints), 0.0);
+}
+
+template <class Matrix>
+void place(Jacobian& jacobian, const Matrix& matrix, suture::Time stamp) {
+  Matrix::Map(jacobian.coefficients.data()) = matrix;
+  jacobian.stamp = stamp;
+  jacobian.valid = true;
+}
+
+void place(Twist& twist, const SpatialVector& value, suture::Time stamp) {
+  twist.linear = value.head<3>();
+  twist.angular = value.tail<3>();
+  twist.stamp = stamp;
+  twist.valid = true;
+}
+
+void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp) {
+  wrench.force = value.head<3>();
+  wrench.torque = value.tail<3>();
+  wrench.stamp = stamp;
+  wrench.valid = true;
+}
+
+template <class Data>
+void name(Data& data, suture::FrameId moving, suture::FrameId reference) {
+  data.moving_frame = moving;
+  data.reference_frame = reference;
+}
+
+}  // namespace
+
+template <int N>
+CrtkArm<N>::CrtkArm(ArmController<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js()) {
+  const ArmModel<N>& model = arm_.model_;
+  base_.valid = true;
+  for (int i = 0; i < N; ++i) {
+    const double rate = model.rate_limit[i];
+    configuration_.name.emplace_back(model.joint_names[static_cast<std::size_t>(i)]);
+    configuration_.type.push_back(model.chain.kind(i) == kinematics::JointKind::Revolute
+                                      ? JointType::Revolute
+                                      : JointType::Prismatic);
+    configuration_.position_min.push_back(model.chain.lower()[i]);
+    configuration_.position_max.push_back(model.chain.upper()[i]);
+    configuration_.velocity_min.push_back(-rate);
+    configuration_.velocity_max.push_back(rate);
+  }
+  configuration_.valid = true;
+  blank(bodyJacobian_, N);
+  blank(spatialJacobian_, N);
+  moveGoal_.position.reserve(kMaxJoints);
+}
+
+// --- the state machine
+
+template <int N>
+void CrtkArm<N>::state_command(const std::string& name) {
+  if (const auto command = stateCommandNamed(name)) return arm_.obey(*command);
+  error_ = "state_command: enable, disable, pause, resume, home or unhome";
+}
+
+// --- frames
+
+template <int N>
+PoseStamped CrtkArm<N>::inReference(PoseStamped pose) const {
+  pose.pose = base_.transform * pose.pose;
+  return pose;
+}
+
+template <int N>
+PoseStamped CrtkArm<N>::inBase(PoseStamped pose) const {
+  pose.pose = base_.transform.inverse() * pose.pose;
+  return pose;
+}
+
+template <int N>
+void CrtkArm<N>::nameFrames(const suture::Frames& frames) {
+  referenceFrame_ = suture::frameId(frames.reference);
+  tipFrame_ = suture::frameId(frames.moving);
+  base_.reference_frame = base_.moving_frame = referenceFrame_;  // until somebody sets another
+  name(measuredCv_, tipFrame_, referenceFrame_);
+  name(setpointCv_, tipFrame_, referenceFrame_);
+  name(measuredCs_, tipFrame_, referenceFrame_);
+  name(bodyCf_, tipFrame_, tipFrame_);
+  name(spatialCf_, tipFrame_, base_.moving_frame);
+}
+
+template <int N>
+void CrtkArm<N>::set_base_frame(const TransformStamped& base) {
+  if (!base.valid || !isRigid(base.transform)) return arm_.warn(ArmWarning::Malformed);
+  if (base.reference_frame != referenceFrame_) return arm_.warn(ArmWarning::WrongFrame);
+  base_ = base;
+  name(spatialCf_, tipFrame_, base_.moving_frame);
+}
+
+// From the set-point as the commands of this cycle have left it.
+template <int N>
+PoseStamped CrtkArm<N>::stepped(const PoseStamped& step) const {
+  PoseStamped goal{arm_.model_.chain.forward(arm_.setpoint_), step.stamp, step.valid};
+  goal.pose.translation() += base_.transform.linear().transpose() * step.pose.translation();
+  goal.pose.linear() = goal.pose.linear() * step.pose.linear();
+  return goal;
+}
+
+// --- motion
+
+template <int N>
+void CrtkArm<N>::free() {
+  if (!arm_.mayMove()) return;
+  arm_.follow(arm_.setpoint_, {}, "free");
+  stream_.beFree("free");
+}
+
+template <int N>
+void CrtkArm<N>::use_gravity_compensation(bool use) {
+  gravityCompensation_ = use;
+  gravityChanged_ = true;
+}
+
+template <int N>
+std::optional<typename ArmController<N>::ServoTarget> CrtkArm<N>::stepped(const JointGoal& step) {
+  if (!arm_.mayMove()) return std::nullopt;
+  const auto q = toJoints<N>(step.position);
+  if (!q) return arm_.refused(ArmWarning::Malformed);
+  return arm_.withinLimits(arm_.setpoint_ + *q);
+}
+
+template <int N>
+void CrtkArm<N>::servo_jr(const JointGoal& step) {
+  if (const auto to = stepped(step)) arm_.servo(*to, step.stamp, "servo_jr");
+}
+
+template <int N>
+void CrtkArm<N>::interpolate_jr(const JointGoal& step) {
+  if (const auto to = stepped(step)) arm_.interpolate(*to, step.stamp, "interpolate_jr");
+}
+
+template <int N>
+void CrtkArm<N>::interpolate_cr(const PoseStamped& step) {
+  if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
+  arm_.interpolate_cp(stepped(step));
+}
+
+template <int N>
+void CrtkArm<N>::servo_jv(const JointVelocityGoal& goal) {
+  drive(streamGoal<N>(goal), "servo_jv");
+}
+
+template <int N>
+void CrtkArm<N>::servo_jf(const JointEffortGoal& goal) {
+  drive(streamGoal<N>(goal), "servo_jf");
+}
+
+template <int N>
+void CrtkArm<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const char* activity) {
+  if (!arm_.mayMove()) return;
+  if (!goal) return arm_.warn(ArmWarning::Malformed);
+  const Joints& limit = arm_.model_.rate_limit;
+  arm_.followStream(arm_.setpoint_, {}, activity);
+  stream_.follow(goal->rate.cwiseMax(-limit).cwiseMin(limit), activity, goal->bounds);
+}
+
+template <int N>
+void CrtkArm<N>::servo_cr(const PoseStamped& step) {
+  if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
+  arm_.servo_cp(stepped(step));
+}
+
+template <int N>
+void CrtkArm<N>::servo_cv(const TwistGoal& goal) {
+  const Eigen::Matrix3d toBase = base_.transform.inverse().linear();
+  drive(Stream::Kind::SpatialTwist, streamGoal(goal), "servo_cv", toBase);
+}
+
+template <int N>
+void CrtkArm<N>::body_servo_cf(const WrenchGoal& goal) {
+  drive(Stream::Kind::BodyTwist, streamGoal(goal), "servo_cf", Eigen::Matrix3d::Identity());
+}
+
+template <int N>
+void CrtkArm<N>::spatial_servo_cf(const WrenchGoal& goal) {
+  drive(Stream::Kind::SpatialTwist, streamGoal(goal), "servo_cf", Eigen::Matrix3d::Identity());
+}
+
+template <int N>
+void CrtkArm<N>::drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
+                       const char* activity, const Eigen::Matrix3d& axes) {
+  if (!arm_.mayMove()) return;
+  if (!goal) return arm_.warn(ArmWarning::Malformed);
+  arm_.followStream(arm_.setpoint_, {}, activity);
+  stream_.follow(kind, goal->twist, activity, goal->force, {.change = goal->change, .axes = axes});
+}
+
+template <int N>
+void CrtkArm<N>::move_jr(const JointGoal& step) {
+  moveGoal_.position = step.position;
+  moveGoal_.stamp = step.stamp;
+  for (std::size_t i = 0; i < step.position.size() && i < std::size_t{N}; ++i) {
+    moveGoal_.position[i] += arm_.setpoint_[static_cast<Eigen::Index>(i)];
+  }
+  arm_.move_jp(moveGoal_);
+}
+
+template <int N>
+void CrtkArm<N>::move_cr(const PoseStamped& step) {
+  if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
+  moveTo(stepped(step));
+}
+
+template <int N>
+void CrtkArm<N>::moveTo(const PoseStamped& goal) {
+  if (!arm_.mayMove()) return;
+  if (!isPose(goal)) return arm_.warn(ArmWarning::Malformed);
+  const auto solution = kinematics::inverse(arm_.model_.chain, goal.pose, arm_.setpoint_);
+  if (!solution.found) return arm_.warn(ArmWarning::OutOfReach);
+  arm_.startMove(solution.q, false);
+}
+
+// The duration of a minimum-jerk move goes with 1 / velocity and with 1 / sqrt(acceleration).
+template <int N>
+void CrtkArm<N>::setRatios(double velocity, double acceleration) {
+  ratioV_ = velocity;
+  ratioA_ = acceleration;
+  arm_.moveRatio_ = std::min(velocity, std::sqrt(acceleration));
+  ratiosChanged_ = true;
+}
+
+// --- questions
+
+template <int N>
+PoseStamped CrtkArm<N>::forward_kinematics(const JointGoal& q) const {
+  return inReference(arm_.forward_kinematics(q));
+}
+
+template <int N>
+JointSolution CrtkArm<N>::inverse_kinematics(const PoseStamped& goal) const {
+  return arm_.inverse_kinematics(inBase(goal));
+}
+
+template <int N>
+PoseStamped CrtkArm<N>::local_query_cp(const JointGoal& q) const {
+  if (q.position.size() > std::size_t{N}) return {};
+  Joints joints = Joints::Zero();
+  std::copy(q.position.begin(), q.position.end(), joints.data());
+  if (!joints.allFinite()) return {};
+  return {arm_.model_.chain.link(joints, static_cast<int>(q.position.size())), q.stamp, true};
+}
+
+// --- streams
+
+template <int N>
+bool CrtkArm<N>::streaming() const {
+  return stream_.isActive() && arm_.state_.state == ArmState::Enabled &&
+         arm_.state_.sub_state == stream_.activity();
+}
+
+template <int N>
+void CrtkArm<N>::advance(suture::Time now) {
+  periods_.cycle(now);
+  const double dt = lastCycle_ == suture::Time{} ? 0 : secondsBetween(lastCycle_, now);
+  lastCycle_ = now;
+  if (!streaming()) stream_.end();
+  // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
+  const bool paused = stream_.isActive() && dt > inSeconds(StreamWatch::kSilence);
+  if (stream_.hasFallenSilent(now) || paused) return arm_.hold();
+  const auto next = stream_.next(arm_.model_.chain, arm_.setpoint_, arm_.reading_.position, dt);
+  if (!next) return arm_.warn(ArmWarning::OutOfReach);
+  arm_.setpoint_ = next->q;
+  if (next->limited && !streamSlides_) arm_.warnings_.tell(ArmWarning::AtLimit);
+  streamSlides_ = next->limited;
+}
+
+// --- reads and events
+
+template <int N>
+void CrtkArm<N>::publish(suture::Time now) {
+  publishMotion(now);
+  publishForce(now);
+  publishGoal(now);
+}
+
+template <int N>
+void CrtkArm<N>::publishMotion(suture::Time now) {
+  const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
+  const Eigen::Matrix3d toReference = base_.transform.linear();
+  const Eigen::Matrix<double, 6, N> spatial = arm_.model_.chain.jacobian(arm_.reading_.position);
+  Eigen::Matrix<double, 6, N> body;
+  body << tip.transpose() * spatial.template topRows<3>(),
+      tip.transpose() * spatial.template bottomRows<3>();
+  place(spatialJacobian_, spatial, now);
+  place(bodyJacobian_, body, now);
+  const SpatialVector velocity = spatial * arm_.reading_.velocity;
+  const SpatialVector asked = streaming() ? stream_.twist(spatial, tip) : SpatialVector::Zero();
+  place(measuredCv_, rotated(toReference, velocity), arm_.reading_.stamp);
+  place(setpointCv_, rotated(toReference, asked), now);
+}
+
+template <int N>
+void CrtkArm<N>::publishForce(suture::Time now) {
+  const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
+  place(bodyCf_, stream_.bodyForce(tip), now);
+  place(spatialCf_, stream_.spatialForce(tip), now);
+  const Eigen::Matrix3d toReference = base_.transform.linear();
+  measuredCs_.position = measured_cp().pose;
+  measuredCs_.linear_velocity = measuredCv_.linear;
+  measuredCs_.angular_velocity = measuredCv_.angular;
+  measuredCs_.force = toReference * spatialCf_.force;
+  measuredCs_.torque = toReference * spatialCf_.torque;
+  measuredCs_.position_is_valid = measuredCs_.velocity_is_valid = true;
+  measuredCs_.force_is_valid = true;
+  measuredCs_.stamp = arm_.reading_.stamp;
+}
+
+template <int N>
+void CrtkArm<N>::publishGoal(suture::Time now) {
+  const Joints goal = arm_.move_ ? arm_.move_->at(arm_.move_->duration()) : arm_.setpoint_;
+  std::copy_n(goal.data(), N, goalJs_.position.begin());
+  goalJs_.stamp = now;
+  goalJs_.valid = true;
+  goalCp_ = {arm_.model_.chain.forward(goal), now, true};
+}
+
+template <int N>
+std::string_view CrtkArm<N>::textOf(ArmWarning reason) const {
+  switch (reason) {
+    case ArmWarning::NotEnabled: return "motion needs an enabled arm";
+    case ArmWarning::OutOfReach: return "no joint vector reaches the goal";
+    case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
+    case ArmWarning::ClientGone: return "the client whose stream the arm followed is gone";
+    case ArmWarning::AtLimit: return "the goal leads beyond a joint limit; the arm slides along it";
+    case ArmWarning::StepTooFar:
+      return "the goal lies farther from the set-point than the rates allow in one step";
+    case ArmWarning::WrongState: return arm_.refusal_;
+    case ArmWarning::FollowingError:
+      return "a joint trailed its set-point by more than its bound; enable or disable the arm";
+    case ArmWarning::PowerLost:
+      return "the drives have no power, or may not have it; enable the arm when they may";
+    case ArmWarning::DrivesSilent:
+      return "the drives have been silent for too long; enable or disable the arm";
+    case ArmWarning::WrongFrame:
+      return "the base is given in another frame than the arm's poses are";
+  }
+  return "";
+}
+
+template class CrtkArm<6>;
+template class CrtkArm<7>;
+
+}  // namespace robots

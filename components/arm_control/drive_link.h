@@ -1,0 +1,63 @@
+#pragma once
+// The arm's side of its drives.
+
+#include <suture/base/time.h>
+#include <suture/component/required.h>
+
+#include <chrono>
+#include <optional>
+
+#include "arm_control/drive_reading.h"
+#include "drives/drives.suture.h"
+#include "timing/cycle_watch.h"
+
+namespace robots {
+
+/// Asks the drives behind one required interface, and tells them what to do. A member of the
+/// component that owns that interface, declared after it; belongs to the same thread.
+template <int N>
+class DriveLink {
+ public:
+  using Joints = typename DriveReading<N>::Joints;
+
+  explicit DriveLink(suture::Required<Drives>& drives) : drives_(drives) { goal_.joints = N; }
+  DriveLink(const DriveLink&) = delete;
+  DriveLink& operator=(const DriveLink&) = delete;
+
+  /// Once a cycle: what they measured last. None if they have measured nothing new for too long
+  /// while the arm looked.
+  std::optional<DriveReading<N>> read() {
+    const auto sample = drives_.feedback();
+    const suture::Time now = suture::now();
+    if (cycles_.missed(kSilence)) heard_ = now;
+    if (sample && sample->joints == N && sample->stamp != last_.stamp) {
+      heard_ = now;
+      last_ = {Joints::Map(sample->position.data()), Joints::Map(sample->velocity.data()),
+               sample->power, sample->permitted, sample->stamp};
+    }
+    isHeard_ = last_.stamp != suture::Time{} && now - heard_ <= kSilence;
+    return isHeard_ ? std::optional(last_) : std::nullopt;
+  }
+
+  /// Once a cycle, after read(). Asks for power again until it is there, as a command may be lost.
+  /// Drives that are silent get no goals: the arm does not know where their joints are.
+  void command(bool powered, const Joints& setpoint) {
+    if (powered && last_.power == DrivePower::Off) (void)drives_.power_on(last_.permitted);
+    if (!powered && last_.power == DrivePower::On) (void)drives_.power_off();
+    if (!powered || !isHeard_) return;
+    Joints::Map(goal_.position.data()) = setpoint;
+    (void)drives_.servo_jp(goal_);
+  }
+
+ private:
+  static constexpr suture::Duration kSilence = std::chrono::milliseconds(250);
+
+  suture::Required<Drives>& drives_;
+  CycleWatch cycles_;
+  DriveReading<N> last_;
+  suture::Time heard_;  // when that was new, or the arm began to look again
+  bool isHeard_ = false;
+  DriveGoal goal_;
+};
+
+}  // namespace robots

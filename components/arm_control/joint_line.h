@@ -1,0 +1,41 @@
+#pragma once
+// A straight line of the joints, for goals that come more slowly than the arm's cycles.
+
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+
+#include "timing/seconds.h"
+
+namespace robots {
+
+/// All joints begin and arrive together, each at a constant rate. Immutable; allocates nothing.
+template <int N>
+class JointLine {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  /// Takes `wanted` seconds from `begin` on, or as many as the joint needs that has the longest way
+  /// at its rate limit. rad, or m for a prismatic joint; rate limits per second.
+  JointLine(const Joints& from, const Joints& to, const Joints& rateLimit, suture::Time begin,
+            double wanted)
+      : from_(from),
+        to_(to),
+        begin_(begin),
+        duration_(std::max(wanted, (to - from).cwiseAbs().cwiseQuotient(rateLimit).maxCoeff())) {}
+
+  suture::Time begin() const { return begin_; }
+  /// Where the joints shall be at `now`, which is not before the beginning.
+  Joints at(suture::Time now) const {
+    const double t = secondsBetween(begin_, now);
+    return t >= duration_ ? to_ : Joints(from_ + t / duration_ * (to_ - from_));
+  }
+
+ private:
+  Joints from_, to_;
+  suture::Time begin_;
+  double duration_;
+};
+
+}  // namespace robots

@@ -1,0 +1,56 @@
+#pragma once
+// The simulated master arm.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include <chrono>
+#include <cstdint>
+
+#include "arm/arm.suture.h"
+#include "arm_control/arm_controller.h"
+#include "arm_control/crtk_arm.h"
+#include "arm_control/drive_link.h"
+
+namespace robots {
+
+enum class SUTURE_TYPE() MtmSide : std::uint8_t { Left, Right };
+
+struct SUTURE_TYPE() MtmParameters {
+  MtmSide side = MtmSide::Left;
+  suture::Duration period = std::chrono::milliseconds(1);
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+  /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
+  /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
+  /// A servo goal may lie so far from the set-point as the joints can move in this time at their
+  /// rate limits; one that lies farther is refused. By default as long as a stream may be silent:
+  /// what the master does in 0.1 s is far below the rates of the slave.
+  SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
+};
+
+/// A master tool manipulator (kinematics/davinci.h). There is no hand on it: a surgeon
+/// component drives it through servo_cp.
+class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmController<7> {
+ public:
+  explicit Mtm(const MtmParameters& parameters);
+
+  void run() override;
+  void onConfigure() override { contract_.nameFrames(arm_.frames()); }
+  void onRestart() override { startAnew(); }
+
+ private:
+  const suture::ConnectedClient* asking() const override { return caller(); }
+  void onClient(const suture::ProvidedBase& interface, const suture::ConnectedClient& client,
+                suture::ClientNews news) override;
+
+  CrtkArm<7> contract_{*this};
+  suture::Required<Drives> drives_{*this, "Drives"};
+  DriveLink<7> link_{drives_};
+  suture::Provided<Arm> arm_{*this, "Arm", contract_};
+};
+
+}  // namespace robots

@@ -1,0 +1,57 @@
+#pragma once
+// The simulated slave arm.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include <chrono>
+
+#include "arm/arm.suture.h"
+#include "arm_control/arm_controller.h"
+#include "arm_control/crtk_arm.h"
+#include "arm_control/drive_link.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() PsmParameters {
+  suture::Duration period = std::chrono::milliseconds(1);
+  /// Rate limit of the rotating joints.
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+  /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
+  /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
+  /// Rate limit of the insertion.
+  SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
+  /// The same bound for the insertion.
+  SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
+  /// A servo goal may lie so far from the set-point as the joints can move in this time at their
+  /// rate limits; one that lies farther is refused. By default as long as a stream may be silent:
+  /// what the master does in 0.1 s is far below the rates of the slave.
+  SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
+};
+
+/// A patient side manipulator with large needle driver (kinematics/davinci.h). Its base frame
+/// has its origin at the remote centre of motion.
+class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmController<6> {
+ public:
+  explicit Psm(const PsmParameters& parameters);
+
+  void run() override;
+  void onConfigure() override { contract_.nameFrames(arm_.frames()); }
+  void onRestart() override { startAnew(); }
+
+ private:
+  const suture::ConnectedClient* asking() const override { return caller(); }
+  void onClient(const suture::ProvidedBase& interface, const suture::ConnectedClient& client,
+                suture::ClientNews news) override;
+
+  CrtkArm<6> contract_{*this};
+  suture::Required<Drives> drives_{*this, "Drives"};
+  DriveLink<6> link_{drives_};
+  suture::Provided<Arm> arm_{*this, "Arm", contract_};
+};
+
+}  // namespace robots

@@ -1,0 +1,140 @@
+// Written by suturec from arm_control/mtm.h. Do not edit.
+#include "arm_control/mtm.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "arm_control/mtm.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<MtmSide>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(MtmSide::Left) == 0);
+static_assert(static_cast<std::uint8_t>(MtmSide::Right) == 1);
+static_assert(std::is_same_v<decltype(MtmParameters::side), MtmSide>);
+static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::following_error), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::servo_horizon), double>);
+
+}  // namespace
+
+bool store(const MtmParameters& value, MtmParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.side, slot.side);
+  fits &= store(value.period, slot.period);
+  fits &= store(value.angular_rate, slot.angular_rate);
+  fits &= store(value.following_error, slot.following_error);
+  fits &= store(value.servo_horizon, slot.servo_horizon);
+  return fits;
+}
+
+void load(const MtmParametersSlot& slot, MtmParameters& value) {
+  load(slot.side, value.side);
+  load(slot.period, value.period);
+  load(slot.angular_rate, value.angular_rate);
+  load(slot.following_error, value.following_error);
+  load(slot.servo_horizon, value.servo_horizon);
+}
+
+// --- between slots and Cap'n Proto
+
+wire::MtmSide wireMtmSide(std::uint8_t slot) {
+  switch (static_cast<MtmSide>(slot)) {
+    case MtmSide::Left: return wire::MtmSide::LEFT;
+    case MtmSide::Right: return wire::MtmSide::RIGHT;
+  }
+  return wire::MtmSide{};
+}
+
+bool isKnownMtmSide(std::uint8_t slot) {
+  switch (static_cast<MtmSide>(slot)) {
+    case MtmSide::Left:
+    case MtmSide::Right:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::MtmSide in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::MtmSide::LEFT: return slot = static_cast<std::uint8_t>(MtmSide::Left), Errc{};
+    case wire::MtmSide::RIGHT: return slot = static_cast<std::uint8_t>(MtmSide::Right), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
+  out.setSide(wireMtmSide(slot.side));
+  out.setPeriod(slot.period);
+  out.setAngularRate(slot.angular_rate);
+  out.setFollowingError(slot.following_error);
+  out.setServoHorizon(slot.servo_horizon);
+}
+
+Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.angular_rate = in.getAngularRate();
+  slot.following_error = in.getFollowingError();
+  slot.servo_horizon = in.getServoHorizon();
+  return fromWire(in.getSide(), slot.side);
+}
+
+bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
+  if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
+  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
+  if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
+  return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
+}
+
+}  // namespace robots
+
+namespace robots {
+
+inline void fromJson(const suture::JsonReader& in, MtmSide& value) {
+  static constexpr MtmSide kValues[] = {MtmSide::Left, MtmSide::Right};
+  const int index = suture::enumeratorFromJson(in, {"Left", "Right"});
+  if (index >= 0) value = kValues[index];
+}
+
+void fromJson(const suture::JsonReader& in, MtmParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("side", value.side);
+  reader.field("period", value.period);
+  reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.field("following_error", value.following_error, 0.001, 10);
+  reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Mtm>() {
+  return {"Mtm", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::MtmParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new robots::Mtm(values));
+          }};
+}
+
+}  // namespace suture

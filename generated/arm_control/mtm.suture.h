@@ -1,0 +1,38 @@
+// Written by suturec from arm_control/mtm.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "arm_control/mtm.h"
+#include "arm/arm.suture.h"
+#include "drives/drives.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct MtmParametersSlot {
+  std::uint8_t side;       // MtmSide
+  std::int64_t period;     // std::chrono::nanoseconds, ns
+  double angular_rate;     // rad/s
+  double following_error;  // rad
+  double servo_horizon;    // s
+};
+
+bool store(const MtmParameters& value, MtmParametersSlot& slot);
+void load(const MtmParametersSlot& slot, MtmParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, MtmParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Mtm>();
+
+}  // namespace suture

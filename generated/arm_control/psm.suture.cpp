@@ -1,0 +1,116 @@
+// Written by suturec from arm_control/psm.h. Do not edit.
+#include "arm_control/psm.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "arm_control/psm.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(PsmParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(PsmParameters::angular_rate), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::following_error), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::insertion_following_error), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::servo_horizon), double>);
+
+}  // namespace
+
+bool store(const PsmParameters& value, PsmParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.angular_rate, slot.angular_rate);
+  fits &= store(value.following_error, slot.following_error);
+  fits &= store(value.insertion_rate, slot.insertion_rate);
+  fits &= store(value.insertion_following_error, slot.insertion_following_error);
+  fits &= store(value.servo_horizon, slot.servo_horizon);
+  return fits;
+}
+
+void load(const PsmParametersSlot& slot, PsmParameters& value) {
+  load(slot.period, value.period);
+  load(slot.angular_rate, value.angular_rate);
+  load(slot.following_error, value.following_error);
+  load(slot.insertion_rate, value.insertion_rate);
+  load(slot.insertion_following_error, value.insertion_following_error);
+  load(slot.servo_horizon, value.servo_horizon);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
+  out.setPeriod(slot.period);
+  out.setAngularRate(slot.angular_rate);
+  out.setFollowingError(slot.following_error);
+  out.setInsertionRate(slot.insertion_rate);
+  out.setInsertionFollowingError(slot.insertion_following_error);
+  out.setServoHorizon(slot.servo_horizon);
+}
+
+Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.angular_rate = in.getAngularRate();
+  slot.following_error = in.getFollowingError();
+  slot.insertion_rate = in.getInsertionRate();
+  slot.insertion_following_error = in.getInsertionFollowingError();
+  slot.servo_horizon = in.getServoHorizon();
+  return Errc{};
+}
+
+bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
+  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
+  if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
+  if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
+  if (!inRange(slot.insertion_following_error, 0.0001, 1)) {
+    return refusedAt(path, "insertion_following_error");
+  }
+  return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, PsmParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period);
+  reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.field("following_error", value.following_error, 0.001, 10);
+  reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
+  reader.field("insertion_following_error", value.insertion_following_error, 0.0001, 1);
+  reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Psm>() {
+  return {"Psm", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::PsmParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new robots::Psm(values));
+          }};
+}
+
+}  // namespace suture

@@ -1,0 +1,39 @@
+// Written by suturec from arm_control/psm.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "arm_control/psm.h"
+#include "arm/arm.suture.h"
+#include "drives/drives.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct PsmParametersSlot {
+  std::int64_t period;               // std::chrono::nanoseconds, ns
+  double angular_rate;               // rad/s
+  double following_error;            // rad
+  double insertion_rate;             // m/s
+  double insertion_following_error;  // m
+  double servo_horizon;              // s
+};
+
+bool store(const PsmParameters& value, PsmParametersSlot& slot);
+void load(const PsmParametersSlot& slot, PsmParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, PsmParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Psm>();
+
+}  // namespace suture

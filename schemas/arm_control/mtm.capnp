@@ -1,0 +1,28 @@
+@0xf3cceb9985533115;
+# The wire contract of arm_control/mtm.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("arm_control/mtm.h");
+
+enum MtmSide @0xbfac2efab040ce66 $Meta.cxx("robots::MtmSide") $Meta.underlying("UInt8") {
+  left @0 $Meta.cxx("Left") $Meta.value(0);
+  right @1 $Meta.cxx("Right") $Meta.value(1);
+}
+
+struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
+  side @0 :MtmSide;
+  period @1 :Int64 = 1000000 $Meta.period("1/1000000000");
+  angularRate @2 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
+      $Meta.unit("rad/s");
+  followingError @3 :Float64 = 0.8 $Meta.cxx("following_error")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
+  # A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
+  # 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  servoHorizon @4 :Float64 = 0.1 $Meta.cxx("servo_horizon")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
+  # A servo goal may lie so far from the set-point as the joints can move in this time at their
+  # rate limits; one that lies farther is refused. By default as long as a stream may be silent:
+  # what the master does in 0.1 s is far below the rates of the slave.
+}

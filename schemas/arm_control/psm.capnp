@@ -1,0 +1,29 @@
+@0xca592706d4e30bc3;
+# The wire contract of arm_control/psm.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("arm_control/psm.h");
+
+struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
+  period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
+  angularRate @1 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
+      $Meta.unit("rad/s");
+  # Rate limit of the rotating joints.
+  followingError @2 :Float64 = 0.8 $Meta.cxx("following_error")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
+  # A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
+  # 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  insertionRate @3 :Float64 = 0.4 $Meta.cxx("insertion_rate")
+      $Meta.range(lowest = 0.001, highest = 2) $Meta.unit("m/s");
+  # Rate limit of the insertion.
+  insertionFollowingError @4 :Float64 = 0.08 $Meta.cxx("insertion_following_error")
+      $Meta.range(lowest = 1e-04, highest = 1) $Meta.unit("m");
+  # The same bound for the insertion.
+  servoHorizon @5 :Float64 = 0.1 $Meta.cxx("servo_horizon")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
+  # A servo goal may lie so far from the set-point as the joints can move in this time at their
+  # rate limits; one that lies farther is refused. By default as long as a stream may be silent:
+  # what the master does in 0.1 s is far below the rates of the slave.
+}

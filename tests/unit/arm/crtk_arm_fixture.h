@@ -1,0 +1,103 @@
+#pragma once
+// A simulated arm whose contract a test calls directly.
+
+#include "arm_control/crtk_arm.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "kinematics/pose_error.h"
+#include "unit/arm/deaf.h"
+#include "unit/arm/psm_model.h"
+#include "unit/arm/trailing_joints.h"
+
+namespace robots::test {
+
+using namespace std::chrono_literals;
+
+struct HeardOfArm : Deaf {
+  std::vector<ArmState> desired, states;
+  std::vector<bool> goals, gravity;
+  std::vector<double> ratios;
+  std::vector<std::string> statuses, warnings, errors;
+  std::vector<ArmWarning> codes;  // of warnings and errors
+
+  void desired_state(ArmState state) { desired.push_back(state); }
+  void operating_state(const OperatingState& state) { states.push_back(state.state); }
+  void goal_reached(bool reached) { goals.push_back(reached); }
+  void gravity_compensation(bool on) { gravity.push_back(on); }
+  void trajectory_j_ratio(double ratio) { ratios.push_back(ratio); }
+  void status(const suture::Message& message) { statuses.push_back(message.text); }
+  void warning(const suture::Message& message) { hear(message, warnings); }
+  void error(const suture::Message& message) { hear(message, errors); }
+
+ private:
+  void hear(const suture::Message& message, std::vector<std::string>& texts) {
+    texts.push_back(message.text);
+    codes.push_back(static_cast<ArmWarning>(message.code));
+  }
+};
+
+/// Obeys whom the test says.
+struct CommandedArm final : ArmController<6> {
+  using ArmController::ArmController;
+  const suture::ConnectedClient* commander = nullptr;
+
+ private:
+  const suture::ConnectedClient* asking() const override { return commander; }
+};
+
+class CrtkArmTest : public testing::Test {
+ protected:
+  CrtkArmTest() {
+    cycles(1);
+    crtk_.enable();
+    crtk_.home();
+    while (!crtk_.operating_state().is_homed) cycles(1);
+    cycles(200);
+    heard_ = {};
+  }
+
+  void cycles(int count) {
+    for (int i = 0; i < count; ++i) {
+      time_ += 1ms;
+      crtk_.advance(time_);
+      joints_.step(arm_, time_);
+      crtk_.publish(time_);
+      crtk_.announce(heard_);
+    }
+  }
+  double setpoint(std::size_t joint) const { return crtk_.setpoint_js().position[joint]; }
+  std::vector<double> positions() const {
+    const auto& all = crtk_.setpoint_js().position;
+    return {all.begin(), all.end()};
+  }
+  static JointGoal joints(double value) { return {std::vector<double>(6, value), {}}; }
+  static PoseStamped step(const Eigen::Vector3d& translation) {
+    PoseStamped pose;
+    pose.pose.translation() = translation;
+    pose.valid = true;
+    return pose;
+  }
+  static TransformStamped baseAt(const Eigen::Vector3d& translation) {
+    TransformStamped base;
+    base.transform.translation() = translation;
+    base.valid = true;
+    return base;
+  }
+  void expectMoved(const PoseStamped& from, const Eigen::Vector3d& by) {
+    const Eigen::Vector3d moved = crtk_.setpoint_cp().pose.translation() - from.pose.translation();
+    EXPECT_LT((moved - by).norm(), 1e-6) << moved.transpose();
+  }
+
+  CommandedArm arm_{psmModel()};
+  TrailingJoints<6> joints_{psmModel(), psmParked()};
+  CrtkArm<6> crtk_{arm_};
+  suture::Time time_ = suture::now();
+  HeardOfArm heard_;
+};
+
+}  // namespace robots::test
