@@ -65,6 +65,8 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   const GuidanceProgress& progress() const override { return progress_; }
 
   void run() override;
+  /// Whoever connects hears the first state too.
+  void onStart() override { guidance_.emit().guidance_state(state_); }
 
  private:
   /// One master, the slave that it drives, and how.

@@ -44,6 +44,8 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   FollowAnchors anchors() const override { return anchors_; }
 
   void run() override;
+  /// Whoever connects hears the first state too.
+  void onStart() override { teleoperation_.emit().teleop_state(state_); }
 
  private:
   void announce(const PoseStamped& master, const PoseStamped& slaveSetpoint);

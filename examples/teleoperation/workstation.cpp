@@ -7,6 +7,7 @@
 #include "arm_control/mtm.suture.h"
 #include "arm_control/psm.suture.h"
 #include "assistant/assistant.suture.h"
+#include "console/system_console.suture.h"
 #include "coordinator/coordinator.suture.h"
 #include "drives/mtm_drives.suture.h"
 #include "drives/psm_drives.suture.h"
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
       suture::componentClass<robots::Mtm>(),
       suture::componentClass<robots::Psm>(),
       suture::componentClass<robots::Assistant>(),
+      suture::componentClass<robots::SystemConsole>(),
       suture::componentClass<robots::Coordinator>(),
       suture::componentClass<robots::MtmDrives>(),
       suture::componentClass<robots::PsmDrives>(),

@@ -170,8 +170,8 @@ class Workstation(unittest.TestCase):
         process = self.workstation(TOPOLOGIES / "single.json", "--seconds", "0.5")
         report = self.await_message(process, "report")
         self.assertEqual(report["process"], "console")
-        self.assertEqual(len(report["connections"]), 25)
-        self.assertEqual(len(report["tasks"]), 18)
+        self.assertEqual(len(report["connections"]), 32)
+        self.assertEqual(len(report["tasks"]), 19)
         self.assertEqual(process.wait(timeout=60), 0)
 
     def test_what_arms_say_is_told_if_asked_for(self):

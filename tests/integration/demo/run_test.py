@@ -16,7 +16,7 @@ from programs import Demo
 
 LOOSE = 10  # times the demo's own bounds
 PROCESSES = {"single": 1, "fig3a": 2, "fig3b": 3, "fig3c": 2}
-CONNECTIONS = {"single": 25, "fig3a": 25, "fig3b": 33, "fig3c": 25}
+CONNECTIONS = {"single": 32, "fig3a": 32, "fig3b": 39, "fig3c": 32}
 # A run's length counts from when all is connected. In fig3b guiding begins only after four arms have homed, which takes
 # seconds of a busy machine's time, and the knot cannot be judged unless it was guided.
 SECONDS = {"single": 4, "fig3a": 4, "fig3b": 10, "fig3c": 4}

@@ -1,0 +1,39 @@
+#pragma once
+// The contract of a console: what brings a system up and down, in order.
+
+#include <suture/annotate.h>
+#include <suture/standard/messages.h>
+
+#include <cstdint>
+
+namespace robots {
+
+enum class SUTURE_TYPE() ConsoleState : std::uint8_t {
+  Down,        ///< until bring_up()
+  Enabling,    ///< the arms get power, one after the other
+  Homing,      ///< they move to their home positions
+  Up,          ///< the arms are ready, and what moves them is enabled
+  Incomplete,  ///< it was up, and a part is missing or not ready; up again when all are
+  Leaving,     ///< bring_down() is under way, or a bring-up that failed is taken back
+};
+
+/// Commands run in the console's own thread before its next cycle. Status, warning and error are
+/// the standard messages: what is missing, and which part did not do what it was asked.
+class SUTURE_INTERFACE() Console : public suture::Messages {
+ public:
+  virtual ~Console() = default;
+
+  /// Refused, with an error that names each reason, unless the console is down, every part of the
+  /// system is there, and the emergency stop is released.
+  SUTURE_COMMAND() virtual void bring_up() = 0;
+  /// Disables everything in the opposite order. Also while it is being brought up.
+  SUTURE_COMMAND() virtual void bring_down() = 0;
+
+  SUTURE_COMMAND() virtual ConsoleState console_state() const = 0;
+
+  /// Each change, and the last one to whoever connects.
+  SUTURE_EVENT(latched(), name("console_state"))
+  suture::EventOf<ConsoleState> console_state_event;
+};
+
+}  // namespace robots

@@ -1,0 +1,89 @@
+#pragma once
+// The parts of a system as its console sees them. Each is a member of the component that owns its
+// required interface, declared after it, and belongs to the same thread.
+
+#include <suture/component/required.h>
+
+#include <functional>
+#include <string>
+
+#include "arm/arm.suture.h"
+#include "guidance/guidance.suture.h"
+#include "teleop/teleoperation.suture.h"
+
+namespace robots {
+
+/// An arm: it gets power, homes, and is disabled.
+class ArmPart {
+ public:
+  explicit ArmPart(suture::Required<Arm>& arm) : arm_(arm) {
+    arm_.on().operating_state([this](const OperatingState& state) {
+      state_ = state.state;
+      homed_ = state.is_homed;
+      busy_ = state.is_busy;
+    });
+  }
+  ArmPart(const ArmPart&) = delete;
+  ArmPart& operator=(const ArmPart&) = delete;
+
+  const std::string& name() const { return arm_.name(); }
+  /// It has told its state over a connection that stands, and may have power.
+  bool isThere() const { return arm_.connected() && state_ != ArmState::Undefined; }
+  bool isEnabled() const { return isThere() && state_ == ArmState::Enabled; }
+  bool isReady() const { return isEnabled() && homed_ && !busy_; }
+  bool isDown() const { return !isThere() || state_ == ArmState::Disabled; }
+
+  void enable() { (void)arm_.enable(); }
+  void home() {
+    if (!homed_ && !busy_) (void)arm_.home();
+  }
+  void disable() { (void)arm_.disable(); }
+
+ private:
+  suture::Required<Arm>& arm_;
+  ArmState state_ = ArmState::Undefined;
+  bool homed_ = false;
+  bool busy_ = false;
+};
+
+/// What moves arms: a teleoperation or a guide.
+class MoverPart {
+ public:
+  explicit MoverPart(suture::Required<Teleoperation>& teleoperation)
+      : interface_(teleoperation),
+        enable_([&teleoperation] { (void)teleoperation.enable(); }),
+        disable_([&teleoperation] { (void)teleoperation.disable(); }) {
+    teleoperation.on().teleop_state(
+        [this](const TeleopState& state) { hear(state == TeleopState::Disabled); });
+  }
+  explicit MoverPart(suture::Required<Guidance>& guidance)
+      : interface_(guidance),
+        enable_([&guidance] { (void)guidance.enable(); }),
+        disable_([&guidance] { (void)guidance.disable(); }) {
+    guidance.on().guidance_state(
+        [this](const GuidanceState& state) { hear(state == GuidanceState::Disabled); });
+  }
+  MoverPart(const MoverPart&) = delete;
+  MoverPart& operator=(const MoverPart&) = delete;
+
+  const std::string& name() const { return interface_.name(); }
+  bool isThere() const { return interface_.connected() && heard_; }
+  bool isReady() const { return isThere() && !disabled_; }
+  bool isDown() const { return !isReady(); }
+
+  void enable() { enable_(); }
+  void disable() { disable_(); }
+
+ private:
+  void hear(bool disabled) {
+    heard_ = true;
+    disabled_ = disabled;
+  }
+
+  suture::RequiredBase& interface_;
+  const std::function<void()> enable_, disable_;
+  bool heard_ = false;
+  bool disabled_ = true;
+};
+
+}  // namespace robots

@@ -1,0 +1,85 @@
+#pragma once
+// The component that brings a telesurgical system up and down.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+#include <suture/standard/message_sender.h>
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "console/console.suture.h"
+#include "console/parts.h"
+#include "coordinator/emergency_stop.suture.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() SystemConsoleParameters {
+  suture::Duration period = std::chrono::milliseconds(10);
+  /// The parts that the system has, in the order in which they are brought up: names of required
+  /// interfaces of this console. All arms come before what moves them.
+  SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> system;
+  /// How long it may take until all arms are enabled, and then until all are homed.
+  suture::Duration patience = std::chrono::seconds(10);
+  /// Brings the system up once, without being asked, when everything is there.
+  bool bring_up_by_itself = false;
+};
+
+/// Its four arms, two teleoperations and guide are there if they are named in `system`.
+class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, public Console {
+ public:
+  /// Throws suture::SetupError for a part that this console does not know, that is named twice, or
+  /// for an arm behind what moves it.
+  explicit SystemConsole(const SystemConsoleParameters& parameters);
+
+  void bring_up() override;
+  void bring_down() override;
+  ConsoleState console_state() const override { return state_; }
+
+  void run() override;
+
+ private:
+  void choose(const std::string& name);
+  /// What keeps it from being brought up, for people; empty: nothing. Valid until the next call.
+  std::string_view missing();
+  void nameMissing(std::string_view name, std::string_view what);
+  void enableNext();
+  void awaitHome();
+  void watch();
+  void leaveNext();
+  void enter(ConsoleState state);
+  /// Takes a bring-up back if `part` has been given enough time to be `what`.
+  void judge(const std::string& part, std::string_view what);
+  /// True once in a while: a command may be lost.
+  bool mayAsk();
+
+  const SystemConsoleParameters parameters_;
+  suture::Required<EmergencyStop> stop_{*this, "Stop"};
+  SUTURE_REQUIRED(optional()) suture::Required<Arm> mtml_{*this, "MTML"};
+  SUTURE_REQUIRED(optional()) suture::Required<Arm> mtmr_{*this, "MTMR"};
+  SUTURE_REQUIRED(optional()) suture::Required<Arm> psm1_{*this, "PSM1"};
+  SUTURE_REQUIRED(optional()) suture::Required<Arm> psm2_{*this, "PSM2"};
+  SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> teleopL_{*this, "TeleopL"};
+  SUTURE_REQUIRED(optional()) suture::Required<Teleoperation> teleopR_{*this, "TeleopR"};
+  SUTURE_REQUIRED(optional()) suture::Required<Guidance> guide_{*this, "Guide"};
+  ArmPart mtmlPart_{mtml_}, mtmrPart_{mtmr_}, psm1Part_{psm1_}, psm2Part_{psm2_};
+  MoverPart teleopLPart_{teleopL_}, teleopRPart_{teleopR_}, guidePart_{guide_};
+
+  std::vector<ArmPart*> arms_;      // of the system, in order
+  std::vector<MoverPart*> movers_;  // of the system, in order
+  bool released_ = false;           // the stop
+  bool byItself_;
+  ConsoleState state_ = ConsoleState::Down;
+  suture::Time deadline_;  // for what is asked now
+  suture::Time asked_;     // when that was asked last
+  std::string text_;       // keeps its memory
+  suture::Provided<Console> console_{*this, "Console", *this};
+  suture::MessageSender<Console> messages_{console_};
+};
+
+}  // namespace robots

@@ -1,0 +1,469 @@
+// Written by suturec from console/console.h. Do not edit.
+#include "console/console.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "console/console.capnp.h"
+
+// Defined in suture/standard/messages.suture.cpp.
+namespace suture {
+void toWire(const MessageSlot& slot, wire::Message::Builder out);
+suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
+bool isValid(const MessageSlot& slot, suture::FieldPath* path);
+}  // namespace suture
+
+namespace robots {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Errc;
+using suture::EventInfo;
+using suture::FieldPath;
+using suture::checkSlot;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::fromWire;
+using suture::rpc::numberOf;
+using suture::rpc::toWire;
+using suture::slotIn;
+using suture::slotSize;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<ConsoleState>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(ConsoleState::Down) == 0);
+static_assert(static_cast<std::uint8_t>(ConsoleState::Enabling) == 1);
+static_assert(static_cast<std::uint8_t>(ConsoleState::Homing) == 2);
+static_assert(static_cast<std::uint8_t>(ConsoleState::Up) == 3);
+static_assert(static_cast<std::uint8_t>(ConsoleState::Incomplete) == 4);
+static_assert(static_cast<std::uint8_t>(ConsoleState::Leaving) == 5);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::ConsoleState wireConsoleState(std::uint8_t slot) {
+  switch (static_cast<ConsoleState>(slot)) {
+    case ConsoleState::Down: return wire::ConsoleState::DOWN;
+    case ConsoleState::Enabling: return wire::ConsoleState::ENABLING;
+    case ConsoleState::Homing: return wire::ConsoleState::HOMING;
+    case ConsoleState::Up: return wire::ConsoleState::UP;
+    case ConsoleState::Incomplete: return wire::ConsoleState::INCOMPLETE;
+    case ConsoleState::Leaving: return wire::ConsoleState::LEAVING;
+  }
+  return wire::ConsoleState{};
+}
+
+bool isKnownConsoleState(std::uint8_t slot) {
+  switch (static_cast<ConsoleState>(slot)) {
+    case ConsoleState::Down:
+    case ConsoleState::Enabling:
+    case ConsoleState::Homing:
+    case ConsoleState::Up:
+    case ConsoleState::Incomplete:
+    case ConsoleState::Leaving:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::ConsoleState in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::ConsoleState::DOWN: return slot =
+        static_cast<std::uint8_t>(ConsoleState::Down), Errc{};
+    case wire::ConsoleState::ENABLING: return slot =
+        static_cast<std::uint8_t>(ConsoleState::Enabling), Errc{};
+    case wire::ConsoleState::HOMING: return slot =
+        static_cast<std::uint8_t>(ConsoleState::Homing), Errc{};
+    case wire::ConsoleState::UP: return slot = static_cast<std::uint8_t>(ConsoleState::Up), Errc{};
+    case wire::ConsoleState::INCOMPLETE: return slot =
+        static_cast<std::uint8_t>(ConsoleState::Incomplete), Errc{};
+    case wire::ConsoleState::LEAVING: return slot =
+        static_cast<std::uint8_t>(ConsoleState::Leaving), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+namespace {
+
+bool acceptsConsoleConsoleStateResult(const std::uint8_t& slot, FieldPath*) {
+  return isKnownConsoleState(slot);
+}
+
+bool acceptsConsoleConsoleStateEvent(const std::uint8_t& slot, FieldPath*) {
+  return isKnownConsoleState(slot);
+}
+
+// --- Console over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class ConsoleSink final : public suture::rpc::EventSink {
+ public:
+  explicit ConsoleSink(wire::ConsoleEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(suture::MessagesEvent::status): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.statusRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(suture::MessagesEvent::warning): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.warningRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(suture::MessagesEvent::error): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.errorRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(ConsoleEvent::console_state): {
+        const auto& slot = slotIn<std::uint8_t>(payload);
+        auto request = subscriber_.consoleStateRequest();
+        request.setValue(wireConsoleState(slot));
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
+    if (row.hasValue(0)) {
+      const auto& slot = slotIn<std::uint8_t>(columns[0]);
+      out.setConsoleState(wireConsoleState(slot));
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::ConsoleEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class ConsoleServant final : public wire::Console::Server {
+ public:
+  explicit ConsoleServant(kj::Own<ServantPort> port)
+      : base_(suture::interfaceInfo<suture::Messages>().binding().makeServant(kj::addRef(*port))),
+        port_(kj::mv(port)) {}
+
+  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
+                                  suture::rpc::AnyCall call) override {
+    if (contract != capnp::typeId<wire::Console>()) {
+      return base_->dispatchCall(contract, method, call);
+    }
+    return wire::Console::Server::dispatchCall(contract, method, call);
+  }
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<ConsoleSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> bringUp(BringUpContext context) override {
+    auto in = context.getParams();
+    return port_->command(numberOf(ConsoleCommand::bring_up), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> bringDown(BringDownContext context) override {
+    auto in = context.getParams();
+    return port_->command(numberOf(ConsoleCommand::bring_down), in.getSent(),
+                          [](std::byte*) { return Errc{}; });
+  }
+
+  kj::Promise<void> consoleState(ConsoleStateContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<std::uint8_t>(result);
+      auto out = context.getResults();
+      out.setValue(wireConsoleState(slot));
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(ConsoleCommand::console_state), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+ private:
+  kj::Own<capnp::Capability::Server> base_;
+  kj::Own<ServantPort> port_;
+};
+
+// --- Console over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class ConsoleReceiver final : public wire::ConsoleEvents::Server {
+ public:
+  explicit ConsoleReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
+      auto& slot = port_->column<std::uint8_t>(0);
+      const Errc error = fromWire(in.getConsoleState(), slot);
+      columns.enter(0, error);
+    }
+    port_->publish(in.getStamp(), columns);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> status(StatusContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::status),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> warning(WarningContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::warning),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> error(ErrorContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::error),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> consoleState(ConsoleStateContext context) override {
+    auto in = context.getParams();
+    return port_->event<std::uint8_t>(numberOf(ConsoleEvent::console_state),
+                                      [&](std::uint8_t& slot) {
+      return fromWire(in.getValue(), slot);
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class ConsoleProxy final : public suture::rpc::Proxy {
+ public:
+  ConsoleProxy(wire::Console::Client provider, ProxyPort& port)
+      : base_(suture::interfaceInfo<suture::Messages>().binding().makeProxy(provider, port)),
+        provider_(kj::mv(provider)),
+        port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<ConsoleReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<ConsoleCommand>(record.command)) {
+      case ConsoleCommand::bring_up: {
+        auto request = provider_.bringUpRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ConsoleCommand::bring_down: {
+        auto request = provider_.bringDownRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case ConsoleCommand::console_state: {
+        auto request = provider_.consoleStateRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
+            return fromWire(response.getValue(), answer);
+          });
+        });
+      }
+    }
+    return base_->send(record);
+  }
+
+ private:
+  kj::Own<suture::rpc::Proxy> base_;
+  wire::Console::Client provider_;
+  ProxyPort& port_;
+};
+
+class ConsoleBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<ConsoleServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<ConsoleProxy>(contract.castAs<wire::Console>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<ConsoleSink>(subscriber.castAs<wire::ConsoleEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Console>();
+  }
+};
+
+const suture::rpc::Binding& consoleBinding() {
+  static const ConsoleBinding kBinding;
+  return kBinding;
+}
+
+constexpr CommandInfo kConsoleCommands[] = {
+    {.name = "bring_up", .kind = CommandKind::Void, .depth = 16},
+    {.name = "bring_down", .kind = CommandKind::Void, .depth = 16},
+    {.name = "console_state",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<std::uint8_t, acceptsConsoleConsoleStateResult>},
+};
+
+constexpr EventInfo kConsoleEvents[] = {
+    {.name = "console_state",
+     .payloadSize = slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<std::uint8_t, acceptsConsoleConsoleStateEvent>},
+};
+
+// The self-description, as in console/console.suture.json.
+constexpr char kConsoleDescription[] = R"json(
+{"name": "robots::Console",
+"doc": "Commands run in the console's own thread before its next cycle. Status, warning and error are\nthe standard messages: what is missing, and which part did not do what it was asked.",
+"hash": "e8c9ebb5a6ee5b3cd4a3b643a8c04ec9", "base": "suture::Messages", "commands": [{
+"name": "bring_up", "kind": "void", "ordinal": 1, "wire": "bringUp",
+"doc": "Refused, with an error that names each reason, unless the console is down, every part of the\nsystem is there, and the emergency stop is released.",
+"queue": 16}, {"name": "bring_down", "kind": "void", "ordinal": 2, "wire": "bringDown",
+"doc": "Disables everything in the opposite order. Also while it is being brought up.", "queue": 16
+}, {"name": "console_state", "kind": "read", "ordinal": 3, "wire": "consoleState", "result": {
+"type": {"kind": "enum", "name": "robots::ConsoleState"}}, "queue": 16}], "events": [{
+"name": "status", "kind": "write", "ordinal": 1, "doc": "All is well; something has been done.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "warning", "kind": "write", "ordinal": 2,
+"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
+"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
+"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
+"name": "console_state", "kind": "write", "ordinal": 4, "wire": "consoleState",
+"doc": "Each change, and the last one to whoever connects.", "payload": {"type": {"kind": "enum",
+"name": "robots::ConsoleState"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "robots::ConsoleState", "underlying": "UInt8", "enumerators": [{"name": "Down", "value": 0,
+"wire": "down", "doc": "until bring_up()"}, {"name": "Enabling", "value": 1, "wire": "enabling",
+"doc": "the arms get power, one after the other"}, {"name": "Homing", "value": 2, "wire": "homing",
+"doc": "they move to their home positions"}, {"name": "Up", "value": 3, "wire": "up",
+"doc": "the arms are ready, and what moves them is enabled"}, {"name": "Incomplete", "value": 4,
+"wire": "incomplete", "doc": "it was up, and a part is missing or not ready; up again when all are"
+}, {"name": "Leaving", "value": 5, "wire": "leaving",
+"doc": "bring_down() is under way, or a bring-up that failed is taken back"}]}], "structs": [{
+"name": "suture::Message", "fields": [{"name": "text",
+"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}], "wire": [{"id": "@0xdf92213fbec2997e", "kind": "interface",
+"name": "Console", "cxx": "robots::Console", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0x84a81ff77b719ad6"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "bringUp", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "bringDown", "is": "kind \"void\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
+"name": "consoleState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe5858b1b3b511bbf"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xb16d80f0d2b50980", "kind": "interface",
+"name": "Messages", "cxx": "suture::Messages", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xa02813b154cdd1d8"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
+"id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
+"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
+}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
+}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
+"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
+"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0x84a81ff77b719ad6", "kind": "interface",
+"name": "ConsoleEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xc2af8ce57e1b558c"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
+"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
+{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 4, "name": "consoleState",
+"parameters": [{"at": 0, "name": "value", "is": "@0xe5858b1b3b511bbf"}]}]}, {
+"id": "@0xc2af8ce57e1b558c", "kind": "struct", "name": "ConsoleStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "consoleState", "is": "@0xe5858b1b3b511bbf"}
+]}, {"id": "@0xe5858b1b3b511bbf", "kind": "enum", "name": "ConsoleState", "members": [{"at": 0,
+"name": "down"}, {"at": 1, "name": "enabling"}, {"at": 2, "name": "homing"}, {"at": 3, "name": "up"
+}, {"at": 4, "name": "incomplete"}, {"at": 5, "name": "leaving"}]}]})json";
+
+}  // namespace
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Console>() {
+  static const auto kEvents = extended<4>(interfaceInfo<suture::Messages>().events,
+                                          robots::kConsoleEvents);
+  static const InterfaceInfo kInfo{
+      .name = "robots::Console",
+      .hash = "e8c9ebb5a6ee5b3cd4a3b643a8c04ec9",
+      .description = robots::kConsoleDescription,
+      .commands = robots::kConsoleCommands,
+      .events = kEvents,
+      .binding = &robots::consoleBinding,
+      .base = &interfaceInfo<suture::Messages>,
+      .toBase = &castToBase<robots::Console, suture::Messages>,
+  };
+  return kInfo;
+}
+
+Errc Provided<robots::Console>::execute(std::uint16_t command, const std::byte* arguments,
+                                        std::byte* result) {
+  using ::robots::ConsoleCommand;
+  switch (static_cast<ConsoleCommand>(command)) {
+    case ConsoleCommand::bring_up: {
+      implementation_.bring_up();
+      return Errc{};
+    }
+    case ConsoleCommand::bring_down: {
+      implementation_.bring_down();
+      return Errc{};
+    }
+    case ConsoleCommand::console_state: {
+      auto& slot = newSlot<std::uint8_t>(result);
+      return store(implementation_.console_state(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Provided<suture::Messages>::execute(command, arguments, result);
+}
+
+}  // namespace suture

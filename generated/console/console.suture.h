@@ -1,0 +1,109 @@
+// Written by suturec from console/console.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "console/console.h"
+#include "suture/standard/messages.suture.h"
+
+namespace robots {
+
+/// The numbers of Console's commands in every table and record.
+enum class ConsoleCommand : std::uint16_t {
+  bring_up,
+  bring_down,
+  console_state,
+};
+
+/// The numbers of Console's own events.
+enum class ConsoleEvent : std::uint16_t {
+  console_state = 3,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Console>();
+
+/// What a client of robots::Console calls.
+template <>
+class Required<robots::Console> : public Required<suture::Messages> {
+  using Contract = robots::Console;
+  using Id = robots::ConsoleCommand;
+  using EventId = robots::ConsoleEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Refused, with an error that names each reason, unless the console is down, every part of the
+  /// system is there, and the emergency stop is released.
+  Command<&Contract::bring_up, NoSlot> bring_up{*this, static_cast<std::uint16_t>(Id::bring_up)};
+  /// Disables everything in the opposite order. Also while it is being brought up.
+  Command<&Contract::bring_down, NoSlot> bring_down{
+      *this, static_cast<std::uint16_t>(Id::bring_down)};
+  ReadCommand<&Contract::console_state, std::uint8_t> console_state{
+      *this, static_cast<std::uint16_t>(Id::console_state)};
+
+  /// The events of robots::Console, to subscribe to.
+  struct Events : Required<suture::Messages>::Events {
+    explicit Events(RequiredBase& required)
+        : Required<suture::Messages>::Events(required),
+          console_state{required, static_cast<std::uint16_t>(EventId::console_state)} {}
+
+    /// Each change, and the last one to whoever connects.
+    Subscription<std::uint8_t, robots::ConsoleState> console_state;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : Required<suture::Messages>(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::Console from a component.
+template <>
+class Provided<robots::Console> : public Provided<suture::Messages> {
+  using Contract = robots::Console;
+  using EventId = robots::ConsoleEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of robots::Console, to emit.
+  struct Events : Provided<suture::Messages>::Events {
+    explicit Events(ProvidedBase& provided)
+        : Provided<suture::Messages>::Events(provided),
+          console_state{provided, static_cast<std::uint16_t>(EventId::console_state)} {}
+
+    /// Each change, and the last one to whoever connects.
+    Emitter<std::uint8_t, robots::ConsoleState> console_state;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : Provided<suture::Messages>(owner, name, info, whole, implementation),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+  Events events_{*this};
+};
+
+}  // namespace suture
