@@ -1,0 +1,32 @@
+#pragma once
+// The data type of this example: a plain struct. Nobody writes how it goes over a wire.
+
+#include <suture/annotate.h>
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tracking {
+
+enum class SUTURE_TYPE() Visibility : std::uint8_t { Hidden, Partial, Full };
+
+struct SUTURE_TYPE() Marker {
+  std::uint32_t number = 0;
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+/// What a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
+struct SUTURE_TYPE() Observation {
+  SUTURE_FIELD(capacity(31)) std::string instrument;
+  Visibility visibility = Visibility::Hidden;
+  /// The pose of its tip.
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();
+  /// The markers that are seen.
+  SUTURE_FIELD(capacity(8)) std::vector<Marker> markers;
+  /// How far its jaws are open.
+  SUTURE_FIELD(unit("rad"), range(0, 1.6)) double jaw_angle = 0;
+};
+
+}  // namespace tracking

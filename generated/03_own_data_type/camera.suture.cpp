@@ -1,0 +1,121 @@
+// Written by suturec from 03_own_data_type/camera.h. Do not edit.
+#include "03_own_data_type/camera.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "03_own_data_type/camera.capnp.h"
+
+// Defined in 03_own_data_type/observation.suture.cpp.
+namespace tracking {
+void toWire(const ObservationSlot& slot, wire::Observation::Builder out);
+suture::Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, suture::Duration shift);
+bool isValid(const ObservationSlot& slot, suture::FieldPath* path);
+}  // namespace tracking
+
+namespace tracking {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(CameraParameters::first), Observation>);
+static_assert(std::is_same_v<decltype(CameraParameters::turn_rate), double>);
+
+}  // namespace
+
+bool store(const CameraParameters& value, CameraParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.first, slot.first);
+  fits &= store(value.turn_rate, slot.turn_rate);
+  return fits;
+}
+
+void load(const CameraParametersSlot& slot, CameraParameters& value) {
+  load(slot.first, value.first);
+  load(slot.turn_rate, value.turn_rate);
+}
+
+void reserve(const CameraParametersSlot*, CameraParameters& value) {
+  suture::reserveFor<decltype(CameraParametersSlot::first)>(value.first);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const CameraParametersSlot& slot, wire::CameraParameters::Builder out) {
+  toWire(slot.first, out.initFirst());
+  out.setTurnRate(slot.turn_rate);
+}
+
+Errc fromWire(wire::CameraParameters::Reader in, CameraParametersSlot& slot, Duration shift) {
+  slot.turn_rate = in.getTurnRate();
+  return fromWire(in.getFirst(), slot.first, shift);
+}
+
+bool isValid(const CameraParametersSlot& slot, FieldPath* path) {
+  if (!isValid(slot.first, path)) return refusedAt(path, "first");
+  return inRange(slot.turn_rate, -10, 10) || refusedAt(path, "turn_rate");
+}
+
+}  // namespace tracking
+
+namespace tracking {
+
+inline void fromJson(const suture::JsonReader& in, Visibility& value) {
+  static constexpr Visibility kValues[] = {Visibility::Hidden, Visibility::Partial,
+                                           Visibility::Full};
+  const int index = suture::enumeratorFromJson(in, {"Hidden", "Partial", "Full"});
+  if (index >= 0) value = kValues[index];
+}
+
+inline void fromJson(const suture::JsonReader& in, Marker& value) {
+  suture::JsonReader reader = in;
+  reader.field("number", value.number);
+  reader.field("position", value.position);
+  reader.finish();
+}
+
+inline void fromJson(const suture::JsonReader& in, Observation& value) {
+  suture::JsonReader reader = in;
+  reader.field("instrument", value.instrument);
+  reader.field("visibility", value.visibility);
+  reader.field("tip", value.tip);
+  reader.field("markers", value.markers);
+  reader.field("jaw_angle", value.jaw_angle, 0, 1.6);
+  reader.finish();
+}
+
+void fromJson(const suture::JsonReader& in, CameraParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("first", value.first);
+  reader.field("turn_rate", value.turn_rate, -10, 10);
+  reader.finish();
+}
+
+}  // namespace tracking
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<tracking::Camera>() {
+  return {"Camera", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            tracking::CameraParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new tracking::Camera(values));
+          }};
+}
+
+}  // namespace suture

@@ -1,0 +1,37 @@
+// Written by suturec from 03_own_data_type/camera.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "03_own_data_type/camera.h"
+#include "03_own_data_type/observation.suture.h"
+#include "03_own_data_type/tracker.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace tracking {
+
+/// The deployment file gives these as JSON, the whole observation among them.
+struct CameraParametersSlot {
+  ObservationSlot first;
+  double turn_rate;  // rad/s
+};
+
+bool store(const CameraParameters& value, CameraParametersSlot& slot);
+void load(const CameraParametersSlot& slot, CameraParameters& value);
+void reserve(const CameraParametersSlot*, CameraParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, CameraParameters& value);
+
+}  // namespace tracking
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<tracking::Camera>();
+
+}  // namespace suture

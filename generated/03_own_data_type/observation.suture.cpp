@@ -1,0 +1,161 @@
+// Written by suturec from 03_own_data_type/observation.h. Do not edit.
+#include "03_own_data_type/observation.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "03_own_data_type/observation.capnp.h"
+
+namespace tracking {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromDefault;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<Visibility>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(Visibility::Hidden) == 0);
+static_assert(static_cast<std::uint8_t>(Visibility::Partial) == 1);
+static_assert(static_cast<std::uint8_t>(Visibility::Full) == 2);
+static_assert(std::is_same_v<decltype(Marker::number), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Marker::position), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(Observation::instrument), std::string>);
+static_assert(std::is_same_v<decltype(Observation::visibility), Visibility>);
+static_assert(std::is_same_v<decltype(Observation::tip), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(Observation::markers), std::vector<tracking::Marker>>);
+static_assert(std::is_same_v<decltype(Observation::jaw_angle), double>);
+
+}  // namespace
+
+bool store(const Marker& value, MarkerSlot& slot) {
+  bool fits = true;
+  fits &= store(value.number, slot.number);
+  fits &= store(value.position, slot.position);
+  return fits;
+}
+
+void load(const MarkerSlot& slot, Marker& value) {
+  load(slot.number, value.number);
+  load(slot.position, value.position);
+}
+
+bool store(const Observation& value, ObservationSlot& slot) {
+  bool fits = true;
+  fits &= store(value.instrument, slot.instrument);
+  fits &= store(value.visibility, slot.visibility);
+  fits &= store(value.tip, slot.tip);
+  fits &= store(value.markers, slot.markers);
+  fits &= store(value.jaw_angle, slot.jaw_angle);
+  return fits;
+}
+
+void load(const ObservationSlot& slot, Observation& value) {
+  load(slot.instrument, value.instrument);
+  load(slot.visibility, value.visibility);
+  load(slot.tip, value.tip);
+  load(slot.markers, value.markers);
+  load(slot.jaw_angle, value.jaw_angle);
+}
+
+void reserve(const ObservationSlot*, Observation& value) {
+  suture::reserveFor<decltype(ObservationSlot::instrument)>(value.instrument);
+  suture::reserveFor<decltype(ObservationSlot::markers)>(value.markers);
+}
+
+// --- between slots and Cap'n Proto
+
+wire::Visibility wireVisibility(std::uint8_t slot) {
+  switch (static_cast<Visibility>(slot)) {
+    case Visibility::Hidden: return wire::Visibility::HIDDEN;
+    case Visibility::Partial: return wire::Visibility::PARTIAL;
+    case Visibility::Full: return wire::Visibility::FULL;
+  }
+  return wire::Visibility{};
+}
+
+bool isKnownVisibility(std::uint8_t slot) {
+  switch (static_cast<Visibility>(slot)) {
+    case Visibility::Hidden:
+    case Visibility::Partial:
+    case Visibility::Full:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::Visibility in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::Visibility::HIDDEN: return slot =
+        static_cast<std::uint8_t>(Visibility::Hidden), Errc{};
+    case wire::Visibility::PARTIAL: return slot =
+        static_cast<std::uint8_t>(Visibility::Partial), Errc{};
+    case wire::Visibility::FULL: return slot = static_cast<std::uint8_t>(Visibility::Full), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const MarkerSlot& slot, wire::Marker::Builder out) {
+  out.setNumber(slot.number);
+  toWire(slot.position, out.initPosition());
+}
+
+Errc fromWire(wire::Marker::Reader in, MarkerSlot& slot, Duration) {
+  slot.number = in.getNumber();
+  return in.hasPosition() ? fromWire(in.getPosition(), slot.position)
+      : fromDefault(Marker().position, slot.position);
+}
+
+bool isValid(const MarkerSlot& slot, FieldPath* path) {
+  return isValid(slot.position, path) || refusedAt(path, "position");
+}
+
+void toWire(const ObservationSlot& slot, wire::Observation::Builder out) {
+  toWire(slot.instrument, out.initInstrument(slot.instrument.size));
+  out.setVisibility(wireVisibility(slot.visibility));
+  toWire(slot.tip, out.initTip());
+  toWireList(slot.markers, out.initMarkers(slot.markers.size),
+             [](const MarkerSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  out.setJawAngle(slot.jaw_angle);
+}
+
+Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, Duration shift) {
+  slot.jaw_angle = in.getJawAngle();
+  return firstError({
+      fromWire(in.getInstrument(), slot.instrument),
+      fromWire(in.getVisibility(), slot.visibility),
+      in.hasTip() ? fromWire(in.getTip(), slot.tip) : fromDefault(Observation().tip, slot.tip),
+      fromWireList(in.getMarkers(), slot.markers, [&](auto item, MarkerSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+  });
+}
+
+bool isValid(const ObservationSlot& slot, FieldPath* path) {
+  if (!isKnownVisibility(slot.visibility)) return refusedAt(path, "visibility");
+  if (!isValid(slot.tip)) return refusedAt(path, "tip");
+  if (!allOf(slot.markers, path, [path](const MarkerSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "markers");
+  }
+  return inRange(slot.jaw_angle, 0, 1.6) || refusedAt(path, "jaw_angle");
+}
+
+}  // namespace tracking

@@ -1,0 +1,31 @@
+// Written by suturec from 03_own_data_type/observation.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+
+#include "03_own_data_type/observation.h"
+
+namespace tracking {
+
+struct MarkerSlot {
+  std::uint32_t number;
+  std::array<double, 3> position;  // Eigen::Vector3d, m
+};
+
+bool store(const Marker& value, MarkerSlot& slot);
+void load(const MarkerSlot& slot, Marker& value);
+
+/// What a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
+struct ObservationSlot {
+  suture::BoundedText<31> instrument;
+  std::uint8_t visibility;     // Visibility
+  std::array<double, 12> tip;  // Eigen::Isometry3d, m
+  suture::BoundedList<MarkerSlot, 8> markers;
+  double jaw_angle;  // rad
+};
+
+bool store(const Observation& value, ObservationSlot& slot);
+void load(const ObservationSlot& slot, Observation& value);
+void reserve(const ObservationSlot*, Observation& value);
+
+}  // namespace tracking

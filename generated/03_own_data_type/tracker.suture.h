@@ -1,0 +1,69 @@
+// Written by suturec from 03_own_data_type/tracker.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "03_own_data_type/tracker.h"
+#include "03_own_data_type/observation.suture.h"
+
+namespace tracking {
+
+/// The numbers of Tracker's commands in every table and record.
+enum class TrackerCommand : std::uint16_t {
+  observation,
+};
+
+}  // namespace tracking
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<tracking::Tracker>();
+
+/// What a client of tracking::Tracker calls.
+template <>
+class Required<tracking::Tracker> : public RequiredBase {
+  using Contract = tracking::Tracker;
+  using Id = tracking::TrackerCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// The newest observation; never waits for anyone.
+  ReadCommand<&Contract::observation, tracking::ObservationSlot> observation{
+      *this, static_cast<std::uint16_t>(Id::observation)};
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves tracking::Tracker from a component.
+template <>
+class Provided<tracking::Tracker> : public ProvidedBase {
+  using Contract = tracking::Tracker;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+};
+
+}  // namespace suture

@@ -1,0 +1,18 @@
+@0xcc3bc3f3a3efe5f6;
+# The wire contract of 03_own_data_type/camera.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+using Observation = import "/03_own_data_type/observation.capnp";
+$Cxx.namespace("tracking::wire");
+$Meta.header("03_own_data_type/camera.h");
+
+struct CameraParameters @0xae270534326f144a $Meta.cxx("tracking::CameraParameters") {
+  # The deployment file gives these as JSON, the whole observation among them.
+
+  first @0 :Observation.Observation;
+  # What the camera sees first.
+  turnRate @1 :Float64 = 0.5 $Meta.cxx("turn_rate") $Meta.range(lowest = -10, highest = 10)
+      $Meta.unit("rad/s");
+  # How fast the instrument turns about its own z axis.
+}
