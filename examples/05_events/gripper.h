@@ -1,0 +1,27 @@
+#pragma once
+// The contract: two commands, and two kinds of event.
+
+#include <suture/annotate.h>
+
+#include <cstdint>
+
+namespace gripping {
+
+enum class SUTURE_TYPE() Jaws : std::uint8_t { Open, Closing, Holding };
+
+class SUTURE_INTERFACE() Gripper {
+ public:
+  virtual ~Gripper() = default;
+
+  /// Begins to close the jaws.
+  SUTURE_COMMAND() virtual void grasp() = 0;
+  /// Opens the jaws. True if they held something.
+  SUTURE_COMMAND() virtual bool release() = 0;
+
+  /// A state: whoever subscribes late is told the last one at once.
+  SUTURE_EVENT(latched()) suture::EventOf<Jaws> jaws_changed;
+  /// Something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+  SUTURE_EVENT(queue(16)) SUTURE_FIELD(unit("N")) suture::EventOf<double> touched;
+};
+
+}  // namespace gripping

@@ -1,0 +1,109 @@
+// Written by suturec from 05_events/gripper.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "05_events/gripper.h"
+
+namespace gripping {
+
+/// The numbers of Gripper's commands in every table and record.
+enum class GripperCommand : std::uint16_t {
+  grasp,
+  release,
+};
+
+/// The numbers of Gripper's events.
+enum class GripperEvent : std::uint16_t {
+  jaws_changed,
+  touched,
+};
+
+}  // namespace gripping
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<gripping::Gripper>();
+
+/// What a client of gripping::Gripper calls.
+template <>
+class Required<gripping::Gripper> : public RequiredBase {
+  using Contract = gripping::Gripper;
+  using Id = gripping::GripperCommand;
+  using EventId = gripping::GripperEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Begins to close the jaws.
+  Command<&Contract::grasp, NoSlot> grasp{*this, static_cast<std::uint16_t>(Id::grasp)};
+  /// Opens the jaws. True if they held something.
+  ReturningCommand<&Contract::release, NoSlot, std::uint8_t> release{
+      *this, static_cast<std::uint16_t>(Id::release)};
+
+  /// The events of gripping::Gripper, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : jaws_changed{required, static_cast<std::uint16_t>(EventId::jaws_changed)},
+          touched{required, static_cast<std::uint16_t>(EventId::touched)} {}
+
+    /// A state: whoever subscribes late is told the last one at once.
+    Subscription<std::uint8_t, gripping::Jaws> jaws_changed;
+    /// Something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+    Subscription<double, double> touched;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves gripping::Gripper from a component.
+template <>
+class Provided<gripping::Gripper> : public ProvidedBase {
+  using Contract = gripping::Gripper;
+  using EventId = gripping::GripperEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of gripping::Gripper, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : jaws_changed{provided, static_cast<std::uint16_t>(EventId::jaws_changed)},
+          touched{provided, static_cast<std::uint16_t>(EventId::touched)} {}
+
+    /// A state: whoever subscribes late is told the last one at once.
+    Emitter<std::uint8_t, gripping::Jaws> jaws_changed;
+    /// Something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+    Emitter<double, double> touched;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+  Events events_{*this};
+};
+
+}  // namespace suture
