@@ -1,5 +1,7 @@
 #include "kinematics/chain.h"
 
+#include <cmath>
+
 namespace robots::kinematics {
 namespace {
 
@@ -16,8 +18,18 @@ Isometry3d alongZ(double d, double theta) {
   return Translation3d(0, 0, d) * AngleAxisd(theta, Vector3d::UnitZ());
 }
 
-Isometry3d motion(JointKind kind, double q) {
-  return kind == JointKind::Revolute ? alongZ(0, q) : alongZ(q, 0);
+// frame * motion(q), where the motion is about or along z of the frame. Only two columns of a
+// rotation change, and this is most of what forward kinematics costs.
+Isometry3d moved(Isometry3d frame, JointKind kind, double q) {
+  if (kind == JointKind::Prismatic) {
+    frame.translation() += q * frame.linear().col(2);
+    return frame;
+  }
+  const double sine = std::sin(q), cosine = std::cos(q);
+  const Vector3d x = frame.linear().col(0), y = frame.linear().col(1);
+  frame.linear().col(0) = cosine * x + sine * y;
+  frame.linear().col(1) = cosine * y - sine * x;
+  return frame;
 }
 
 // The part along z that does not depend on the joint.
@@ -34,40 +46,51 @@ Chain<N>::Chain(Convention convention, const std::array<Link, std::size_t{N}>& l
     const Link& link = links[i];
     const Isometry3d x = alongX(link.a, link.alpha);
     const Isometry3d z = constantZ(link);
+    const Isometry3d none = Isometry3d::Identity();
     if (convention == Convention::Standard) {
-      segments_[i] = {Isometry3d::Identity(), z * x, link.kind};
+      segments_[i] = {none, z * x, none, link.kind};
     } else {
-      segments_[i] = {x, z, link.kind};
+      segments_[i] = {x, z, none, link.kind};
     }
     lower_[static_cast<Eigen::Index>(i)] = link.lower;
     upper_[static_cast<Eigen::Index>(i)] = link.upper;
   }
   segments_.back().after = segments_.back().after * tip;
+  segments_.back().toNext = segments_.back().after;
+  for (std::size_t i = 0; i + 1 < links.size(); ++i) {
+    segments_[i].toNext = segments_[i].after * segments_[i + 1].before;
+  }
+}
+
+template <int N>
+Isometry3d Chain<N>::beyond(const Isometry3d& joint, const Joints& q, int i) const {
+  const Segment& segment = segments_[static_cast<std::size_t>(i)];
+  return moved(joint, segment.kind, q[i]) * segment.toNext;
 }
 
 template <int N>
 Isometry3d Chain<N>::forward(const Joints& q) const {
-  return link(q, N);
-}
-
-template <int N>
-Isometry3d Chain<N>::link(const Joints& q, int joints) const {
-  Isometry3d tip = Isometry3d::Identity();
-  for (int i = 0; i < joints; ++i) {
-    const Segment& segment = segments_[static_cast<std::size_t>(i)];
-    tip = tip * segment.before * motion(segment.kind, q[i]) * segment.after;
-  }
+  Isometry3d tip = segments_.front().before;
+  for (int i = 0; i < N; ++i) tip = beyond(tip, q, i);
   return tip;
 }
 
 template <int N>
-typename Chain<N>::Jacobian Chain<N>::jacobian(const Joints& q) const {
+Isometry3d Chain<N>::link(const Joints& q, int joints) const {
+  if (joints == 0) return Isometry3d::Identity();
+  Isometry3d frame = segments_.front().before;
+  for (int i = 0; i + 1 < joints; ++i) frame = beyond(frame, q, i);
+  const Segment& last = segments_[static_cast<std::size_t>(joints - 1)];
+  return moved(frame, last.kind, q[joints - 1]) * last.after;
+}
+
+template <int N>
+typename Chain<N>::Posture Chain<N>::posture(const Joints& q) const {
   std::array<Isometry3d, std::size_t{N}> joints;
-  Isometry3d tip = Isometry3d::Identity();
+  Isometry3d tip = segments_.front().before;
   for (int i = 0; i < N; ++i) {
-    const Segment& segment = segments_[static_cast<std::size_t>(i)];
-    joints[static_cast<std::size_t>(i)] = tip * segment.before;
-    tip = joints[static_cast<std::size_t>(i)] * motion(segment.kind, q[i]) * segment.after;
+    joints[static_cast<std::size_t>(i)] = tip;
+    tip = beyond(tip, q, i);
   }
   Jacobian jacobian;
   for (int i = 0; i < N; ++i) {
@@ -79,7 +102,7 @@ typename Chain<N>::Jacobian Chain<N>::jacobian(const Joints& q) const {
       jacobian.col(i) << axis, Vector3d::Zero();
     }
   }
-  return jacobian;
+  return {tip, jacobian};
 }
 
 template class Chain<6>;

@@ -48,7 +48,14 @@ class Chain {
 
   /// Geometric Jacobian (6 x N) of the tool tip in the base frame: rows 0..2 linear velocity of the
   /// tip point (m/s), rows 3..5 angular velocity (rad/s), per unit of joint velocity.
-  Jacobian jacobian(const Joints& q) const;
+  Jacobian jacobian(const Joints& q) const { return posture(q).jacobian; }
+
+  struct Posture {
+    Eigen::Isometry3d tip;
+    Jacobian jacobian;
+  };
+  /// What forward() and jacobian() give, in one pass over the joints.
+  Posture posture(const Joints& q) const;
 
   const Joints& lower() const { return lower_; }
   const Joints& upper() const { return upper_; }
@@ -63,8 +70,11 @@ class Chain {
   struct Segment {
     Eigen::Isometry3d before;
     Eigen::Isometry3d after;
+    Eigen::Isometry3d toNext;  // after * before of the next link, for one product less a joint
     JointKind kind;
   };
+  // The frame in which joint `i + 1` moves, or behind the last one the tool tip.
+  Eigen::Isometry3d beyond(const Eigen::Isometry3d& joint, const Joints& q, int i) const;
 
   std::array<Segment, std::size_t{N}> segments_;
   Joints lower_;

@@ -3,61 +3,28 @@
 #include <Eigen/Cholesky>
 
 #include "kinematics/pose_error.h"
+#include "kinematics/spatial_vector.h"
+#include "kinematics/step_within_limits.h"
 
 namespace robots::kinematics {
 namespace {
-
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-
-// One radian of orientation error weighs as much as this many metres of position error.
-constexpr double kLengthScale = 0.1;
-// Keeps the normal matrix definite for a redundant or singular chain when the error is already
-// tiny.
-constexpr double kMinimumDamping = 1e-9;
-
-Vector6 weights() {
-  Vector6 weights;
-  weights << Eigen::Vector3d::Constant(1 / (kLengthScale * kLengthScale)), Eigen::Vector3d::Ones();
-  return weights;
-}
 
 // So small a step (rad or m) leads nowhere: the search stands at the nearest that the limits leave.
 constexpr double kStandstill = 1e-12;
 
 enum class Limits { Heeded, Ignored };
 
-// The joint is at a limit, and `direction` leads it outward.
-template <int N>
-bool leadsOut(const Chain<N>& chain, const typename Chain<N>::Joints& q,
-              const typename Chain<N>::Joints& direction, int i) {
-  return (q[i] >= chain.upper()[i] && direction[i] > 0) ||
-         (q[i] <= chain.lower()[i] && direction[i] < 0);
-}
-
-// The damped step; joints at a limit that the gradient or the step would push outward take no part.
+// The damped step.
 template <int N>
 typename Chain<N>::Joints dampedStep(const Chain<N>& chain, const typename Chain<N>::Joints& q,
-                                     const Vector6& error, Limits limits) {
-  const Vector6 weight = weights();
+                                     const SpatialVector& error, Limits limits) {
+  const SpatialVector weight = poseWeights();
   const typename Chain<N>::Jacobian jacobian = chain.jacobian(q);
-  typename Chain<N>::Joints gradient = jacobian.transpose() * weight.cwiseProduct(error);
+  const typename Chain<N>::Joints descent = jacobian.transpose() * weight.cwiseProduct(error);
   Eigen::Matrix<double, N, N> normal = jacobian.transpose() * weight.asDiagonal() * jacobian;
   normal.diagonal().array() += 0.5 * error.dot(weight.cwiseProduct(error)) + kMinimumDamping;
-  typename Chain<N>::Joints direction = gradient;
-  // Each turn but the last holds at least one joint more.
-  for (bool solved = false;; solved = true) {
-    bool holdsMore = false;
-    for (int i = 0; i < N && limits == Limits::Heeded; ++i) {
-      if (!leadsOut(chain, q, direction, i)) continue;
-      normal.row(i).setZero();
-      normal.col(i).setZero();
-      normal(i, i) = 1;
-      gradient[i] = 0;
-      holdsMore = true;
-    }
-    if (solved && !holdsMore) return direction;
-    direction = normal.llt().solve(gradient);
-  }
+  if (limits == Limits::Ignored) return normal.llt().solve(descent);
+  return stepWithinLimits(chain, q, normal, descent).value_or(Chain<N>::Joints::Zero());
 }
 
 template <int N>
@@ -67,7 +34,7 @@ InverseSolution<N> search(const Chain<N>& chain, const Eigen::Isometry3d& goal,
   InverseSolution<N> solution;
   solution.q = start;
   for (;; ++solution.iterations) {
-    const Vector6 error = poseError(chain.forward(solution.q), goal);
+    const SpatialVector error = poseError(chain.forward(solution.q), goal);
     solution.position_error = error.template head<3>().norm();
     solution.orientation_error = error.template tail<3>().norm();
     solution.found = solution.position_error <= options.position_tolerance &&

@@ -20,4 +20,15 @@ inline Eigen::Matrix<double, 6, 1> poseError(const Eigen::Isometry3d& from,
   return error;
 }
 
+/// m: so much position error weighs as much as one radian of orientation error, wherever the two
+/// have to be compared.
+constexpr double kLengthScale = 0.1;
+
+/// What weighs the squares of a poseError: 1/m^2 and 1.
+inline Eigen::Matrix<double, 6, 1> poseWeights() {
+  Eigen::Matrix<double, 6, 1> weights;
+  weights << Eigen::Vector3d::Constant(1 / (kLengthScale * kLengthScale)), Eigen::Vector3d::Ones();
+  return weights;
+}
+
 }  // namespace robots::kinematics
