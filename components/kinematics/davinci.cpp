@@ -1,20 +1,18 @@
 #include "kinematics/davinci.h"
 
-#include <numbers>
+#include "kinematics/davinci_links.h"
 
 namespace robots::kinematics {
 namespace {
-
-constexpr double kHalfPi = std::numbers::pi / 2;
 
 Chain<7> mtm(double yawLower, double yawUpper, double shoulderLower, double platformLower,
              double platformUpper) {
   return {Convention::Standard,
           {{//  alpha      a       d       offset    lower          upper
             {kHalfPi, 0.0, 0.0, -kHalfPi, yawLower, yawUpper},
-            {0.0, 0.2794, 0.0, -kHalfPi, shoulderLower, 1.134},
-            {-kHalfPi, 0.3645, 0.0, kHalfPi, -0.873, 0.611},
-            {kHalfPi, 0.0, 0.1506, 0.0, platformLower, platformUpper},
+            {0.0, kMtmUpperArm, 0.0, -kHalfPi, shoulderLower, 1.134},
+            {-kHalfPi, kMtmForearm, 0.0, kHalfPi, -0.873, 0.611},
+            {kHalfPi, 0.0, kMtmForearmDrop, 0.0, platformLower, platformUpper},
             {-kHalfPi, 0.0, 0.0, 0.0, -1.658, 3.229},
             {kHalfPi, 0.0, 0.0, -kHalfPi, -0.785, 0.785},
             {0.0, 0.0, 0.0, kHalfPi, -8.378, 7.854}}}};
@@ -29,10 +27,10 @@ Chain<6> psm() {
           {{//  alpha      a       d       offset    lower      upper
             {kHalfPi, 0.0, 0.0, kHalfPi, -1.588, 1.588},
             {-kHalfPi, 0.0, 0.0, -kHalfPi, -0.925025, 0.925025},
-            {kHalfPi, 0.0, 0.0, -0.4318, 0.0, 0.24, JointKind::Prismatic},
-            {0.0, 0.0, 0.4162, 0.0, -4.53786, 4.53786},
+            {kHalfPi, 0.0, 0.0, -kPsmCarriage, 0.0, 0.24, JointKind::Prismatic},
+            {0.0, 0.0, kPsmShaft, 0.0, -4.53786, 4.53786},
             {-kHalfPi, 0.0, 0.0, -kHalfPi, -1.39626, 1.39626},
-            {-kHalfPi, 0.0091, 0.0, -kHalfPi, -1.39626, 1.39626}}},
+            {-kHalfPi, kPsmWrist, 0.0, -kHalfPi, -1.39626, 1.39626}}},
           tip};
 }
 

@@ -36,6 +36,27 @@ InverseSolution<N> inverse(const Chain<N>& chain, const Eigen::Isometry3d& goal,
                            const typename Chain<N>::Joints& start,
                            const InverseOptions& options = {});
 
+/// Which postures of the arm may be the answer.
+enum class Postures {
+  All,  ///< whichever reaches the goal: for a move that is planned
+  /// Only such as lie within 1 rad and 0.1 m of the start with every joint: for a stream, which
+  /// slides along a limit where only another posture, or another turn of a joint, reaches the goal.
+  Near,
+};
+
+/// How an arm solves its inverse kinematics: a closed form, or the search above.
+template <int N>
+using InverseFunction = InverseSolution<N> (*)(const Chain<N>& chain, const Eigen::Isometry3d& goal,
+                                               const typename Chain<N>::Joints& start,
+                                               Postures postures);
+
+/// The search as such a function. It goes downhill from its start, whatever the postures.
+template <int N>
+InverseSolution<N> searched(const Chain<N>& chain, const Eigen::Isometry3d& goal,
+                            const typename Chain<N>::Joints& start, Postures /*postures*/) {
+  return inverse(chain, goal, start);
+}
+
 extern template InverseSolution<6> inverse(const Chain<6>&, const Eigen::Isometry3d&,
                                            const Chain<6>::Joints&, const InverseOptions&);
 extern template InverseSolution<7> inverse(const Chain<7>&, const Eigen::Isometry3d&,

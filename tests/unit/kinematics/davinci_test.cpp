@@ -4,36 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "kinematics/pose_error.h"
-#include "unit/kinematics/kdl_oracle.h"
+#include "unit/kinematics/kdl_davinci.h"
 
 namespace robots::kinematics::test {
 namespace {
 
-constexpr double kHalfPi = std::numbers::pi / 2;
 constexpr int kSamples = 10'000;
-
-KDL::Chain kdlPsm() {
-  return kdlModified<6>({{{kHalfPi, 0, 0, kHalfPi},
-                          {-kHalfPi, 0, 0, -kHalfPi},
-                          {kHalfPi, 0, 0, -0.4318, KDL::Joint::TransZ},
-                          {0, 0, 0.4162, 0},
-                          {-kHalfPi, 0, 0, -kHalfPi},
-                          {-kHalfPi, 0.0091, 0, -kHalfPi}}},
-                        KDL::Rotation(0, -1, 0, 0, 0, 1, -1, 0, 0));
-}
-
-KDL::Chain kdlMtm() {
-  return kdlStandard<7>({{{kHalfPi, 0, 0, -kHalfPi},
-                          {0, 0.2794, 0, -kHalfPi},
-                          {-kHalfPi, 0.3645, 0, kHalfPi},
-                          {kHalfPi, 0, 0.1506, 0},
-                          {-kHalfPi, 0, 0, 0},
-                          {kHalfPi, 0, 0, -kHalfPi},
-                          {0, 0, 0, kHalfPi}}});
-}
 
 template <int N>
 void expectSameAsKdl(const Chain<N>& chain, const KDL::Chain& oracle) {

@@ -1,0 +1,19 @@
+#pragma once
+// What the tables of the da Vinci Classic arms and their closed forms share: lengths (m), from the
+// files that davinci.h names.
+
+#include <numbers>
+
+namespace robots::kinematics {
+
+constexpr double kHalfPi = std::numbers::pi / 2;
+
+constexpr double kPsmCarriage = 0.4318;  ///< the carriage begins so far behind the remote centre
+constexpr double kPsmShaft = 0.4162;     ///< from the carriage to the axis of the wrist pitch
+constexpr double kPsmWrist = 0.0091;     ///< from the axis of the wrist pitch to the wrist yaw's
+
+constexpr double kMtmUpperArm = 0.2794;     ///< from the shoulder to the elbow
+constexpr double kMtmForearm = 0.3645;      ///< from the elbow to the platform's axis
+constexpr double kMtmForearmDrop = 0.1506;  ///< along the platform's axis to the wrist's centre
+
+}  // namespace robots::kinematics

@@ -1,0 +1,90 @@
+#include "kinematics/psm_inverse.h"
+
+#include <cmath>
+
+#include "kinematics/candidates.h"
+#include "kinematics/davinci_links.h"
+
+namespace robots::kinematics {
+namespace {
+
+using Eigen::Vector3d;
+using PsmJoints = Chain<6>::Joints;
+
+Vector3d across(const Vector3d& axis, const Vector3d& vector) {
+  return vector - vector.dot(axis) * axis;
+}
+
+// The unit vector across `axis` toward `wanted`; where that leads along the axis, toward
+// `otherwise`, and else anywhere.
+Vector3d directionAcross(const Vector3d& axis, const Vector3d& wanted, const Vector3d& otherwise) {
+  Vector3d direction = across(axis, wanted);
+  if (direction.norm() <= kOpenLength) direction = across(axis, otherwise);
+  if (direction.norm() <= kOpenLength) return axis.unitOrthogonal();
+  // What is left of a long vector is across only to its rounding error, which may be much of it.
+  return across(axis, direction.normalized()).normalized();
+}
+
+// The instrument as the goal has it (base frame). The tip's frame has x against the axis of the
+// wrist yaw, and y against x of that joint's frame (davinci.cpp).
+struct Instrument {
+  Vector3d tip;
+  Vector3d yawAxis;  // of the wrist
+  Vector3d jaws;     // x of the frame behind the wrist yaw
+
+  explicit Instrument(const Eigen::Isometry3d& goal)
+      : tip(goal.translation()), yawAxis(-goal.linear().col(0)), jaws(-goal.linear().col(1)) {}
+};
+
+// The link between the two axes of the wrist.
+struct Wrist {
+  Vector3d link;       // from the axis of the wrist pitch to the one of the wrist yaw, a unit
+  Vector3d pitchAxis;  // a unit across the link and the yaw axis
+  Vector3d centre;     // m, on the pitch axis, where the shaft ends
+};
+
+Wrist wristAlong(const Vector3d& link, const Instrument& instrument) {
+  return {link, link.cross(instrument.yawAxis), instrument.tip - kPsmWrist * link};
+}
+
+// The joints for a wrist that is held by a shaft of this direction, a unit across its pitch axis.
+PsmJoints jointsFor(const Chain<6>& chain, const Instrument& instrument, const Wrist& wrist,
+                    const Vector3d& shaft, const PsmJoints& start) {
+  PsmJoints q = PsmJoints::Zero();
+  q[0] = std::atan2(shaft.x(), -shaft.z());
+  q[1] = std::atan2(-shaft.y(), std::hypot(shaft.x(), shaft.z()));
+  q[2] = wrist.centre.dot(shaft) + kPsmCarriage - kPsmShaft;
+  const Vector3d pitchAxis = chain.link(q, 3).linear().transpose() * wrist.pitchAxis;
+  q[3] = std::atan2(-pitchAxis.x(), pitchAxis.y());
+  q[4] = std::atan2(-shaft.dot(instrument.yawAxis), shaft.dot(wrist.link));
+  q[5] = std::atan2(instrument.jaws.dot(wrist.link), instrument.jaws.dot(wrist.pitchAxis));
+  for (const int turns : {0, 3, 4, 5}) {
+    q[turns] = nearestTurn(q[turns], start[turns], chain.lower()[turns], chain.upper()[turns]);
+  }
+  return q;
+}
+
+}  // namespace
+
+InverseSolution<6> psmInverse(const Chain<6>& chain, const Eigen::Isometry3d& goal,
+                              const PsmJoints& start, Postures postures) {
+  Candidates<6> candidates(chain, start, postures);
+  if (!goal.matrix().allFinite()) return candidates.settle(goal, false);
+  const Instrument instrument(goal);
+  const Eigen::Matrix3d before = chain.link(start, 5).linear();
+  const Vector3d shaftBefore =
+      std::cos(start[4]) * before.col(0) - std::sin(start[4]) * before.col(1);
+  // The shaft meets the pitch axis at a right angle and leads through the remote centre, so that
+  // the link lies in the plane of the yaw axis and the remote centre.
+  const Vector3d link = directionAcross(instrument.yawAxis, instrument.tip, before.col(0));
+  for (const double side : {1.0, -1.0}) {
+    const Wrist wrist = wristAlong(side * link, instrument);
+    const Vector3d shaft = directionAcross(wrist.pitchAxis, wrist.centre, shaftBefore);
+    for (const double sense : {1.0, -1.0}) {
+      candidates.offer(jointsFor(chain, instrument, wrist, sense * shaft, start));
+    }
+  }
+  return candidates.settle(goal, true);
+}
+
+}  // namespace robots::kinematics

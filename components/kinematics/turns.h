@@ -1,0 +1,30 @@
+#pragma once
+// Which turn of an angle a joint takes, and what the closed forms let pass as a rounding error.
+
+#include <cmath>
+#include <numbers>
+
+namespace robots::kinematics {
+
+/// rad or m: so little beyond a limit is a rounding error of a closed form.
+constexpr double kLimitSlack = 1e-10;
+
+/// m: a length no longer than this leaves open which way it points.
+constexpr double kOpenLength = 1e-10;
+
+/// `angle` and whole turns (rad): of those within the limits the one nearest to `near`; if there is
+/// none, the one that lies the least beyond a limit.
+inline double nearestTurn(double angle, double near, double lower, double upper) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  double turned = angle + kTurn * std::round((near - angle) / kTurn);
+  if (turned > upper + kLimitSlack) {
+    turned -= kTurn * std::ceil((turned - upper - kLimitSlack) / kTurn);
+  }
+  if (turned < lower - kLimitSlack) {
+    turned += kTurn * std::ceil((lower - kLimitSlack - turned) / kTurn);
+  }
+  const bool liesBeyond = turned > upper + kLimitSlack;
+  return liesBeyond && turned - upper > lower - (turned - kTurn) ? turned - kTurn : turned;
+}
+
+}  // namespace robots::kinematics
