@@ -85,6 +85,26 @@ Isometry3d Chain<N>::link(const Joints& q, int joints) const {
 }
 
 template <int N>
+Isometry3d Chain<N>::relative(int joint, double q) const {
+  const Segment& segment = segments_[static_cast<std::size_t>(joint)];
+  return moved(segment.before, segment.kind, q) * segment.after;
+}
+
+template <int N>
+SpatialVector Chain<N>::screw(int joint) const {
+  const Segment& segment = segments_[static_cast<std::size_t>(joint)];
+  const Vector3d axis = segment.after.linear().row(2).transpose();
+  SpatialVector screw = SpatialVector::Zero();
+  if (segment.kind == JointKind::Prismatic) {
+    screw.head<3>() = axis;
+  } else {
+    const Vector3d fromAxis = segment.after.linear().transpose() * segment.after.translation();
+    screw << axis.cross(fromAxis), axis;
+  }
+  return screw;
+}
+
+template <int N>
 typename Chain<N>::Posture Chain<N>::posture(const Joints& q) const {
   std::array<Isometry3d, std::size_t{N}> joints;
   Isometry3d tip = segments_.front().before;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "kinematics/spatial_vector.h"
+
 namespace robots::kinematics {
 
 /// Where a link's frame sits. Standard: T = Rz(theta) Tz(d) Tx(a) Rx(alpha), joint i moves about z
@@ -45,6 +47,12 @@ class Chain {
   /// The frame behind the first `joints` joints, 0 to N; N is the tool tip.
   Eigen::Isometry3d link(const Joints& q, int joints) const;
   JointKind kind(int joint) const { return segments_[static_cast<std::size_t>(joint)].kind; }
+
+  /// The frame behind joint `joint` at `q`, in the frame before it.
+  Eigen::Isometry3d relative(int joint, double q) const;
+  /// How the frame behind joint `joint` moves per unit of its velocity, in that frame's own axes
+  /// and at its origin. It does not depend on `q`.
+  SpatialVector screw(int joint) const;
 
   /// Geometric Jacobian (6 x N) of the tool tip in the base frame: rows 0..2 linear velocity of the
   /// tip point (m/s), rows 3..5 angular velocity (rad/s), per unit of joint velocity.
