@@ -1,10 +1,11 @@
 #pragma once
 // How simulated joints answer to their set-point: late, at a bounded rate, within limits.
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "drives/simulated_joints.h"
 
 namespace robots {
 
@@ -32,9 +33,9 @@ struct LaggingJoint {
 };
 
 /// N joints with one time constant and a rate limit each. Set-points are cut to the position
-/// limits. A value type of its task's thread; nothing but the constructor throws or allocates.
+/// limits. Confined to one thread; nothing but the constructor throws or allocates.
 template <int N>
-class JointDynamics {
+class JointDynamics final : public SimulatedJoints<N> {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
@@ -54,16 +55,16 @@ class JointDynamics {
     }
   }
 
-  void command(const Joints& setpoint) { setpoint_ = cut(setpoint); }
+  void command(const Joints& setpoint) override { setpoint_ = cut(setpoint); }
+  void brake() override { setpoint_ = measured_; }
 
-  /// Lets `dt` seconds (>= 0) pass.
-  void advance(double dt) {
+  void advance(double dt) override {
     for (int i = 0; i < N; ++i) measured_[i] = joint(i).after(dt, measured_[i], setpoint_[i]);
   }
 
-  const Joints& measured() const { return measured_; }
+  const Joints& measured() const override { return measured_; }
   const Joints& setpoint() const { return setpoint_; }
-  Joints velocity() const {
+  Joints velocity() const override {
     Joints velocity;
     for (int i = 0; i < N; ++i) velocity[i] = joint(i).velocity(measured_[i], setpoint_[i]);
     return velocity;

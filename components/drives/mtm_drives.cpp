@@ -1,28 +1,34 @@
 #include "drives/mtm_drives.h"
 
+#include <memory>
+
+#include "drives/davinci_joints.h"
+#include "drives/joint_dynamics.h"
 #include "kinematics/davinci.h"
 
 namespace robots {
 namespace {
 
-DriveModel<7> model(const MtmDrivesParameters& parameters) {
-  using Joints = DriveModel<7>::Joints;
+std::unique_ptr<SimulatedJoints<7>> joints(const MtmDrivesParameters& parameters) {
+  using Joints = SimulatedJoints<7>::Joints;
   const auto chain =
       parameters.side == MasterSide::Left ? kinematics::mtmLeft() : kinematics::mtmRight();
-  DriveModel<7> model{.lower = chain.lower(),
-                      .upper = chain.upper(),
-                      .parked = kinematics::mtmHome(),
-                      .rate_limit = Joints::Constant(parameters.angular_rate),
-                      .time_constant = parameters.time_constant};
-  model.parked[1] = 0.3;
-  return model;
+  const Joints rates = Joints::Constant(parameters.angular_rate);
+  Joints parked = kinematics::mtmHome();
+  parked[1] = 0.3;
+  if (parameters.dynamics == DriveDynamics::RigidBody) {
+    return std::make_unique<RigidBodyJoints<7>>(
+        mtmRigidBody(chain, parked, rates, parameters.rigid_body));
+  }
+  return std::make_unique<JointDynamics<7>>(parameters.time_constant, rates, chain.lower(),
+                                            chain.upper(), parked);
 }
 
 }  // namespace
 
 MtmDrives::MtmDrives(const MtmDrivesParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      SimulatedDrives(model(parameters)),
+      SimulatedDrives(joints(parameters)),
       permit_(stop_, parameters.permit) {}
 
 void MtmDrives::run() {

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "coordinator/emergency_stop.suture.h"
+#include "drives/drive_dynamics.suture.h"
 #include "drives/drives.suture.h"
 #include "drives/permit_watch.h"
 #include "drives/simulated_drives.h"
@@ -30,6 +31,11 @@ struct SUTURE_TYPE() MtmDrivesParameters {
   /// How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
   /// nobody can be hurt.
   suture::Duration permit = std::chrono::milliseconds(30);
+  /// Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
+  /// `time_constant` does not count.
+  DriveDynamics dynamics = DriveDynamics::Lag;
+  /// They count with RigidBody.
+  RigidBodyOptions rigid_body{};
 };
 
 /// The drives of a master tool manipulator.

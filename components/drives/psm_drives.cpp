@@ -1,29 +1,33 @@
 #include "drives/psm_drives.h"
 
+#include <memory>
+
+#include "drives/davinci_joints.h"
+#include "drives/joint_dynamics.h"
 #include "kinematics/davinci.h"
 
 namespace robots {
 namespace {
 
-DriveModel<6> model(const PsmDrivesParameters& parameters) {
-  using Joints = DriveModel<6>::Joints;
+std::unique_ptr<SimulatedJoints<6>> joints(const PsmDrivesParameters& parameters) {
+  using Joints = SimulatedJoints<6>::Joints;
   constexpr int kInsertion = 2;
+  const Joints parked = Joints::Unit(kInsertion) * 0.1;
+  Joints rates = Joints::Constant(parameters.angular_rate);
+  rates[kInsertion] = parameters.insertion_rate;
+  if (parameters.dynamics == DriveDynamics::RigidBody) {
+    return std::make_unique<RigidBodyJoints<6>>(psmRigidBody(parked, rates, parameters.rigid_body));
+  }
   const auto chain = kinematics::psm();
-  DriveModel<6> model{.lower = chain.lower(),
-                      .upper = chain.upper(),
-                      .parked = Joints::Zero(),
-                      .rate_limit = Joints::Constant(parameters.angular_rate),
-                      .time_constant = parameters.time_constant};
-  model.parked[kInsertion] = 0.1;
-  model.rate_limit[kInsertion] = parameters.insertion_rate;
-  return model;
+  return std::make_unique<JointDynamics<6>>(parameters.time_constant, rates, chain.lower(),
+                                            chain.upper(), parked);
 }
 
 }  // namespace
 
 PsmDrives::PsmDrives(const PsmDrivesParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      SimulatedDrives(model(parameters)),
+      SimulatedDrives(joints(parameters)),
       permit_(stop_, parameters.permit) {}
 
 void PsmDrives::run() {

@@ -10,6 +10,7 @@
 #include <chrono>
 
 #include "coordinator/emergency_stop.suture.h"
+#include "drives/drive_dynamics.suture.h"
 #include "drives/drives.suture.h"
 #include "drives/permit_watch.h"
 #include "drives/simulated_drives.h"
@@ -27,6 +28,11 @@ struct SUTURE_TYPE() PsmDrivesParameters {
   /// How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
   /// nobody can be hurt.
   suture::Duration permit = std::chrono::milliseconds(30);
+  /// Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
+  /// `time_constant` does not count.
+  DriveDynamics dynamics = DriveDynamics::Lag;
+  /// They count with RigidBody.
+  RigidBodyOptions rigid_body{};
 };
 
 /// The drives of a patient side manipulator. The instrument is in the patient from the start, as

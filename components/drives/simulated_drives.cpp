@@ -1,16 +1,23 @@
 #include "drives/simulated_drives.h"
 
+#include <utility>
+
+#include "drives/joint_dynamics.h"
 #include "timing/seconds.h"
 
 namespace robots {
 
 template <int N>
-SimulatedDrives<N>::SimulatedDrives(const DriveModel<N>& model)
-    : dynamics_(model.time_constant, model.rate_limit, model.lower, model.upper, model.parked),
-      goal_(dynamics_.measured()) {
+SimulatedDrives<N>::SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints)
+    : joints_(std::move(joints)), goal_(joints_->measured()) {
   static_assert(N <= int{kMaxJoints});
   feedback_.joints = N;
 }
+
+template <int N>
+SimulatedDrives<N>::SimulatedDrives(const DriveModel<N>& model)
+    : SimulatedDrives(std::make_unique<JointDynamics<N>>(model.time_constant, model.rate_limit,
+                                                         model.lower, model.upper, model.parked)) {}
 
 template <int N>
 void SimulatedDrives<N>::power_on(suture::Time permitted) {
@@ -45,21 +52,25 @@ template <int N>
 void SimulatedDrives<N>::brake() {
   power_off();
   hold();
-  dynamics_.command(goal_);
+  joints_->brake();
 }
 
 template <int N>
 void SimulatedDrives<N>::step(suture::Time now) {
-  if (lastStep_ != suture::Time{}) dynamics_.advance(secondsBetween(lastStep_, now));
+  if (lastStep_ != suture::Time{}) joints_->advance(secondsBetween(lastStep_, now));
   lastStep_ = now;
   if (stream_.hasFallenSilent(now)) {
     stream_.end();
     hold();
   }
-  if (feedback_.power != DrivePower::On) hold();  // where they are now, not when that was decided
-  dynamics_.command(goal_);
-  Joints::Map(feedback_.position.data()) = dynamics_.measured();
-  Joints::Map(feedback_.velocity.data()) = dynamics_.velocity();
+  if (feedback_.power == DrivePower::On) {
+    joints_->command(goal_);
+  } else {
+    hold();  // where they are now, not when that was decided
+    joints_->brake();
+  }
+  Joints::Map(feedback_.position.data()) = joints_->measured();
+  Joints::Map(feedback_.velocity.data()) = joints_->velocity();
   feedback_.stamp = now;
 }
 

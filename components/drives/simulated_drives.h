@@ -1,15 +1,18 @@
 #pragma once
-// What the drives of the simulated arms have in common: joints that trail their goals, and brakes.
+// What the drives of the simulated arms have in common: power, goals, and brakes.
 
 #include <suture/base/time.h>
 
+#include <memory>
+
 #include "drives/drives.h"
-#include "drives/joint_dynamics.h"
+#include "drives/simulated_joints.h"
 #include "timing/stream_watch.h"
 
 namespace robots {
 
-/// How the joints of one arm answer. Joint vectors in rad, or m for a prismatic joint.
+/// How the joints of one arm answer where they have no mass (joint_dynamics.h). Joint vectors in
+/// rad, or m for a prismatic joint.
 template <int N>
 struct DriveModel {
   using Joints = Eigen::Matrix<double, N, 1>;
@@ -20,15 +23,17 @@ struct DriveModel {
   double time_constant;  ///< s: how far the measured joints trail their goal
 };
 
-/// A goal that arrives in one cycle acts on the joints from that cycle on; what is measured is the
-/// exact solution at the time of the cycle. Confined to one thread; never allocates.
+/// A goal that arrives in one cycle acts on the joints from that cycle on; what is measured is of
+/// the time of the cycle. Confined to one thread; nothing but the constructors allocates.
 template <int N>
 class SimulatedDrives : public Drives {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// Parked, without power, and not permitted to have any. Throws std::invalid_argument for
-  /// impossible dynamics.
+  /// Without power, and not permitted to have any.
+  explicit SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints);
+  /// The same of parked joints that trail their goals. Throws std::invalid_argument for impossible
+  /// dynamics.
   explicit SimulatedDrives(const DriveModel<N>& model);
 
   void power_on(suture::Time permitted) override;
@@ -55,9 +60,9 @@ class SimulatedDrives : public Drives {
 
  private:
   void enter(DrivePower power);
-  void hold() { goal_ = dynamics_.measured(); }
+  void hold() { goal_ = joints_->measured(); }
 
-  JointDynamics<N> dynamics_;
+  std::unique_ptr<SimulatedJoints<N>> joints_;
   Joints goal_;
   StreamWatch stream_;
   suture::Time lastStep_;

@@ -8,6 +8,17 @@
 
 #include "drives/mtm_drives.capnp.h"
 
+// Defined in drives/drive_dynamics.suture.cpp.
+namespace robots {
+wire::DriveDynamics wireDriveDynamics(std::uint8_t slot);
+bool isKnownDriveDynamics(std::uint8_t slot);
+suture::Errc fromWire(wire::DriveDynamics in, std::uint8_t& slot);
+void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder out);
+suture::Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot,
+                      suture::Duration shift);
+bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path);
+}  // namespace robots
+
 namespace robots {
 
 using suture::Duration;
@@ -15,6 +26,7 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::load;
 using suture::refusedAt;
+using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -32,6 +44,8 @@ static_assert(std::is_same_v<decltype(MtmDrivesParameters::period), std::chrono:
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::permit), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(MtmDrivesParameters::dynamics), DriveDynamics>);
+static_assert(std::is_same_v<decltype(MtmDrivesParameters::rigid_body), RigidBodyOptions>);
 
 }  // namespace
 
@@ -42,6 +56,8 @@ bool store(const MtmDrivesParameters& value, MtmDrivesParametersSlot& slot) {
   fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.permit, slot.permit);
+  fits &= store(value.dynamics, slot.dynamics);
+  fits &= store(value.rigid_body, slot.rigid_body);
   return fits;
 }
 
@@ -51,6 +67,8 @@ void load(const MtmDrivesParametersSlot& slot, MtmDrivesParameters& value) {
   load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
   load(slot.permit, value.permit);
+  load(slot.dynamics, value.dynamics);
+  load(slot.rigid_body, value.rigid_body);
 }
 
 // --- between slots and Cap'n Proto
@@ -87,20 +105,28 @@ void toWire(const MtmDrivesParametersSlot& slot, wire::MtmDrivesParameters::Buil
   out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
   out.setPermit(slot.permit);
+  out.setDynamics(wireDriveDynamics(slot.dynamics));
+  toWire(slot.rigid_body, out.initRigidBody());
 }
 
-Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersSlot& slot, Duration) {
+Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersSlot& slot, Duration shift) {
   slot.period = in.getPeriod();
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.permit = in.getPermit();
-  return fromWire(in.getSide(), slot.side);
+  return firstError({
+      fromWire(in.getSide(), slot.side),
+      fromWire(in.getDynamics(), slot.dynamics),
+      fromWire(in.getRigidBody(), slot.rigid_body, shift),
+  });
 }
 
 bool isValid(const MtmDrivesParametersSlot& slot, FieldPath* path) {
   if (!isKnownMasterSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
-  return inRange(slot.angular_rate, 0.01, 20) || refusedAt(path, "angular_rate");
+  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
+  if (!isKnownDriveDynamics(slot.dynamics)) return refusedAt(path, "dynamics");
+  return isValid(slot.rigid_body, path) || refusedAt(path, "rigid_body");
 }
 
 }  // namespace robots
@@ -113,6 +139,21 @@ inline void fromJson(const suture::JsonReader& in, MasterSide& value) {
   if (index >= 0) value = kValues[index];
 }
 
+inline void fromJson(const suture::JsonReader& in, DriveDynamics& value) {
+  static constexpr DriveDynamics kValues[] = {DriveDynamics::Lag, DriveDynamics::RigidBody};
+  const int index = suture::enumeratorFromJson(in, {"Lag", "RigidBody"});
+  if (index >= 0) value = kValues[index];
+}
+
+inline void fromJson(const suture::JsonReader& in, RigidBodyOptions& value) {
+  suture::JsonReader reader = in;
+  reader.field("gravity_compensation", value.gravity_compensation);
+  reader.field("quantisation", value.quantisation);
+  reader.field("noise", value.noise, 0, 1000);
+  reader.field("seed", value.seed);
+  reader.finish();
+}
+
 void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value) {
   suture::JsonReader reader = in;
   reader.field("side", value.side);
@@ -120,6 +161,8 @@ void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value) {
   reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("permit", value.permit);
+  reader.field("dynamics", value.dynamics);
+  reader.field("rigid_body", value.rigid_body);
   reader.finish();
 }
 

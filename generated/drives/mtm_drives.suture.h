@@ -6,6 +6,7 @@
 
 #include "drives/mtm_drives.h"
 #include "coordinator/emergency_stop.suture.h"
+#include "drives/drive_dynamics.suture.h"
 #include "drives/drives.suture.h"
 
 namespace suture {
@@ -15,11 +16,13 @@ class JsonReader;
 namespace robots {
 
 struct MtmDrivesParametersSlot {
-  std::uint8_t side;     // MasterSide
-  std::int64_t period;   // std::chrono::nanoseconds, ns
-  double time_constant;  // s
-  double angular_rate;   // rad/s
-  std::int64_t permit;   // std::chrono::nanoseconds, ns
+  std::uint8_t side;      // MasterSide
+  std::int64_t period;    // std::chrono::nanoseconds, ns
+  double time_constant;   // s
+  double angular_rate;    // rad/s
+  std::int64_t permit;    // std::chrono::nanoseconds, ns
+  std::uint8_t dynamics;  // DriveDynamics
+  RigidBodyOptionsSlot rigid_body;
 };
 
 bool store(const MtmDrivesParameters& value, MtmDrivesParametersSlot& slot);

@@ -8,6 +8,17 @@
 
 #include "drives/psm_drives.capnp.h"
 
+// Defined in drives/drive_dynamics.suture.cpp.
+namespace robots {
+wire::DriveDynamics wireDriveDynamics(std::uint8_t slot);
+bool isKnownDriveDynamics(std::uint8_t slot);
+suture::Errc fromWire(wire::DriveDynamics in, std::uint8_t& slot);
+void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder out);
+suture::Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot,
+                      suture::Duration shift);
+bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path);
+}  // namespace robots
+
 namespace robots {
 
 using suture::Duration;
@@ -15,6 +26,7 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::load;
 using suture::refusedAt;
+using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -29,6 +41,8 @@ static_assert(std::is_same_v<decltype(PsmDrivesParameters::time_constant), doubl
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::insertion_rate), double>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::permit), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(PsmDrivesParameters::dynamics), DriveDynamics>);
+static_assert(std::is_same_v<decltype(PsmDrivesParameters::rigid_body), RigidBodyOptions>);
 
 }  // namespace
 
@@ -39,6 +53,8 @@ bool store(const PsmDrivesParameters& value, PsmDrivesParametersSlot& slot) {
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.insertion_rate, slot.insertion_rate);
   fits &= store(value.permit, slot.permit);
+  fits &= store(value.dynamics, slot.dynamics);
+  fits &= store(value.rigid_body, slot.rigid_body);
   return fits;
 }
 
@@ -48,6 +64,8 @@ void load(const PsmDrivesParametersSlot& slot, PsmDrivesParameters& value) {
   load(slot.angular_rate, value.angular_rate);
   load(slot.insertion_rate, value.insertion_rate);
   load(slot.permit, value.permit);
+  load(slot.dynamics, value.dynamics);
+  load(slot.rigid_body, value.rigid_body);
 }
 
 // --- between slots and Cap'n Proto
@@ -58,26 +76,48 @@ void toWire(const PsmDrivesParametersSlot& slot, wire::PsmDrivesParameters::Buil
   out.setAngularRate(slot.angular_rate);
   out.setInsertionRate(slot.insertion_rate);
   out.setPermit(slot.permit);
+  out.setDynamics(wireDriveDynamics(slot.dynamics));
+  toWire(slot.rigid_body, out.initRigidBody());
 }
 
-Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersSlot& slot, Duration) {
+Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersSlot& slot, Duration shift) {
   slot.period = in.getPeriod();
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.insertion_rate = in.getInsertionRate();
   slot.permit = in.getPermit();
-  return Errc{};
+  return firstError({
+      fromWire(in.getDynamics(), slot.dynamics),
+      fromWire(in.getRigidBody(), slot.rigid_body, shift),
+  });
 }
 
 bool isValid(const PsmDrivesParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
-  return inRange(slot.insertion_rate, 0.001, 2) || refusedAt(path, "insertion_rate");
+  if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
+  if (!isKnownDriveDynamics(slot.dynamics)) return refusedAt(path, "dynamics");
+  return isValid(slot.rigid_body, path) || refusedAt(path, "rigid_body");
 }
 
 }  // namespace robots
 
 namespace robots {
+
+inline void fromJson(const suture::JsonReader& in, DriveDynamics& value) {
+  static constexpr DriveDynamics kValues[] = {DriveDynamics::Lag, DriveDynamics::RigidBody};
+  const int index = suture::enumeratorFromJson(in, {"Lag", "RigidBody"});
+  if (index >= 0) value = kValues[index];
+}
+
+inline void fromJson(const suture::JsonReader& in, RigidBodyOptions& value) {
+  suture::JsonReader reader = in;
+  reader.field("gravity_compensation", value.gravity_compensation);
+  reader.field("quantisation", value.quantisation);
+  reader.field("noise", value.noise, 0, 1000);
+  reader.field("seed", value.seed);
+  reader.finish();
+}
 
 void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value) {
   suture::JsonReader reader = in;
@@ -86,6 +126,8 @@ void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value) {
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
   reader.field("permit", value.permit);
+  reader.field("dynamics", value.dynamics);
+  reader.field("rigid_body", value.rigid_body);
   reader.finish();
 }
 

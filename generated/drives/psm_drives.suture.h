@@ -6,6 +6,7 @@
 
 #include "drives/psm_drives.h"
 #include "coordinator/emergency_stop.suture.h"
+#include "drives/drive_dynamics.suture.h"
 #include "drives/drives.suture.h"
 
 namespace suture {
@@ -20,6 +21,8 @@ struct PsmDrivesParametersSlot {
   double angular_rate;    // rad/s
   double insertion_rate;  // m/s
   std::int64_t permit;    // std::chrono::nanoseconds, ns
+  std::uint8_t dynamics;  // DriveDynamics
+  RigidBodyOptionsSlot rigid_body;
 };
 
 bool store(const PsmDrivesParameters& value, PsmDrivesParametersSlot& slot);

@@ -3,6 +3,7 @@
 
 using Cxx = import "/capnp/c++.capnp";
 using Meta = import "/suture/meta.capnp";
+using DriveDynamics = import "/drives/drive_dynamics.capnp";
 $Cxx.namespace("robots::wire");
 $Meta.header("drives/psm_drives.h");
 
@@ -20,4 +21,9 @@ struct PsmDrivesParameters @0x85a1d19046bdb4e7 $Meta.cxx("robots::PsmDrivesParam
   permit @4 :Int64 = 30000000 $Meta.period("1/1000000000");
   # How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
   # nobody can be hurt.
+  dynamics @5 :DriveDynamics.DriveDynamics;
+  # Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
+  # `time_constant` does not count.
+  rigidBody @6 :DriveDynamics.RigidBodyOptions $Meta.cxx("rigid_body");
+  # They count with RigidBody.
 }

@@ -1,0 +1,27 @@
+#pragma once
+// How simulated drives simulate their joints, as deployments choose it.
+
+#include <suture/annotate.h>
+
+#include <cstdint>
+
+namespace robots {
+
+enum class SUTURE_TYPE() DriveDynamics : std::uint8_t {
+  Lag,        ///< joints without mass trail their goals by a time constant
+  RigidBody,  ///< motors move bodies that have mass, against gravity, friction and stops
+};
+
+/// What can be chosen of joints with mass.
+struct SUTURE_TYPE() RigidBodyOptions {
+  /// Whether the motors carry the arm's weight beside what their controllers give.
+  bool gravity_compensation = true;
+  /// Whether encoders tell whole counts.
+  bool quantisation = true;
+  /// The standard deviation of what encoders add, in counts.
+  SUTURE_FIELD(range(0, 1000)) double noise = 0;
+  /// Equal seeds, goals and times give equal noise.
+  std::uint32_t seed = 1;
+};
+
+}  // namespace robots

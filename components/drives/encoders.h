@@ -1,0 +1,59 @@
+#pragma once
+// What encoders tell of joints.
+
+#include <cstdint>
+#include <random>
+
+#include "drives/rate_filter.h"
+
+namespace robots {
+
+template <int N>
+struct EncoderModel {
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  Joints step;               ///< rad or m: one count
+  bool quantisation = true;  ///< they tell whole counts
+  double noise = 0;          ///< counts: the standard deviation of what they add before that
+  std::uint32_t seed = 1;
+  double velocity_filter = 0.0;  ///< s: the time constant of velocities (rate_filter.h)
+};
+
+/// Equal seeds, positions and times give equal readings. Confined to one thread; never allocates.
+template <int N>
+class Encoders {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  Encoders(const EncoderModel<N>& model, const Joints& start)
+      : model_(model), random_(model.seed), rate_(model.velocity_filter), measured_(told(start)) {
+    rate_.reset(measured_);
+  }
+
+  /// `dt` seconds (> 0) after the last reading the joints are at `position`.
+  void read(const Joints& position, double dt) {
+    measured_ = told(position);
+    rate_.update(measured_, dt);
+  }
+
+  const Joints& measured() const { return measured_; }
+  const Joints& velocity() const { return rate_.rate(); }
+
+ private:
+  Joints told(const Joints& position) {
+    Joints counts = position.cwiseQuotient(model_.step);
+    if (model_.noise > 0) {
+      for (int i = 0; i < N; ++i) counts[i] += model_.noise * normal_(random_);
+    }
+    if (model_.quantisation) counts = counts.array().round();
+    return counts.cwiseProduct(model_.step);
+  }
+
+  EncoderModel<N> model_;
+  std::mt19937 random_;
+  std::normal_distribution<double> normal_;
+  RateFilter<N> rate_;
+  Joints measured_;
+};
+
+}  // namespace robots

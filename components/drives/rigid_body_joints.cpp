@@ -1,0 +1,99 @@
+#include "drives/rigid_body_joints.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace robots {
+namespace {
+
+template <int N>
+const RigidBodyModel<N>& checked(const RigidBodyModel<N>& model) {
+  const bool possible =
+      (model.rate_limit.array() > 0).all() && (model.stiffness.array() >= 0).all() &&
+      (model.damping.array() >= 0).all() && model.velocity_filter >= 0 && model.noise >= 0;
+  if (!possible) {
+    throw std::invalid_argument(
+        "rigid-body joints: rates must be positive, and gains, filter and noise not negative");
+  }
+  return model;
+}
+
+template <int N>
+dynamics::JointMotion<N> motionOf(const RigidBodyModel<N>& model) {
+  return {dynamics::ArmDynamics<N>(model.chain, model.mechanics.links),
+          {.viscous = model.mechanics.viscous,
+           .coulomb = model.mechanics.coulomb,
+           .lower = model.chain.lower(),
+           .upper = model.chain.upper()},
+          model.parked};
+}
+
+template <int N>
+EncoderModel<N> encodersOf(const RigidBodyModel<N>& model) {
+  return {.step = model.mechanics.encoder_step,
+          .quantisation = model.quantisation,
+          .noise = model.noise,
+          .seed = model.seed,
+          .velocity_filter = model.velocity_filter};
+}
+
+}  // namespace
+
+template <int N>
+RigidBodyJoints<N>::RigidBodyJoints(const RigidBodyModel<N>& model)
+    : model_(checked(model)),
+      motion_(motionOf(model)),
+      encoders_(encodersOf(model), motion_.position()),
+      setpointRate_(model.velocity_filter),
+      setpoint_(encoders_.measured()) {}
+
+template <int N>
+void RigidBodyJoints<N>::advance(double dt) {
+  if (!(dt > 0)) return;
+  if (!braked_) motion_.advance(dt, effort_);
+  encoders_.read(motion_.position(), dt);
+  // The set-point waits with the joints for drives that are late.
+  constexpr auto kMost = dynamics::JointMotion<N>::kMostSteps * dynamics::JointMotion<N>::kStep;
+  elapsed_ += std::min(dt, kMost);
+}
+
+template <int N>
+void RigidBodyJoints<N>::command(const Joints& setpoint) {
+  if (std::exchange(braked_, false)) {
+    setpoint_ = measured();
+    setpointRate_.reset(setpoint_);
+  }
+  if (const double dt = std::exchange(elapsed_, 0); dt > 0) {
+    const Joints most = dt * model_.rate_limit;
+    setpoint_ += (model_.chain.clamp(setpoint) - setpoint_).cwiseMin(most).cwiseMax(-most);
+    setpointRate_.update(setpoint_, dt);
+  }
+  const Joints& limit = model_.mechanics.effort_limit;
+  effort_ = controlled().cwiseMin(limit).cwiseMax(-limit);
+}
+
+template <int N>
+typename RigidBodyJoints<N>::Joints RigidBodyJoints<N>::controlled() const {
+  const Joints late = setpointRate_.rate() - encoders_.velocity();
+  Joints effort =
+      model_.stiffness.cwiseProduct(setpoint_ - measured()) + model_.damping.cwiseProduct(late);
+  if (model_.gravity_compensation) {
+    const auto& dynamics = motion_.dynamics();
+    effort += dynamics.gravity(dynamics.at(measured()));
+  }
+  return effort;
+}
+
+template <int N>
+void RigidBodyJoints<N>::brake() {
+  motion_.halt();
+  effort_.setZero();
+  elapsed_ = 0;
+  braked_ = true;
+}
+
+template class RigidBodyJoints<6>;
+template class RigidBodyJoints<7>;
+
+}  // namespace robots

@@ -1,0 +1,71 @@
+#pragma once
+// Simulated joints with mass: motors, controllers, encoders and brakes around the motion of an arm.
+
+#include "drives/encoders.h"
+#include "drives/rate_filter.h"
+#include "drives/simulated_joints.h"
+#include "dynamics/davinci_inertia.h"
+#include "dynamics/joint_motion.h"
+
+namespace robots {
+
+/// One arm. Joint vectors in rad, or m of a prismatic joint; efforts in N.m, or N.
+template <int N>
+struct RigidBodyModel {
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  kinematics::Chain<N> chain;  ///< its limits are the mechanical stops
+  dynamics::ArmMechanics<N> mechanics;
+  Joints parked;      ///< where the joints are at first
+  Joints rate_limit;  ///< rad/s or m/s: set-points go no faster to their goals
+  Joints stiffness;   ///< effort per error of position
+  Joints damping;     ///< effort per error of velocity
+  /// s: the time constant of the velocities that are measured and controlled.
+  double velocity_filter;
+  bool gravity_compensation = true;
+  bool quantisation = true;
+  double noise = 0;  ///< counts of the encoders
+  std::uint32_t seed = 1;
+};
+
+/// Each joint has a PD controller, which sees what the encoders tell, runs once a cycle, and gives
+/// its motor no more than the motor can. Brakes hold at once and without slip. Confined to one
+/// thread; nothing but the constructor throws or allocates. Equal models, commands and times give
+/// equal motion.
+template <int N>
+class RigidBodyJoints final : public SimulatedJoints<N> {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  /// At rest, with brakes on. Throws std::invalid_argument unless rates are positive and gains,
+  /// noise and filter are not negative.
+  explicit RigidBodyJoints(const RigidBodyModel<N>& model);
+
+  void advance(double dt) override;
+  void command(const Joints& setpoint) override;
+  void brake() override;
+  const Joints& measured() const override { return encoders_.measured(); }
+  Joints velocity() const override { return encoders_.velocity(); }
+
+  /// Where the joints are, which only a simulation knows.
+  const Joints& position() const { return motion_.position(); }
+  /// What the motors give until the next command.
+  const Joints& effort() const { return effort_; }
+
+ private:
+  Joints controlled() const;
+
+  RigidBodyModel<N> model_;
+  dynamics::JointMotion<N> motion_;
+  Encoders<N> encoders_;
+  RateFilter<N> setpointRate_;  // as late as the measured velocities are
+  Joints setpoint_;
+  Joints effort_ = Joints::Zero();
+  double elapsed_ = 0;  // s since the last command
+  bool braked_ = true;
+};
+
+extern template class RigidBodyJoints<6>;
+extern template class RigidBodyJoints<7>;
+
+}  // namespace robots

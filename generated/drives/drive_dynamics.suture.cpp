@@ -1,0 +1,100 @@
+// Written by suturec from drives/drive_dynamics.h. Do not edit.
+#include "drives/drive_dynamics.suture.h"
+
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "drives/drive_dynamics.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<DriveDynamics>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(DriveDynamics::Lag) == 0);
+static_assert(static_cast<std::uint8_t>(DriveDynamics::RigidBody) == 1);
+static_assert(std::is_same_v<decltype(RigidBodyOptions::gravity_compensation), bool>);
+static_assert(std::is_same_v<decltype(RigidBodyOptions::quantisation), bool>);
+static_assert(std::is_same_v<decltype(RigidBodyOptions::noise), double>);
+static_assert(std::is_same_v<decltype(RigidBodyOptions::seed), std::uint32_t>);
+
+}  // namespace
+
+bool store(const RigidBodyOptions& value, RigidBodyOptionsSlot& slot) {
+  bool fits = true;
+  fits &= store(value.gravity_compensation, slot.gravity_compensation);
+  fits &= store(value.quantisation, slot.quantisation);
+  fits &= store(value.noise, slot.noise);
+  fits &= store(value.seed, slot.seed);
+  return fits;
+}
+
+void load(const RigidBodyOptionsSlot& slot, RigidBodyOptions& value) {
+  load(slot.gravity_compensation, value.gravity_compensation);
+  load(slot.quantisation, value.quantisation);
+  load(slot.noise, value.noise);
+  load(slot.seed, value.seed);
+}
+
+// --- between slots and Cap'n Proto
+
+wire::DriveDynamics wireDriveDynamics(std::uint8_t slot) {
+  switch (static_cast<DriveDynamics>(slot)) {
+    case DriveDynamics::Lag: return wire::DriveDynamics::LAG;
+    case DriveDynamics::RigidBody: return wire::DriveDynamics::RIGID_BODY;
+  }
+  return wire::DriveDynamics{};
+}
+
+bool isKnownDriveDynamics(std::uint8_t slot) {
+  switch (static_cast<DriveDynamics>(slot)) {
+    case DriveDynamics::Lag:
+    case DriveDynamics::RigidBody:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::DriveDynamics in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::DriveDynamics::LAG: return slot =
+        static_cast<std::uint8_t>(DriveDynamics::Lag), Errc{};
+    case wire::DriveDynamics::RIGID_BODY: return slot =
+        static_cast<std::uint8_t>(DriveDynamics::RigidBody), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder out) {
+  out.setGravityCompensation(slot.gravity_compensation != 0);
+  out.setQuantisation(slot.quantisation != 0);
+  out.setNoise(slot.noise);
+  out.setSeed(slot.seed);
+}
+
+Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot, Duration) {
+  slot.gravity_compensation = in.getGravityCompensation();
+  slot.quantisation = in.getQuantisation();
+  slot.noise = in.getNoise();
+  slot.seed = in.getSeed();
+  return Errc{};
+}
+
+bool isValid(const RigidBodyOptionsSlot& slot, FieldPath* path) {
+  return inRange(slot.noise, 0, 1000) || refusedAt(path, "noise");
+}
+
+}  // namespace robots

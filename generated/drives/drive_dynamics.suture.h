@@ -1,0 +1,21 @@
+// Written by suturec from drives/drive_dynamics.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+
+#include "drives/drive_dynamics.h"
+
+namespace robots {
+
+/// What can be chosen of joints with mass.
+struct RigidBodyOptionsSlot {
+  std::uint8_t gravity_compensation;  // bool
+  std::uint8_t quantisation;          // bool
+  double noise;
+  std::uint32_t seed;
+};
+
+bool store(const RigidBodyOptions& value, RigidBodyOptionsSlot& slot);
+void load(const RigidBodyOptionsSlot& slot, RigidBodyOptions& value);
+
+}  // namespace robots

@@ -1,0 +1,27 @@
+@0x954c0ff33f975267;
+# The wire contract of drives/drive_dynamics.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("drives/drive_dynamics.h");
+
+enum DriveDynamics @0xf9d9ac4e5a5868fe $Meta.cxx("robots::DriveDynamics") $Meta.underlying("UInt8") {
+  lag @0 $Meta.cxx("Lag") $Meta.value(0);
+  # joints without mass trail their goals by a time constant
+  rigidBody @1 $Meta.cxx("RigidBody") $Meta.value(1);
+  # motors move bodies that have mass, against gravity, friction and stops
+}
+
+struct RigidBodyOptions @0xebb0c1af002736b6 $Meta.cxx("robots::RigidBodyOptions") {
+  # What can be chosen of joints with mass.
+
+  gravityCompensation @0 :Bool = true $Meta.cxx("gravity_compensation");
+  # Whether the motors carry the arm's weight beside what their controllers give.
+  quantisation @1 :Bool = true;
+  # Whether encoders tell whole counts.
+  noise @2 :Float64 $Meta.range(lowest = 0, highest = 1000);
+  # The standard deviation of what encoders add, in counts.
+  seed @3 :UInt32 = 1;
+  # Equal seeds, goals and times give equal noise.
+}
