@@ -1,5 +1,7 @@
 #include "compiler/lock/composites.h"
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "compiler/lock/wire_type.h"
@@ -81,7 +83,8 @@ std::string nameOf(const Type& type, const Place& place) {
   return "";
 }
 
-/// "robots/arm.h" -> "RobotsArm", "arm/arm.h" -> "Arm": what no other header of the namespace has.
+/// "robots/arm.h" -> "RobotsArm", "arm/arm.h" -> "Arm", "03_arm/arm.h" -> "Header03ArmArm": what no
+/// other header of the namespace has. A name begins with a letter.
 std::string prefixOf(const model::Header& header) {
   const std::string stem = model::stemOf(header.path);
   std::string result, last;
@@ -92,7 +95,8 @@ std::string prefixOf(const model::Header& header) {
     last = piece;
     begin = end + 1;
   }
-  return result;
+  const bool isName = result.empty() || std::isdigit(static_cast<unsigned char>(result[0])) == 0;
+  return isName ? result : "Header" + result;
 }
 
 std::string decapitalised(std::string name) {

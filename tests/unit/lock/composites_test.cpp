@@ -68,6 +68,11 @@ TEST_F(CompositesTest, NamesSayWhatTheyAreMadeOf) {
             "RobotsArmEitherOfDuration1Per1000Int64OrSteadyTime");
 }
 
+TEST_F(CompositesTest, ANameBeginsWithALetterAlsoBelowANumberedFolder) {
+  sample::armHeader(model_).path = "03_own_type/arm.h";
+  EXPECT_EQ(name(of(Shape::Optional, {sample::number()})), "Header03OwnTypeArmOptionalFloat64");
+}
+
 TEST_F(CompositesTest, BoundsDoNotChangeAName) {
   EXPECT_EQ(name(of(Shape::Optional, {sample::text(3)})),
             name(of(Shape::Optional, {sample::text(4)})));
