@@ -10,7 +10,7 @@
 namespace robots::kinematics {
 namespace {
 
-constexpr int kMostSteps = 10;
+constexpr int kMostSteps = 8;
 // Newton's steps shrink by squares: behind one so small (rad or m) the next is nothing.
 constexpr double kLastStep = 1e-7;
 

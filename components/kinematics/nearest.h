@@ -5,7 +5,7 @@
 
 namespace robots::kinematics {
 
-/// Searches downhill from `begin` (cut to the limits) in at most ten Newton steps on the
+/// Searches downhill from `begin` (cut to the limits) in at most eight Newton steps on the
 /// weighted squared pose error. Unlike the steps of `inverse` they know the error's own curvature,
 /// so they still converge where an error remains, as it does beyond a limit; where that curvature
 /// is not convex they are damped. A joint that is pushed against its limit is held there for that
