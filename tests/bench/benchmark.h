@@ -30,5 +30,7 @@ std::unique_ptr<Benchmark> makeLocal();
 std::unique_ptr<Benchmark> makeNetwork();
 /// The emergency stop of a system.
 std::unique_ptr<Benchmark> makeStop();
+/// What the arms compute in each cycle.
+std::unique_ptr<Benchmark> makeKinematics();
 
 }  // namespace bench

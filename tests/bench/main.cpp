@@ -79,9 +79,10 @@ int main(int argc, char** argv) try {
   const auto network = bench::makeNetwork();
   const auto stop = bench::makeStop();
   const auto compiler = bench::makeCompiler();
+  const auto kinematics = bench::makeKinematics();
   CommonOptions options;
   for (Benchmark* benchmark :
-       {table2.get(), local.get(), network.get(), stop.get(), compiler.get()}) {
+       {table2.get(), local.get(), network.get(), stop.get(), compiler.get(), kinematics.get()}) {
     CLI::App* subcommand = program.add_subcommand(benchmark->name(), benchmark->description());
     subcommand->add_option("--json", options.jsonFile, "writes every figure to this file");
     subcommand->add_flag("--check", options.check,
