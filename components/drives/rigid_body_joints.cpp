@@ -8,7 +8,7 @@ namespace robots {
 namespace {
 
 template <int N>
-const RigidBodyModel<N>& checked(const RigidBodyModel<N>& model) {
+RigidBodyModel<N> checked(RigidBodyModel<N> model) {
   const bool possible =
       (model.rate_limit.array() > 0).all() && (model.stiffness.array() >= 0).all() &&
       (model.damping.array() >= 0).all() && model.velocity_filter >= 0 && model.noise >= 0;
