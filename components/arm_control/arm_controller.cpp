@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "arm_control/goals.h"
-#include "kinematics/inverse.h"
 #include "timing/seconds.h"
 
 namespace robots {
@@ -97,7 +96,7 @@ std::optional<typename ArmController<N>::ServoTarget> ArmController<N>::target(
     const PoseStamped& goal) {
   if (!mayMove()) return std::nullopt;
   if (!isPose(goal)) return refused(ArmWarning::Malformed);
-  const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
+  const auto solution = model_.solve(goal.pose, setpoint_, kinematics::Postures::Near);
   if (!solution.found && !solution.limited) return refused(ArmWarning::OutOfReach);
   return ServoTarget{solution.q, solution.limited};
 }
@@ -151,7 +150,7 @@ template <int N>
 JointSolution ArmController<N>::inverse_kinematics(const PoseStamped& goal) const {
   JointSolution answer;
   if (!isPose(goal)) return answer;
-  const auto solution = kinematics::inverse(model_.chain, goal.pose, setpoint_);
+  const auto solution = model_.solve(goal.pose, setpoint_, kinematics::Postures::All);
   std::copy_n(solution.q.data(), N, answer.position.begin());
   answer.joints = N;
   answer.found = solution.found;

@@ -16,7 +16,7 @@
 #include "arm_control/joint_move.h"
 #include "arm_control/operating_states.h"
 #include "arm_control/warnings.h"
-#include "kinematics/chain.h"
+#include "kinematics/inverse.h"
 #include "robot_types/joints.h"
 #include "robot_types/operating_state.h"
 #include "robot_types/pose.h"
@@ -37,6 +37,13 @@ struct ArmModel {
   Joints following_error = Joints::Constant(std::numeric_limits<double>::infinity());
   /// s: a servo goal may lie so far from the set-point as the joints can move in this time.
   double servo_horizon = 0.1;
+  /// The arm's own closed form, if it has one.
+  kinematics::InverseFunction<N> inverse = kinematics::searched<N>;
+
+  auto solve(const Eigen::Isometry3d& goal, const Joints& start,
+             kinematics::Postures postures) const {
+    return inverse(chain, goal, start, postures);
+  }
 };
 
 template <int N>

@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "arm_control/goals.h"
-#include "kinematics/inverse.h"
 #include "timing/seconds.h"
 
 namespace robots {
@@ -228,7 +227,7 @@ template <int N>
 void CrtkArm<N>::moveTo(const PoseStamped& goal) {
   if (!arm_.mayMove()) return;
   if (!isPose(goal)) return arm_.warn(ArmWarning::Malformed);
-  const auto solution = kinematics::inverse(arm_.model_.chain, goal.pose, arm_.setpoint_);
+  const auto solution = arm_.model_.solve(goal.pose, arm_.setpoint_, kinematics::Postures::All);
   if (!solution.found) return arm_.warn(ArmWarning::OutOfReach);
   arm_.startMove(solution.q, false);
 }
@@ -280,7 +279,8 @@ void CrtkArm<N>::advance(suture::Time now) {
   // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
   const bool paused = stream_.isActive() && dt > inSeconds(StreamWatch::kSilence);
   if (stream_.hasFallenSilent(now) || paused) return arm_.hold();
-  const auto next = stream_.next(arm_.model_.chain, arm_.setpoint_, arm_.reading_.position, dt);
+  const auto next = stream_.next(arm_.model_.chain, arm_.model_.inverse, arm_.setpoint_,
+                                 arm_.reading_.position, dt);
   if (!next) return arm_.warn(ArmWarning::OutOfReach);
   arm_.setpoint_ = next->q;
   if (next->limited && !streamSlides_) arm_.warnings_.tell(ArmWarning::AtLimit);

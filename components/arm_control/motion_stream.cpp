@@ -3,8 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "kinematics/inverse.h"
-
 namespace robots {
 
 using kinematics::rotated;
@@ -47,13 +45,14 @@ void MotionStream<N>::end() {
 
 template <int N>
 std::optional<typename MotionStream<N>::Step> MotionStream<N>::next(
-    const kinematics::Chain<N>& chain, const Joints& setpoint, const Joints& measured, double dt) {
+    const kinematics::Chain<N>& chain, kinematics::InverseFunction<N> inverse,
+    const Joints& setpoint, const Joints& measured, double dt) {
   switch (kind_) {
     case Kind::None: return Step{setpoint};
     case Kind::Free: return Step{measured};
     case Kind::JointRate: break;
     case Kind::BodyTwist:
-    case Kind::SpatialTwist: return nextByTwist(chain, setpoint, dt);
+    case Kind::SpatialTwist: return nextByTwist(chain, inverse, setpoint, dt);
   }
   const Joints next = nextByRate(setpoint, dt);
   return Step{chain.clamp(next), !chain.within(next)};
@@ -73,7 +72,8 @@ typename MotionStream<N>::Joints MotionStream<N>::nextByRate(const Joints& setpo
 
 template <int N>
 std::optional<typename MotionStream<N>::Step> MotionStream<N>::nextByTwist(
-    const kinematics::Chain<N>& chain, const Joints& setpoint, double dt) {
+    const kinematics::Chain<N>& chain, kinematics::InverseFunction<N> inverse,
+    const Joints& setpoint, double dt) {
   Eigen::Isometry3d pose = chain.forward(setpoint);
   const SpatialVector along = rotated(axes_, twist_.advance(dt));
   const SpatialVector twist = kind_ == Kind::BodyTwist ? rotated(pose.linear(), along) : along;
@@ -82,7 +82,7 @@ std::optional<typename MotionStream<N>::Step> MotionStream<N>::nextByTwist(
   if (angle.norm() > 0) {
     pose.linear() = Eigen::AngleAxisd(angle.norm(), angle.normalized()) * pose.linear();
   }
-  const auto solution = kinematics::inverse(chain, pose, setpoint);
+  const auto solution = inverse(chain, pose, setpoint, kinematics::Postures::Near);
   if (!solution.found && !solution.limited) return std::nullopt;
   return Step{solution.q, solution.limited};
 }

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "arm_control/rate_ramp.h"
-#include "kinematics/chain.h"
+#include "kinematics/inverse.h"
 #include "kinematics/spatial_vector.h"
 #include "timing/stream_watch.h"
 
@@ -54,7 +54,8 @@ class MotionStream {
     bool limited = false;  ///< it would lie beyond them, and slides along them
   };
   /// The set-point `dt` seconds after `setpoint`; none if no joint vector reaches it.
-  std::optional<Step> next(const kinematics::Chain<N>& chain, const Joints& setpoint,
+  std::optional<Step> next(const kinematics::Chain<N>& chain,
+                           kinematics::InverseFunction<N> inverse, const Joints& setpoint,
                            const Joints& measured, double dt);
 
   /// The twist that is followed now along the base's axes; the Jacobian and the tip's rotation are
@@ -68,7 +69,8 @@ class MotionStream {
  private:
   void begin(Kind kind, std::string_view activity);
   Joints nextByRate(const Joints& setpoint, double dt);
-  std::optional<Step> nextByTwist(const kinematics::Chain<N>& chain, const Joints& setpoint,
+  std::optional<Step> nextByTwist(const kinematics::Chain<N>& chain,
+                                  kinematics::InverseFunction<N> inverse, const Joints& setpoint,
                                   double dt);
 
   Kind kind_ = Kind::None;

@@ -1,6 +1,7 @@
 #include "arm_control/mtm.h"
 
 #include "kinematics/davinci.h"
+#include "kinematics/mtm_inverse.h"
 
 namespace robots {
 namespace {
@@ -14,6 +15,7 @@ ArmModel<7> model(const MtmParameters& parameters) {
       .rate_limit = ArmModel<7>::Joints::Constant(parameters.angular_rate),
       .following_error = ArmModel<7>::Joints::Constant(parameters.following_error),
       .servo_horizon = parameters.servo_horizon,
+      .inverse = kinematics::mtmInverse,
   };
   return model;
 }

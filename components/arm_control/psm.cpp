@@ -1,6 +1,7 @@
 #include "arm_control/psm.h"
 
 #include "kinematics/davinci.h"
+#include "kinematics/psm_inverse.h"
 
 namespace robots {
 namespace {
@@ -14,6 +15,7 @@ ArmModel<6> model(const PsmParameters& parameters) {
       .rate_limit = ArmModel<6>::Joints::Constant(parameters.angular_rate),
       .following_error = ArmModel<6>::Joints::Constant(parameters.following_error),
       .servo_horizon = parameters.servo_horizon,
+      .inverse = kinematics::psmInverse,
   };
   // Inside the patient from the start: the cannula is not simulated.
   model.home[kInsertion] = 0.12;

@@ -6,6 +6,7 @@
 
 #include "arm_control/crtk_arm.h"
 #include "kinematics/davinci.h"
+#include "kinematics/mtm_inverse.h"
 #include "support/allocations.h"
 #include "unit/arm/deaf.h"
 #include "unit/arm/trailing_joints.h"
@@ -20,7 +21,8 @@ ArmModel<7> mtmModel() {
   return {.chain = kinematics::mtmLeft(),
           .joint_names = {"a", "b", "c", "d", "e", "f", "g"},
           .home = MtmJoints::Constant(0.2),
-          .rate_limit = MtmJoints::Constant(4)};
+          .rate_limit = MtmJoints::Constant(4),
+          .inverse = kinematics::mtmInverse};
 }
 
 TEST(ArmController, NeverAllocatesInItsCycle) {

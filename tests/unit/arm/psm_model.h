@@ -3,6 +3,7 @@
 
 #include "arm_control/arm_controller.h"
 #include "kinematics/davinci.h"
+#include "kinematics/psm_inverse.h"
 
 namespace robots::test {
 
@@ -12,7 +13,8 @@ inline ArmModel<6> psmModel() {
           .joint_names = {"a", "b", "c", "d", "e", "f"},
           .home = Joints::Constant(0.1),
           .rate_limit = Joints::Constant(4),
-          .following_error = Joints::Constant(0.35)};
+          .following_error = Joints::Constant(0.35),
+          .inverse = kinematics::psmInverse};
 }
 
 inline ArmModel<6>::Joints psmParked() {
