@@ -137,7 +137,9 @@ void includeAll(Code& code, const char* folder, std::initializer_list<const char
 void emitSourceIncludes(Code& code, const Context& context, bool converts, bool limits) {
   const model::Header& header = context.header;
   code.line("#include \"", model::stemOf(header.path), ".suture.h\"").blank();
-  if (!header.components.empty()) includeAll(code, "component/", {"json_reader"});
+  if (!header.components.empty() || readsForOthers(context)) {
+    includeAll(code, "component/", {"json_reader"});
+  }
   if (!header.interfaces.empty()) {
     includeAll(code, "transport/rpc/", {"binding", "proxy_port", "servant_port"});
   }

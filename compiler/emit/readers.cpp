@@ -1,8 +1,10 @@
 #include "compiler/emit/readers.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/emit/contract.h"
@@ -19,23 +21,71 @@ bool isDeclared(const std::string& name, const model::Header& home) {
                      [&](const model::Component& one) { return one.parameters == name; });
 }
 
-/// The types that the parameters of a header's components consist of, parts before wholes.
-class Parts {
+/// Which header's source reads a type that a value in `holder` has a part of: its own, or if that
+/// is another target's, the holder's.
+const model::Header& readerOf(const model::Header& home, const model::Header& holder) {
+  return home.own ? home : holder;
+}
+
+/// Walks through all that parameters of our components consist of, from header to header.
+class SharedParts {
  public:
-  explicit Parts(const Context& context) : context_(context) {
-    for (const model::Component& component : context.header.components) {
-      if (component.parameters) add(*component.parameters);
+  explicit SharedParts(const Context& context) : context_(context) {
+    for (const model::Header& header : context.model.headers) {
+      if (!header.own) continue;
+      for (const model::Component& component : header.components) {
+        if (component.parameters) visit(*component.parameters, header);
+      }
     }
   }
 
+  /// Those of the header that another source of ours reads.
+  const std::set<std::string>& names() const { return names_; }
+
+ private:
+  void visit(const std::string& name, const model::Header& holder) {
+    const model::Header& home = *context_.lookup.headerOf(name);
+    const model::Header& reader = readerOf(home, holder);
+    if (&reader != &holder && reader.path == context_.header.path && !isDeclared(name, home)) {
+      names_.insert(name);
+    }
+    if (!seen_.emplace(name, &reader).second) return;
+    if (const model::Struct* const declaration = context_.lookup.findStruct(name)) {
+      for (const model::Field& field : declaration->fields) visit(field.type, reader);
+    }
+  }
+  void visit(const model::Type& type, const model::Header& holder) {
+    if (!type.name.empty()) visit(type.name, holder);
+    for (const model::Type& element : type.element) visit(element, holder);
+  }
+
+  const Context& context_;
+  std::set<std::pair<std::string, const model::Header*>> seen_;
+  std::set<std::string> names_;
+};
+
+/// The types that a header's source reads, parts before wholes.
+class Parts {
+ public:
+  Parts(const Context& context, const std::set<std::string>& shared) : context_(context) {
+    for (const model::Component& component : context.header.components) {
+      if (component.parameters) add(*component.parameters);
+    }
+    for (const std::string& name : shared) add(name);
+  }
+
   const std::vector<std::string>& names() const { return names_; }
+  /// By the path of its header: what another source of ours reads, and no header declares.
+  const std::map<std::string, std::vector<std::string>>& elsewhere() const { return elsewhere_; }
 
  private:
   void add(const std::string& name) {
     if (!seen_.insert(name).second) return;
-    const model::Header* const home = context_.lookup.headerOf(name);
-    const bool elsewhere = home->path != context_.header.path && isDeclared(name, *home);
-    if (elsewhere) return;  // its own generated header declares it
+    const model::Header& home = *context_.lookup.headerOf(name);
+    if (home.path != context_.header.path) {
+      if (isDeclared(name, home)) return;
+      if (home.own) return elsewhere_[home.path].push_back(name);
+    }
     if (const model::Struct* const declaration = context_.lookup.findStruct(name)) {
       for (const model::Field& field : declaration->fields) add(field.type);
     }
@@ -50,6 +100,7 @@ class Parts {
   const Context& context_;
   std::set<std::string> seen_;
   std::vector<std::string> names_;
+  std::map<std::string, std::vector<std::string>> elsewhere_;
 };
 
 /// False where there are points in time: a stamp of this process's clock cannot come from a file.
@@ -98,18 +149,36 @@ void emitEnum(Code& code, const model::Enum& declaration, const std::string& nam
   code.line("if (index >= 0) value = kValues[index];");
 }
 
-void emitReader(Code& code, const Context& context, const std::string& name) {
-  const model::Header& home = *context.lookup.headerOf(name);
-  const bool declared = home.path == context.header.path && isDeclared(name, home);
+std::string signature(const std::string& name, const Context& context) {
   const std::string type = relative(name, namespaceFor(name, context));
-  code.open(declared ? "" : "inline ", "void fromJson(const suture::JsonReader& in, ", type,
-            "& value) {");
+  return "void fromJson(const suture::JsonReader& in, " + type + "& value)";
+}
+
+/// `known`: another source knows of it. Whatever else is read is equal wherever it is.
+void emitReader(Code& code, const Context& context, const std::string& name, bool known) {
+  const std::string type = relative(name, namespaceFor(name, context));
+  code.open(known ? "" : "inline ", signature(name, context), " {");
   if (const model::Struct* const declaration = context.lookup.findStruct(name)) {
     emitStruct(code, *declaration, namespaceFor(name, context));
   } else {
     emitEnum(code, *context.lookup.findEnum(name), type);
   }
   code.close("}").blank();
+}
+
+/// Declares the readers that sources of other headers define.
+void emitForeignReaders(Code& code, const Context& context,
+                        const std::map<std::string, std::vector<std::string>>& byHeader) {
+  for (const auto& [path, names] : byHeader) {
+    std::map<std::string, std::vector<std::string>> bySpace;
+    for (const std::string& name : names) bySpace[namespaceFor(name, context)].push_back(name);
+    code.line("// Defined in ", model::stemOf(path), ".suture.cpp.");
+    for (const auto& [space, named] : bySpace) {
+      code.verbatim(openNamespace(space));
+      for (const std::string& name : named) code.line(signature(name, context), ";");
+      code.verbatim(closeNamespace(space)).blank();
+    }
+  }
 }
 
 /// The required interfaces that it can do without: "\"Slave\", \"Camera\"".
@@ -166,6 +235,8 @@ void emitClass(Code& code, const model::Component& component) {
 
 }  // namespace
 
+bool readsForOthers(const Context& context) { return !SharedParts(context).names().empty(); }
+
 bool hasReaders(const model::Header& header) {
   return std::any_of(
       header.structs.begin(), header.structs.end(),
@@ -193,16 +264,20 @@ void emitReaderDeclarations(Code& code, const Context& context, const std::strin
 }
 
 void emitReaders(Code& code, const Context& context) {
-  const Parts parts(context);
+  const SharedParts shared(context);
+  const Parts parts(context, shared.names());
+  emitForeignReaders(code, context, parts.elsewhere());
   std::string open;
   for (const std::string& name : parts.names()) {
-    const std::string home = namespaceFor(name, context);
-    if (home != open) {
+    const std::string space = namespaceFor(name, context);
+    if (space != open) {
       if (!open.empty()) code.verbatim(closeNamespace(open)).blank();
-      code.verbatim(openNamespace(home)).blank();
-      open = home;
+      code.verbatim(openNamespace(space)).blank();
+      open = space;
     }
-    emitReader(code, context, name);
+    const model::Header& home = *context.lookup.headerOf(name);
+    const bool declared = home.path == context.header.path && isDeclared(name, home);
+    emitReader(code, context, name, declared || shared.names().contains(name));
   }
   if (!open.empty()) code.verbatim(closeNamespace(open)).blank();
 }

@@ -2,8 +2,9 @@
 // JSON readers of component parameters, and the classes that a deployment creates components by.
 //
 // A parameters struct declared in the same header as its component has its fromJson() declared in
-// the generated header. Whatever else parameters are made of, here or in other headers, has an
-// inline fromJson() in each generated source that needs it, equal everywhere.
+// the generated header. What else parameters are made of is read by the source of its own header,
+// for all sources of the target; if that header is another target's, by an inline fromJson() in
+// each source that needs it, equal everywhere.
 
 #include <set>
 #include <string>
@@ -15,6 +16,9 @@ namespace suture::compiler::emit {
 
 /// Does the header declare a component's parameters?
 bool hasReaders(const model::Header& header);
+
+/// Does its source read what parameters of components in other headers consist of?
+bool readsForOthers(const Context& context);
 
 /// The namespaces of those readers: the header's own, and that of somebody else's type that it
 /// lists.

@@ -71,31 +71,12 @@ bool isValid(const CameraParametersSlot& slot, FieldPath* path) {
 
 }  // namespace tracking
 
+// Defined in 03_own_data_type/observation.suture.cpp.
 namespace tracking {
+void fromJson(const suture::JsonReader& in, Observation& value);
+}  // namespace tracking
 
-inline void fromJson(const suture::JsonReader& in, Visibility& value) {
-  static constexpr Visibility kValues[] = {Visibility::Hidden, Visibility::Partial,
-                                           Visibility::Full};
-  const int index = suture::enumeratorFromJson(in, {"Hidden", "Partial", "Full"});
-  if (index >= 0) value = kValues[index];
-}
-
-inline void fromJson(const suture::JsonReader& in, Marker& value) {
-  suture::JsonReader reader = in;
-  reader.field("number", value.number);
-  reader.field("position", value.position);
-  reader.finish();
-}
-
-inline void fromJson(const suture::JsonReader& in, Observation& value) {
-  suture::JsonReader reader = in;
-  reader.field("instrument", value.instrument);
-  reader.field("visibility", value.visibility);
-  reader.field("tip", value.tip);
-  reader.field("markers", value.markers);
-  reader.field("jaw_angle", value.jaw_angle, 0, 1.6);
-  reader.finish();
-}
+namespace tracking {
 
 void fromJson(const suture::JsonReader& in, CameraParameters& value) {
   suture::JsonReader reader = in;

@@ -1,6 +1,7 @@
 // Written by suturec from 03_own_data_type/observation.h. Do not edit.
 #include "03_own_data_type/observation.suture.h"
 
+#include <suture/component/json_reader.h>
 #include <suture/transport/rpc/wire.h>
 
 #include <type_traits>
@@ -156,6 +157,34 @@ bool isValid(const ObservationSlot& slot, FieldPath* path) {
     return refusedAt(path, "markers");
   }
   return inRange(slot.jaw_angle, 0, 1.6) || refusedAt(path, "jaw_angle");
+}
+
+}  // namespace tracking
+
+namespace tracking {
+
+inline void fromJson(const suture::JsonReader& in, Visibility& value) {
+  static constexpr Visibility kValues[] = {Visibility::Hidden, Visibility::Partial,
+                                           Visibility::Full};
+  const int index = suture::enumeratorFromJson(in, {"Hidden", "Partial", "Full"});
+  if (index >= 0) value = kValues[index];
+}
+
+inline void fromJson(const suture::JsonReader& in, Marker& value) {
+  suture::JsonReader reader = in;
+  reader.field("number", value.number);
+  reader.field("position", value.position);
+  reader.finish();
+}
+
+void fromJson(const suture::JsonReader& in, Observation& value) {
+  suture::JsonReader reader = in;
+  reader.field("instrument", value.instrument);
+  reader.field("visibility", value.visibility);
+  reader.field("tip", value.tip);
+  reader.field("markers", value.markers);
+  reader.field("jaw_angle", value.jaw_angle, 0, 1.6);
+  reader.finish();
 }
 
 }  // namespace tracking

@@ -1,6 +1,7 @@
 // Written by suturec from drives/drive_dynamics.h. Do not edit.
 #include "drives/drive_dynamics.suture.h"
 
+#include <suture/component/json_reader.h>
 #include <suture/transport/rpc/wire.h>
 
 #include <type_traits>
@@ -95,6 +96,25 @@ Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot, Dur
 
 bool isValid(const RigidBodyOptionsSlot& slot, FieldPath* path) {
   return inRange(slot.noise, 0, 1000) || refusedAt(path, "noise");
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, DriveDynamics& value) {
+  static constexpr DriveDynamics kValues[] = {DriveDynamics::Lag, DriveDynamics::RigidBody};
+  const int index = suture::enumeratorFromJson(in, {"Lag", "RigidBody"});
+  if (index >= 0) value = kValues[index];
+}
+
+void fromJson(const suture::JsonReader& in, RigidBodyOptions& value) {
+  suture::JsonReader reader = in;
+  reader.field("gravity_compensation", value.gravity_compensation);
+  reader.field("quantisation", value.quantisation);
+  reader.field("noise", value.noise, 0, 1000);
+  reader.field("seed", value.seed);
+  reader.finish();
 }
 
 }  // namespace robots

@@ -131,27 +131,18 @@ bool isValid(const MtmDrivesParametersSlot& slot, FieldPath* path) {
 
 }  // namespace robots
 
+// Defined in drives/drive_dynamics.suture.cpp.
+namespace robots {
+void fromJson(const suture::JsonReader& in, DriveDynamics& value);
+void fromJson(const suture::JsonReader& in, RigidBodyOptions& value);
+}  // namespace robots
+
 namespace robots {
 
 inline void fromJson(const suture::JsonReader& in, MasterSide& value) {
   static constexpr MasterSide kValues[] = {MasterSide::Left, MasterSide::Right};
   const int index = suture::enumeratorFromJson(in, {"Left", "Right"});
   if (index >= 0) value = kValues[index];
-}
-
-inline void fromJson(const suture::JsonReader& in, DriveDynamics& value) {
-  static constexpr DriveDynamics kValues[] = {DriveDynamics::Lag, DriveDynamics::RigidBody};
-  const int index = suture::enumeratorFromJson(in, {"Lag", "RigidBody"});
-  if (index >= 0) value = kValues[index];
-}
-
-inline void fromJson(const suture::JsonReader& in, RigidBodyOptions& value) {
-  suture::JsonReader reader = in;
-  reader.field("gravity_compensation", value.gravity_compensation);
-  reader.field("quantisation", value.quantisation);
-  reader.field("noise", value.noise, 0, 1000);
-  reader.field("seed", value.seed);
-  reader.finish();
 }
 
 void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value) {

@@ -1,6 +1,7 @@
 // Written by suturec from registration/registration.h. Do not edit.
 #include "registration/registration.suture.h"
 
+#include <suture/component/json_reader.h>
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/proxy_port.h>
 #include <suture/transport/rpc/servant_port.h>
@@ -268,6 +269,19 @@ constexpr char kRegistrationDescription[] = R"json(
 "is": "Float64 unit \"m\" = -0.16"}]}]})json";
 
 }  // namespace
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, SceneFrames& value) {
+  suture::JsonReader reader = in;
+  reader.field("left_base", value.left_base);
+  reader.field("right_base", value.right_base);
+  reader.field("camera", value.camera);
+  reader.field("tissue", value.tissue);
+  reader.finish();
+}
+
 }  // namespace robots
 
 namespace suture {

@@ -5,17 +5,9 @@
 
 #include <type_traits>
 
+// Defined in registration/registration.suture.cpp.
 namespace robots {
-
-inline void fromJson(const suture::JsonReader& in, SceneFrames& value) {
-  suture::JsonReader reader = in;
-  reader.field("left_base", value.left_base);
-  reader.field("right_base", value.right_base);
-  reader.field("camera", value.camera);
-  reader.field("tissue", value.tissue);
-  reader.finish();
-}
-
+void fromJson(const suture::JsonReader& in, SceneFrames& value);
 }  // namespace robots
 
 namespace suture {

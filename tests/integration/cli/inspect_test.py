@@ -22,14 +22,14 @@ class Inspect(System):
         robot = self.start_robot()
         text = self.said("ps")
         self.assertIn(f"robot   pid {robot.pid}   host {os.uname().nodename}   unix:/", text)
-        self.assertIn("  Hand\n    provides  Gripper    robots::Gripper\n    provides  component  suture::Lifecycle\n", text)
+        self.assertIn("  Hand\n    provides  Gripper    robots::Gripper    fingers in wrist\n    provides  component  suture::Lifecycle\n", text)
         self.assertRegex(text, r"requires  Names +robots::Names\n")
         (process,) = self.told("ps")
         self.assertEqual((process["name"], process["pid"]), ("robot", robot.pid))
         hand, surgeon = process["components"]
         self.assertEqual([one["name"] for one in hand["provided"]], ["Gripper", "component"])
         self.assertEqual([one["contract"] for one in surgeon["required"]],
-                         ["robots::Arm", "robots::Gripper", "robots::Names"])
+                         ["robots::Arm", "robots::Gripper", "robots::Names", "robots::Arm"])
 
     def test_ps_of_a_process_that_stands_still(self):
         robot = self.start_robot()

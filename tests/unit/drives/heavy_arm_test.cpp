@@ -7,8 +7,8 @@
 #include <chrono>
 #include <cmath>
 
-#include "arm/mtm.h"
-#include "arm/psm.h"
+#include "arm_control/mtm.h"
+#include "arm_control/psm.h"
 #include "drives/mtm_drives.h"
 #include "drives/psm_drives.h"
 #include "support/pass.h"

@@ -1,6 +1,7 @@
 // Written by suturec from robots/arm.h. Do not edit.
 #include "robots/arm.suture.h"
 
+#include <suture/component/json_reader.h>
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/proxy_port.h>
 #include <suture/transport/rpc/servant_port.h>
@@ -955,6 +956,16 @@ constexpr char kArmDescription[] = R"json(
 "is": "Int64 period \"1/1000\""}, {"at": 20, "name": "when", "is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, Mode& value) {
+  static constexpr Mode kValues[] = {Mode::Disabled, Mode::HoldStill, Mode::Servo};
+  const int index = suture::enumeratorFromJson(in, {"Disabled", "HoldStill", "Servo"});
+  if (index >= 0) value = kValues[index];
+}
+
 }  // namespace robots
 
 namespace suture {

@@ -75,13 +75,12 @@ bool isValid(const ArmParametersSlot& slot, FieldPath* path) {
 
 }  // namespace robots
 
+// Defined in robots/arm.suture.cpp.
 namespace robots {
+void fromJson(const suture::JsonReader& in, Mode& value);
+}  // namespace robots
 
-inline void fromJson(const suture::JsonReader& in, Mode& value) {
-  static constexpr Mode kValues[] = {Mode::Disabled, Mode::HoldStill, Mode::Servo};
-  const int index = suture::enumeratorFromJson(in, {"Disabled", "HoldStill", "Servo"});
-  if (index >= 0) value = kValues[index];
-}
+namespace robots {
 
 void fromJson(const suture::JsonReader& in, ArmParameters& value) {
   suture::JsonReader reader = in;
