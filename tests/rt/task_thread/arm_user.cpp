@@ -1,5 +1,6 @@
 #include "rt/task_thread/arm_user.h"
 
+#include <chrono>
 #include <iterator>
 #include <string>
 
@@ -38,7 +39,13 @@ ArmUser::ArmUser(suture::Required<robots::Arm>& arm) : arm_(arm) {
   }
 }
 
+bool ArmUser::isWarm() const {
+  return commands > 50 * steps_.size() && answers > 1000 &&
+         suture::now() - began_ > std::chrono::milliseconds(1200);
+}
+
 void ArmUser::cycle() {
+  if (began_ == suture::Time{}) began_ = suture::now();
   readAll();
   readMotion();
   refused += steps_[next_]() ? 0 : 1;

@@ -22,8 +22,10 @@ class ArmUser {
   // What came of it.
   std::uint64_t reads = 0, commands = 0, refused = 0, answers = 0, events = 0;
 
-  /// Each command has been executed, each value read and each question answered, some times over.
-  bool isWarm() const { return commands > 50 * steps_.size() && answers > 1000; }
+  /// Each command has been executed, each value read and each question answered, some times over,
+  /// and what tasks do once a second has been done: code that runs for the first time may cost a
+  /// page fault.
+  bool isWarm() const;
 
  private:
   using Step = std::function<suture::Result<void>()>;
@@ -44,6 +46,7 @@ class ArmUser {
   }
 
   suture::Required<robots::Arm>& arm_;
+  suture::Time began_;
   std::vector<Step> steps_;
   std::size_t next_ = 0;
   std::optional<Question> question_;

@@ -55,7 +55,7 @@ TEST(TaskThread, CyclesInOneThreadCostNothing) {
     while (!watch.done()) {
       client.trigger();
       arm.trigger();
-      watch.cycle();
+      if (client.user.isWarm()) watch.cycle();
     }
   }).join();
   EXPECT_EQ(watch.findings(), Findings{});
@@ -130,9 +130,17 @@ TEST(TaskThread, CyclesThatSleepCostASleepAndARingForEachSleepingPeer) {
   Watch armWatch("PSM", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 2});
   Watch firstWatch("Console 1", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 1});
   Watch secondWatch("Console 2", kWarmUp, kSleepingCycles, {.sleeps = 1, .wakes = 1});
-  arm.also = [&] { armWatch.cycle(); };
-  first.also = [&] { firstWatch.cycle(); };
-  second.also = [&] { secondWatch.cycle(); };
+  std::atomic<bool> warm{false};
+  arm.also = [&] {
+    if (warm) armWatch.cycle();
+  };
+  first.also = [&] {
+    if (first.user.isWarm()) warm = true;
+    if (warm) firstWatch.cycle();
+  };
+  second.also = [&] {
+    if (warm) secondWatch.cycle();
+  };
   suture::connectLocally(first.arm, arm.arm, "first");
   suture::connectLocally(second.arm, arm.arm, "second");
   arm.start();
