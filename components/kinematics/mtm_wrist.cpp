@@ -137,7 +137,7 @@ std::optional<MtmWrist::Range> MtmWrist::nearestRange() const {
 // Gauss and Newton's steps along the self-motion; one that does not come nearer is halved.
 std::optional<MtmWrist::Joints> MtmWrist::nearest() const {
   constexpr int kSteps = 8;
-  constexpr double kStandstill = 1e-10;  // rad
+  constexpr double kSmallestStep = 1e-10;  // rad
   const std::optional<Range> range = nearestRange();
   if (!range) return std::nullopt;
   const Joints start = start_.tail<4>();
@@ -147,7 +147,7 @@ std::optional<MtmWrist::Joints> MtmWrist::nearest() const {
     const Joints motion = selfMotion(q);
     const double step = motion.dot(start - q) / motion.squaredNorm();
     const double platform = std::clamp(q[0] + share * step, range->lower, range->upper);
-    if (std::abs(platform - q[0]) <= kStandstill) break;
+    if (std::abs(platform - q[0]) <= kSmallestStep) break;
     const Joints next = at(platform);
     if ((next - start).squaredNorm() < (q - start).squaredNorm()) {
       q = next;
