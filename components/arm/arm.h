@@ -86,7 +86,7 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND() virtual const Jacobian& spatial_jacobian() const = 0;
   SUTURE_COMMAND() virtual const TransformStamped& base_frame() const = 0;
   /// The arm's base in the reference frame of this interface. Refused if it is given in another
-  /// one.
+  /// one, and while the arm moves or follows a stream.
   SUTURE_COMMAND() virtual void set_base_frame(const TransformStamped& base) = 0;
 
   // --- motion
@@ -95,6 +95,8 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND() virtual void hold() = 0;
   /// Lets go: the set-point follows the joints until another command.
   SUTURE_COMMAND() virtual void free() = 0;
+  /// For the record: it is told in gravity_compensation and changes no motor, which is the business
+  /// of the drives.
   SUTURE_COMMAND() virtual void use_gravity_compensation(bool use) = 0;
 
   /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.

@@ -19,6 +19,7 @@ enum class ArmWarning : std::uint32_t {
   PowerLost,       ///< the drives have no power any more, or may not have it: the arm is disabled
   DrivesSilent,    ///< the drives have measured nothing for 250 ms; the arm is in FAULT
   WrongFrame,      ///< a base is given in another frame than the arm's poses are
+  InMotion,        ///< the base of an arm that moves stays as it is
 };
 
 }  // namespace robots

@@ -291,9 +291,12 @@ template <int N>
 void ArmController<N>::interpolate(const ServoTarget& target, suture::Time goalStamp,
                                    const char* activity) {
   constexpr double kLongest = 0.5;  // s; goals further apart are no stream
-  const double since = line_ ? secondsBetween(line_->begin(), lastStep_) : kLongest;
-  const JointLine<N> line(setpoint_, target.q, model_.rate_limit, lastStep_,
-                          since < kLongest ? since : 0);
+  double wanted = 0;
+  if (line_) {
+    const double since = secondsBetween(line_->begin(), lastStep_);
+    if (since < kLongest) wanted = since > 0 ? since : line_->wanted();  // two of one cycle
+  }
+  const JointLine<N> line(setpoint_, target.q, model_.rate_limit, lastStep_, wanted);
   const bool slid = sliding_;
   followStream(setpoint_, goalStamp, activity);
   line_ = line;

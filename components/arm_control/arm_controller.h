@@ -136,6 +136,8 @@ class ArmController {
   void servo(const ServoTarget& target, suture::Time goalStamp, const char* activity);
   /// The same for a goal to be at when the next one comes.
   void interpolate(const ServoTarget& target, suture::Time goalStamp, const char* activity);
+  /// Where the set-point will be, unless another command comes.
+  Joints interpolated() const { return line_ ? line_->to() : setpoint_; }
   /// Says it when the arm begins to slide along a limit.
   void slide(bool limited, bool slid);
   /// What has happened has been told.
@@ -148,7 +150,7 @@ class ArmController {
   suture::Time permitted_;   // by which permit of power the arm was enabled
   suture::Time lastStep_;
   Joints setpoint_;
-  suture::Time setpointStamp_;  // of the servo goal it came from; unset otherwise
+  suture::Time setpointStamp_;  // of the streamed goal it came from; unset otherwise
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;            // of the cycle that began move_
   std::optional<JointLine<N>> line_;  // to the last goal that is interpolated
@@ -164,7 +166,7 @@ class ArmController {
 
   bool stateChanged_ = true;
   std::optional<bool> moveEnded_;
-  std::optional<ArmState> desired_;  // what a command asked for, since the face has told it
+  std::optional<ArmState> desired_;  // what a command asked for, until it is told
   Warnings warnings_;
   std::string_view refusal_;  // why the last state command was refused
 };

@@ -1,5 +1,6 @@
 #include "arm_control/crtk_arm.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -18,17 +19,17 @@ void blank(Jacobian& jacobian, int joints) {
 }
 
 template <class Matrix>
-void place(Jacobian& jacobian, const Matrix& matrix, suture::Time stamp) {
+void place(Jacobian& jacobian, const Matrix& matrix, suture::Time stamp, bool valid) {
   Matrix::Map(jacobian.coefficients.data()) = matrix;
   jacobian.stamp = stamp;
-  jacobian.valid = true;
+  jacobian.valid = valid;
 }
 
-void place(Twist& twist, const SpatialVector& value, suture::Time stamp) {
+void place(Twist& twist, const SpatialVector& value, suture::Time stamp, bool valid) {
   twist.linear = value.head<3>();
   twist.angular = value.tail<3>();
   twist.stamp = stamp;
-  twist.valid = true;
+  twist.valid = valid;
 }
 
 void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp) {
@@ -36,6 +37,16 @@ void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp) {
   wrench.torque = value.tail<3>();
   wrench.stamp = stamp;
   wrench.valid = true;
+}
+
+/// A step as long as the joints can make it, in its direction.
+template <class Joints>
+Joints withinRates(const Joints& step, const Joints& most) {
+  double share = 1;
+  for (Eigen::Index i = 0; i < step.size(); ++i) {
+    if (std::abs(step[i]) > most[i]) share = std::min(share, most[i] / std::abs(step[i]));
+  }
+  return share * step;
 }
 
 template <class Data>
@@ -104,15 +115,21 @@ void CrtkArm<N>::nameFrames(const suture::Frames& frames) {
 template <int N>
 void CrtkArm<N>::set_base_frame(const TransformStamped& base) {
   if (!base.valid || !isRigid(base.transform)) return arm_.warn(ArmWarning::Malformed);
-  if (base.reference_frame != referenceFrame_) return arm_.warn(ArmWarning::WrongFrame);
+  if (referenceFrame_ != 0 && base.reference_frame != referenceFrame_) {
+    return arm_.warn(ArmWarning::WrongFrame);
+  }
+  // What streams goals has taken them from the frame of before.
+  const OperatingState& now = arm_.operating_state();
+  if (now.state == ArmState::Enabled && now.sub_state != "holding") {
+    return arm_.warn(ArmWarning::InMotion);
+  }
   base_ = base;
   name(spatialCf_, tipFrame_, base_.moving_frame);
 }
 
-// From the set-point as the commands of this cycle have left it.
 template <int N>
-PoseStamped CrtkArm<N>::stepped(const PoseStamped& step) const {
-  PoseStamped goal{arm_.model_.chain.forward(arm_.setpoint_), step.stamp, step.valid};
+PoseStamped CrtkArm<N>::stepped(const Joints& from, const PoseStamped& step) const {
+  PoseStamped goal{arm_.model_.chain.forward(from), step.stamp, step.valid};
   goal.pose.translation() += base_.transform.linear().transpose() * step.pose.translation();
   goal.pose.linear() = goal.pose.linear() * step.pose.linear();
   return goal;
@@ -134,27 +151,29 @@ void CrtkArm<N>::use_gravity_compensation(bool use) {
 }
 
 template <int N>
-std::optional<typename ArmController<N>::ServoTarget> CrtkArm<N>::stepped(const JointGoal& step) {
+std::optional<typename ArmController<N>::ServoTarget> CrtkArm<N>::stepped(const Joints& from,
+                                                                          const JointGoal& step) {
   if (!arm_.mayMove()) return std::nullopt;
   const auto q = toJoints<N>(step.position);
   if (!q) return arm_.refused(ArmWarning::Malformed);
-  return arm_.withinLimits(arm_.setpoint_ + *q);
+  return arm_.withinLimits(from + *q);
 }
 
 template <int N>
 void CrtkArm<N>::servo_jr(const JointGoal& step) {
-  if (const auto to = stepped(step)) arm_.servo(*to, step.stamp, "servo_jr");
+  if (const auto to = stepped(arm_.setpoint_, step)) arm_.servo(*to, step.stamp, "servo_jr");
 }
 
 template <int N>
 void CrtkArm<N>::interpolate_jr(const JointGoal& step) {
-  if (const auto to = stepped(step)) arm_.interpolate(*to, step.stamp, "interpolate_jr");
+  const auto to = stepped(arm_.interpolated(), step);
+  if (to) arm_.interpolate(*to, step.stamp, "interpolate_jr");
 }
 
 template <int N>
 void CrtkArm<N>::interpolate_cr(const PoseStamped& step) {
   if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
-  arm_.interpolate_cp(stepped(step));
+  arm_.interpolate_cp(stepped(arm_.interpolated(), step));
 }
 
 template <int N>
@@ -179,7 +198,7 @@ void CrtkArm<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const char
 template <int N>
 void CrtkArm<N>::servo_cr(const PoseStamped& step) {
   if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
-  arm_.servo_cp(stepped(step));
+  arm_.servo_cp(stepped(arm_.setpoint_, step));
 }
 
 template <int N>
@@ -220,7 +239,7 @@ void CrtkArm<N>::move_jr(const JointGoal& step) {
 template <int N>
 void CrtkArm<N>::move_cr(const PoseStamped& step) {
   if (!isPose(step)) return arm_.warn(ArmWarning::Malformed);
-  moveTo(stepped(step));
+  moveTo(stepped(arm_.setpoint_, step));
 }
 
 template <int N>
@@ -282,7 +301,9 @@ void CrtkArm<N>::advance(suture::Time now) {
   const auto next = stream_.next(arm_.model_.chain, arm_.model_.inverse, arm_.setpoint_,
                                  arm_.reading_.position, dt);
   if (!next) return arm_.warn(ArmWarning::OutOfReach);
-  arm_.setpoint_ = next->q;
+  // Beside a singularity the joints of two close poses may lie far apart.
+  const Joints step = next->q - arm_.setpoint_;
+  arm_.setpoint_ += withinRates<Joints>(step, dt * arm_.model_.rate_limit);
   if (next->limited && !streamSlides_) arm_.warnings_.tell(ArmWarning::AtLimit);
   streamSlides_ = next->limited;
 }
@@ -304,12 +325,13 @@ void CrtkArm<N>::publishMotion(suture::Time now) {
   Eigen::Matrix<double, 6, N> body;
   body << tip.transpose() * spatial.template topRows<3>(),
       tip.transpose() * spatial.template bottomRows<3>();
-  place(spatialJacobian_, spatial, now);
-  place(bodyJacobian_, body, now);
+  const bool known = arm_.measured_js().valid;
+  place(spatialJacobian_, spatial, now, known);
+  place(bodyJacobian_, body, now, known);
   const SpatialVector velocity = spatial * arm_.reading_.velocity;
   const SpatialVector asked = streaming() ? stream_.twist(spatial, tip) : SpatialVector::Zero();
-  place(measuredCv_, rotated(toReference, velocity), arm_.reading_.stamp);
-  place(setpointCv_, rotated(toReference, asked), now);
+  place(measuredCv_, rotated(toReference, velocity), arm_.reading_.stamp, known);
+  place(setpointCv_, rotated(toReference, asked), now, arm_.setpoint_js().valid);
 }
 
 template <int N>
@@ -323,7 +345,7 @@ void CrtkArm<N>::publishForce(suture::Time now) {
   measuredCs_.angular_velocity = measuredCv_.angular;
   measuredCs_.force = toReference * spatialCf_.force;
   measuredCs_.torque = toReference * spatialCf_.torque;
-  measuredCs_.position_is_valid = measuredCs_.velocity_is_valid = true;
+  measuredCs_.position_is_valid = measuredCs_.velocity_is_valid = measuredCv_.valid;
   measuredCs_.force_is_valid = true;
   measuredCs_.stamp = arm_.reading_.stamp;
 }
@@ -333,8 +355,8 @@ void CrtkArm<N>::publishGoal(suture::Time now) {
   const Joints goal = arm_.move_ ? arm_.move_->at(arm_.move_->duration()) : arm_.setpoint_;
   std::copy_n(goal.data(), N, goalJs_.position.begin());
   goalJs_.stamp = now;
-  goalJs_.valid = true;
-  goalCp_ = {arm_.model_.chain.forward(goal), now, true};
+  goalJs_.valid = arm_.setpoint_js().valid;
+  goalCp_ = {arm_.model_.chain.forward(goal), now, goalJs_.valid};
 }
 
 template <int N>
@@ -356,6 +378,7 @@ std::string_view CrtkArm<N>::textOf(ArmWarning reason) const {
       return "the drives have been silent for too long; enable or disable the arm";
     case ArmWarning::WrongFrame:
       return "the base is given in another frame than the arm's poses are";
+    case ArmWarning::InMotion: return "the base of an arm that moves stays as it is; hold it first";
   }
   return "";
 }

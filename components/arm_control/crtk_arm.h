@@ -18,7 +18,8 @@
 namespace robots {
 
 /// Commands, reads and the two below belong to the arm's thread; nothing but the constructor
-/// allocates. Simulated joints have no mass: an effort moves them at a speed proportional to it.
+/// allocates. An effort moves the set-point at a speed proportional to it, as if the joints had no
+/// mass.
 template <int N>
 class CrtkArm final : public Arm {
  public:
@@ -135,8 +136,10 @@ class CrtkArm final : public Arm {
   }
   PoseStamped inReference(PoseStamped pose) const;
   PoseStamped inBase(PoseStamped pose) const;
-  PoseStamped stepped(const PoseStamped& step) const;
-  std::optional<typename ArmController<N>::ServoTarget> stepped(const JointGoal& step);
+  /// From the joints `from` on.
+  PoseStamped stepped(const Joints& from, const PoseStamped& step) const;
+  std::optional<typename ArmController<N>::ServoTarget> stepped(const Joints& from,
+                                                                const JointGoal& step);
   void moveTo(const PoseStamped& goal);
   void setRatios(double velocity, double acceleration);
   bool streaming() const;

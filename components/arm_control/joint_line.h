@@ -23,9 +23,12 @@ class JointLine {
       : from_(from),
         to_(to),
         begin_(begin),
+        wanted_(wanted),
         duration_(std::max(wanted, (to - from).cwiseAbs().cwiseQuotient(rateLimit).maxCoeff())) {}
 
+  const Joints& to() const { return to_; }
   suture::Time begin() const { return begin_; }
+  double wanted() const { return wanted_; }
   /// Where the joints shall be at `now`, which is not before the beginning.
   Joints at(suture::Time now) const {
     const double t = secondsBetween(begin_, now);
@@ -35,7 +38,7 @@ class JointLine {
  private:
   Joints from_, to_;
   suture::Time begin_;
-  double duration_;
+  double wanted_, duration_;
 };
 
 }  // namespace robots

@@ -21,21 +21,33 @@ class ArmPart {
       state_ = state.state;
       homed_ = state.is_homed;
       busy_ = state.is_busy;
+      hasMoved_ = hasMoved_ || state.is_busy;
     });
   }
   ArmPart(const ArmPart&) = delete;
   ArmPart& operator=(const ArmPart&) = delete;
 
   const std::string& name() const { return arm_.name(); }
-  /// It has told its state over a connection that stands, and may have power.
-  bool isThere() const { return arm_.connected() && state_ != ArmState::Undefined; }
-  bool isEnabled() const { return isThere() && state_ == ArmState::Enabled; }
+
+  /// Once a cycle: what an arm has told counts only as long as it is connected.
+  void look() {
+    if (arm_.connected()) return;
+    state_ = ArmState::Undefined;
+    homed_ = busy_ = false;
+  }
+  /// It has told its state, and may have power.
+  bool isThere() const { return state_ != ArmState::Undefined; }
+  bool isEnabled() const { return state_ == ArmState::Enabled; }
   bool isReady() const { return isEnabled() && homed_ && !busy_; }
   bool isDown() const { return !isThere() || state_ == ArmState::Disabled; }
 
-  void enable() { (void)arm_.enable(); }
+  void enable() {
+    hasMoved_ = false;
+    (void)arm_.enable();
+  }
+  /// Not again once it has begun to move: somebody may have stopped it.
   void home() {
-    if (!homed_ && !busy_) (void)arm_.home();
+    if (!homed_ && !hasMoved_) (void)arm_.home();
   }
   void disable() { (void)arm_.disable(); }
 
@@ -44,6 +56,7 @@ class ArmPart {
   ArmState state_ = ArmState::Undefined;
   bool homed_ = false;
   bool busy_ = false;
+  bool hasMoved_ = false;  // since it was enabled
 };
 
 /// What moves arms: a teleoperation or a guide.
@@ -67,8 +80,13 @@ class MoverPart {
   MoverPart& operator=(const MoverPart&) = delete;
 
   const std::string& name() const { return interface_.name(); }
-  bool isThere() const { return interface_.connected() && heard_; }
-  bool isReady() const { return isThere() && !disabled_; }
+
+  /// Once a cycle, as an arm's.
+  void look() {
+    if (!interface_.connected()) heard_ = false;
+  }
+  bool isThere() const { return heard_; }
+  bool isReady() const { return heard_ && !disabled_; }
   bool isDown() const { return !isReady(); }
 
   void enable() { enable_(); }

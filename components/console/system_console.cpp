@@ -17,21 +17,10 @@ Part* named(const std::string& name, const std::vector<Part*>& parts) {
   return found == parts.end() ? nullptr : *found;
 }
 
-template <class Part>
-bool areThere(const std::vector<Part*>& parts) {
-  return std::all_of(parts.begin(), parts.end(), [](const Part* one) { return one->isThere(); });
-}
-
 template <class Part, class Is>
 Part* firstThatIsNot(const std::vector<Part*>& parts, const Is& is) {
   const auto found = std::find_if_not(parts.begin(), parts.end(), is);
   return found == parts.end() ? nullptr : *found;
-}
-
-template <class Part, class Is>
-Part* lastThatIsNot(const std::vector<Part*>& parts, const Is& is) {
-  const auto found = std::find_if_not(parts.rbegin(), parts.rend(), is);
-  return found == parts.rend() ? nullptr : *found;
 }
 
 [[noreturn]] void refuse(const std::string& name, const char* found, const char* remedy) {
@@ -73,6 +62,7 @@ void SystemConsole::bring_up() {
   if (state_ != ConsoleState::Down) {
     return messages_.error("bring_up: it is not down; bring it down first");
   }
+  look();
   const std::string_view why = missing();
   if (!why.empty()) return messages_.error(why);
   enter(ConsoleState::Enabling);
@@ -83,25 +73,39 @@ void SystemConsole::bring_down() {
   if (state_ != ConsoleState::Down) enter(ConsoleState::Leaving);
 }
 
+void SystemConsole::look() {
+  if (!stop_.connected()) released_ = false;
+  for (ArmPart* one : arms_) one->look();
+  for (MoverPart* one : movers_) one->look();
+}
+
 std::string_view SystemConsole::missing() {
   text_.clear();
+  unnamed_ = 0;
   if (!released_) nameMissing("the emergency stop", "is pressed, or says nothing");
   for (const ArmPart* one : arms_) {
-    if (!one->isThere()) nameMissing(one->name(), "is not there, or has no power permitted");
+    if (!one->isThere()) nameMissing(one->name(), "has no power permitted, or says nothing");
   }
   for (const MoverPart* one : movers_) {
-    if (!one->isThere()) nameMissing(one->name(), "is not there");
+    if (!one->isThere()) nameMissing(one->name(), "says nothing");
   }
+  if (unnamed_ > 0) text_.append("; and ").append(std::to_string(unnamed_)).append(" more");
   return text_;
 }
 
 void SystemConsole::nameMissing(std::string_view name, std::string_view what) {
+  constexpr std::size_t kMore = 16;  // bytes of "; and 4 more"
   const std::string_view begin = text_.empty() ? "bring_up: " : "; ";
-  if (text_.size() + begin.size() + name.size() + 1 + what.size() > kLongestText) return;
-  text_.append(begin).append(name).append(" ").append(what);
+  const std::size_t size = begin.size() + name.size() + 1 + what.size();
+  if (text_.size() + size + kMore > kLongestText) {
+    ++unnamed_;
+  } else {
+    text_.append(begin).append(name).append(" ").append(what);
+  }
 }
 
 void SystemConsole::run() {
+  look();
   switch (state_) {
     case ConsoleState::Down:
       if (byItself_ && missing().empty()) bring_up();
@@ -116,64 +120,106 @@ void SystemConsole::run() {
 
 // One after the other: the next gets power when the one before it holds.
 void SystemConsole::enableNext() {
-  ArmPart* const next = firstThatIsNot(arms_, [](const ArmPart* one) { return one->isEnabled(); });
-  if (next == nullptr) return enter(ConsoleState::Homing);
-  if (mayAsk()) next->enable();
-  judge(next->name(), "enabled");
+  if (isBroken()) return;
+  if (done_ == arms_.size()) return enter(ConsoleState::Homing);
+  ArmPart& next = *arms_[done_];
+  if (next.isEnabled()) {
+    ++done_;
+    deadline_ = suture::now() + parameters_.patience;
+    return;
+  }
+  if (mayAsk(&next)) next.enable();
+  judge(next.name(), "enabled");
 }
 
 // All at once: each moves by itself.
 void SystemConsole::awaitHome() {
+  done_ = arms_.size();
+  if (isBroken()) return;
   ArmPart* const last = firstThatIsNot(arms_, [](const ArmPart* one) { return one->isReady(); });
-  if (last == nullptr) {
-    for (MoverPart* one : movers_) one->enable();
-    return enter(ConsoleState::Up);
-  }
-  if (mayAsk()) {
+  if (last == nullptr) return enableMovers();
+  if (mayAsk(&arms_)) {
     for (ArmPart* one : arms_) one->home();
   }
   judge(last->name(), "homed");
 }
 
+void SystemConsole::enableMovers() {
+  MoverPart* const next =
+      firstThatIsNot(movers_, [](const MoverPart* one) { return one->isReady(); });
+  if (next == nullptr) return enter(ConsoleState::Up);
+  if (mayAsk(next)) next->enable();
+  judge(next->name(), "enabled");
+}
+
+bool SystemConsole::isBroken() {
+  if (!released_) {
+    takeBack("the emergency stop", {"was pressed meanwhile, or says nothing any more"});
+    return true;
+  }
+  for (std::size_t i = 0; i < done_; ++i) {
+    if (arms_[i]->isEnabled()) continue;
+    takeBack(arms_[i]->name(), {"is not enabled any more"});
+    return true;
+  }
+  return false;
+}
+
 void SystemConsole::watch() {
-  const bool complete =
-      released_ && areThere(movers_) &&
-      std::all_of(arms_.begin(), arms_.end(), [](const ArmPart* one) { return one->isReady(); });
+  const auto isReady = [](const auto* one) { return one->isReady(); };
+  const bool complete = released_ && std::all_of(arms_.begin(), arms_.end(), isReady) &&
+                        std::all_of(movers_.begin(), movers_.end(), isReady);
   if (complete == (state_ == ConsoleState::Up)) return;
   enter(complete ? ConsoleState::Up : ConsoleState::Incomplete);
 }
 
-// A part that is not there any more cannot be asked, and is as good as down.
 void SystemConsole::leaveNext() {
-  const bool mayAskNow = mayAsk();
-  const auto isDown = [](const auto* one) { return one->isDown(); };
-  if (MoverPart* const mover = lastThatIsNot(movers_, isDown)) {
-    if (mayAskNow) mover->disable();
-  } else if (ArmPart* const arm = lastThatIsNot(arms_, isDown)) {
-    if (mayAskNow) arm->disable();
-  } else {
-    enter(ConsoleState::Down);
+  if (done_ < movers_.size()) return leave(*movers_[movers_.size() - 1 - done_]);
+  const std::size_t arms = done_ - movers_.size();
+  if (arms < arms_.size()) return leave(*arms_[arms_.size() - 1 - arms]);
+  enter(ConsoleState::Down);
+}
+
+// A part that is not there any more cannot be asked, and is as good as down. One that does not obey
+// must not keep the others from it.
+template <class Part>
+void SystemConsole::leave(Part& part) {
+  const bool gaveUp = suture::now() >= deadline_;
+  if (part.isDown() || gaveUp) {
+    if (!part.isDown()) {
+      messages_.error(text_.assign(part.name()).append(" is not disabled, though asked to be"));
+    }
+    ++done_;
+    deadline_ = suture::now() + parameters_.patience;
+  } else if (mayAsk(&part)) {
+    part.disable();
   }
 }
 
 void SystemConsole::enter(ConsoleState state) {
   state_ = state;
-  asked_ = {};
+  done_ = 0;
+  askedPart_ = nullptr;
   deadline_ = suture::now() + parameters_.patience;
   console_.emit().console_state(state);
 }
 
 void SystemConsole::judge(const std::string& part, std::string_view what) {
-  if (suture::now() < deadline_) return;
-  text_ = part;
-  text_.append(" is not ").append(what).append(" after the console's patience; all is taken back");
-  messages_.error(text_);
+  if (suture::now() >= deadline_)
+    takeBack(part, {"is not ", what, " after the console's patience"});
+}
+
+void SystemConsole::takeBack(std::string_view part, std::initializer_list<std::string_view> why) {
+  text_.assign(part).append(" ");
+  for (const std::string_view words : why) text_.append(words);
+  messages_.error(text_.append("; all is taken back"));
   enter(ConsoleState::Leaving);
 }
 
-bool SystemConsole::mayAsk() {
+bool SystemConsole::mayAsk(const void* part) {
   const suture::Time now = suture::now();
-  if (now - asked_ < kAskAgain) return false;
+  if (part == askedPart_ && now - asked_ < kAskAgain) return false;
+  askedPart_ = part;
   asked_ = now;
   return true;
 }

@@ -9,6 +9,8 @@
 #include <suture/standard/message_sender.h>
 
 #include <chrono>
+#include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +26,7 @@ struct SUTURE_TYPE() SystemConsoleParameters {
   /// The parts that the system has, in the order in which they are brought up: names of required
   /// interfaces of this console. All arms come before what moves them.
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> system;
-  /// How long it may take until all arms are enabled, and then until all are homed.
+  /// How long an arm may take to be enabled, all of them to home, and a part to be left.
   suture::Duration patience = std::chrono::seconds(10);
   /// Brings the system up once, without being asked, when everything is there.
   bool bring_up_by_itself = false;
@@ -45,18 +47,25 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
 
  private:
   void choose(const std::string& name);
+  void look();
   /// What keeps it from being brought up, for people; empty: nothing. Valid until the next call.
   std::string_view missing();
   void nameMissing(std::string_view name, std::string_view what);
   void enableNext();
   void awaitHome();
+  void enableMovers();
   void watch();
   void leaveNext();
+  template <class Part>
+  void leave(Part& part);
   void enter(ConsoleState state);
-  /// Takes a bring-up back if `part` has been given enough time to be `what`.
+  /// Takes a bring-up back if `part` has had enough time to become `what`.
   void judge(const std::string& part, std::string_view what);
-  /// True once in a while: a command may be lost.
-  bool mayAsk();
+  /// Takes a bring-up back at once if the stop was pressed, or an arm that had power lost it.
+  bool isBroken();
+  void takeBack(std::string_view part, std::initializer_list<std::string_view> why);
+  /// True when `part` is asked for the first time, and once in a while: a command may be lost.
+  bool mayAsk(const void* part);
 
   const SystemConsoleParameters parameters_;
   suture::Required<EmergencyStop> stop_{*this, "Stop"};
@@ -75,9 +84,12 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   bool released_ = false;           // the stop
   bool byItself_;
   ConsoleState state_ = ConsoleState::Down;
-  suture::Time deadline_;  // for what is asked now
-  suture::Time asked_;     // when that was asked last
-  std::string text_;       // keeps its memory
+  std::size_t done_ = 0;             // parts that are enabled, or have been left
+  suture::Time deadline_;            // for what is asked now
+  const void* askedPart_ = nullptr;  // of whom
+  suture::Time asked_;               // when that was asked last
+  std::string text_;                 // keeps its memory
+  std::size_t unnamed_ = 0;          // reasons for which it has no room
   suture::Provided<Console> console_{*this, "Console", *this};
   suture::MessageSender<Console> messages_{console_};
 };

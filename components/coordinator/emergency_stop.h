@@ -28,8 +28,8 @@ class SUTURE_INTERFACE() EmergencyStop {
 
   /// All drives stop, and none has power until release().
   SUTURE_COMMAND() virtual void press() = 0;
-  /// An operator's decision: drives may have power again. Nothing moves by that: arms stay disabled
-  /// until somebody enables them.
+  /// An operator's decision: drives may have power again. Arms stay disabled until somebody enables
+  /// them, such as a console that brings its system up by itself.
   SUTURE_COMMAND() virtual void release() = 0;
 
   /// Renewed in each cycle.

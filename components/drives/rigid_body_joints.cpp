@@ -51,11 +51,12 @@ RigidBodyJoints<N>::RigidBodyJoints(const RigidBodyModel<N>& model)
 template <int N>
 void RigidBodyJoints<N>::advance(double dt) {
   if (!(dt > 0)) return;
+  // Of drives that are late all loses the same time: joints, encoders and set-point.
+  constexpr auto kMost = dynamics::JointMotion<N>::kMostSteps * dynamics::JointMotion<N>::kStep;
+  dt = std::min(dt, kMost);
   if (!braked_) motion_.advance(dt, effort_);
   encoders_.read(motion_.position(), dt);
-  // The set-point waits with the joints for drives that are late.
-  constexpr auto kMost = dynamics::JointMotion<N>::kMostSteps * dynamics::JointMotion<N>::kStep;
-  elapsed_ += std::min(dt, kMost);
+  elapsed_ += dt;
 }
 
 template <int N>

@@ -51,10 +51,13 @@ class Candidates {
   /// That of the postures within the limits which is nearest to the start. If there is none, the
   /// nearest point within the limits, searched from the start or from the nearest of the other
   /// postures cut to the limits, whichever comes closer to the goal. `reachable`: the candidates
-  /// reach the goal but for the limits.
+  /// reach the goal but for the limits. A goal that only a posture far away reaches is limited if
+  /// the search comes to its end, to a limit, or to 1 cm and 0.1 rad beside the goal; else it is
+  /// out of reach from here.
   InverseSolution<N> settle(const Eigen::Isometry3d& goal, bool reachable) const {
     InverseSolution<N> solution = nearestWithinLimits(chain_, goal, beginning(goal));
-    solution.limited = !solution.found && reachable && offered_;
+    const bool byLimits = postures_ == Postures::All || beyond_.q || hasArrived(solution);
+    solution.limited = !solution.found && reachable && offered_ && byLimits;
     return solution;
   }
 
@@ -70,6 +73,15 @@ class Candidates {
     }
   };
 
+  bool hasArrived(const InverseSolution<N>& solution) const {
+    constexpr double kClose = 0.01, kCloseAngle = 0.1;  // m, rad
+    return solution.iterations < kMostNearestSteps || isAtLimit(solution.q) ||
+           (solution.position_error < kClose && solution.orientation_error < kCloseAngle);
+  }
+  bool isAtLimit(const Joints& q) const {
+    return ((q - chain_.lower()).array() <= kLimitSlack).any() ||
+           ((chain_.upper() - q).array() <= kLimitSlack).any();
+  }
   bool isNear(const Joints& q) const {
     return jointDistances(chain_, start_, q).cwiseAbs().maxCoeff() <= 1;
   }

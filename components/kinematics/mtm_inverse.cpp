@@ -32,8 +32,8 @@ struct Reach {
   bool isWithin() const { return std::abs(bend) <= 1 + kLimitSlack; }
 };
 
-// MtmJoints whose arm leads to the wrist, or out of reach points at it; those of the wrist are
-// zero.
+// Joints of which the first three lead to the wrist's centre, or point at it where that is out of
+// reach; the wrist's are zero.
 MtmJoints armAt(const Vector3d& wrist, const Reach& reach, double yaw, double elbowSide) {
   const double outward = wrist.x() * std::sin(yaw) - wrist.y() * std::cos(yaw);
   const double bend = elbowSide * std::acos(std::clamp(reach.bend, -1.0, 1.0));

@@ -10,7 +10,6 @@
 namespace robots::kinematics {
 namespace {
 
-constexpr int kMostSteps = 8;
 // Newton's steps shrink by squares: behind one so small (rad or m) the next is nothing.
 constexpr double kLastStep = 1e-7;
 
@@ -133,7 +132,7 @@ InverseSolution<N> nearestWithinLimits(const Chain<N>& chain, const Eigen::Isome
   double caution = 1;
   int steps = 0;
   bool stands = at.isAtGoal() || !at.error.allFinite();
-  for (; !stands && steps < kMostSteps; ++steps) {
+  for (; !stands && steps < kMostNearestSteps; ++steps) {
     const Standpoint<N> next(chain, goal, chain.clamp(at.q + stepFrom(chain, at, caution)));
     const double moved = (next.q - at.q).cwiseAbs().maxCoeff();
     if (next.cost < at.cost) {

@@ -5,6 +5,9 @@
 
 namespace robots::kinematics {
 
+/// After so many iterations the search has not come to its end.
+inline constexpr int kMostNearestSteps = 8;
+
 /// Searches downhill from `begin` (cut to the limits) in at most eight Newton steps on the
 /// weighted squared pose error. Unlike the steps of `inverse` they know the error's own curvature,
 /// so they still converge where an error remains, as it does beyond a limit; where that curvature

@@ -2374,20 +2374,22 @@ constexpr char kArmDescription[] = R"json(
 "name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read", "ordinal": 32,
 "wire": "baseFrame", "result": {"type": {"kind": "struct", "name": "robots::TransformStamped"}},
 "queue": 16}, {"name": "set_base_frame", "kind": "write", "ordinal": 33, "wire": "setBaseFrame",
-"doc": "The arm's base in the reference frame of this interface. Refused if it is given in another\none.",
+"doc": "The arm's base in the reference frame of this interface. Refused if it is given in another\none, and while the arm moves or follows a stream.",
 "parameters": [{"name": "base", "type": {"kind": "struct", "name": "robots::TransformStamped"}}],
 "queue": 16}, {"name": "free", "kind": "void", "ordinal": 34,
 "doc": "Lets go: the set-point follows the joints until another command.", "queue": 16}, {
 "name": "use_gravity_compensation", "kind": "write", "ordinal": 35,
-"wire": "useGravityCompensation", "parameters": [{"name": "use", "type": {"kind": "Bool"}}],
-"queue": 16}, {"name": "servo_jr", "kind": "write", "ordinal": 36, "wire": "servoJr",
-"parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
-"queue": 16, "ttl": 0.02}, {"name": "servo_jv", "kind": "write", "ordinal": 37, "wire": "servoJv",
-"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointVelocityGoal"}}],
-"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jf", "kind": "write", "ordinal": 38,
-"wire": "servoJf", "parameters": [{"name": "goal", "type": {"kind": "struct",
-"name": "robots::JointEffortGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "servo_cr", "kind": "write", "ordinal": 39, "wire": "servoCr",
+"wire": "useGravityCompensation",
+"doc": "For the record: it is told in gravity_compensation and changes no motor, which is the business\nof the drives.",
+"parameters": [{"name": "use", "type": {"kind": "Bool"}}], "queue": 16}, {"name": "servo_jr",
+"kind": "write", "ordinal": 36, "wire": "servoJr", "parameters": [{"name": "step", "type": {
+"kind": "struct", "name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {"name": "servo_jv",
+"kind": "write", "ordinal": 37, "wire": "servoJv", "parameters": [{"name": "goal", "type": {
+"kind": "struct", "name": "robots::JointVelocityGoal"}}], "queue": 16, "latest": true, "ttl": 0.02
+}, {"name": "servo_jf", "kind": "write", "ordinal": 38, "wire": "servoJf", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "servo_cr", "kind": "write", "ordinal": 39,
+"wire": "servoCr",
 "doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
 "parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
 "queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "ordinal": 40, "wire": "servoCv",

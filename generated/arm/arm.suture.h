@@ -383,11 +383,13 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   ReadCommand<&Contract::base_frame, robots::TransformStampedSlot> base_frame{
       *this, static_cast<std::uint16_t>(Id::base_frame)};
   /// The arm's base in the reference frame of this interface. Refused if it is given in another
-  /// one.
+  /// one, and while the arm moves or follows a stream.
   Command<&Contract::set_base_frame, robots::ArmSetBaseFrameArguments> set_base_frame{
       *this, static_cast<std::uint16_t>(Id::set_base_frame)};
   /// Lets go: the set-point follows the joints until another command.
   Command<&Contract::free, NoSlot> free{*this, static_cast<std::uint16_t>(Id::free)};
+  /// For the record: it is told in gravity_compensation and changes no motor, which is the business
+  /// of the drives.
   Command<&Contract::use_gravity_compensation,
           robots::ArmUseGravityCompensationArguments> use_gravity_compensation{
       *this, static_cast<std::uint16_t>(Id::use_gravity_compensation)};

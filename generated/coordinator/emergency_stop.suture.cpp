@@ -310,7 +310,7 @@ constexpr char kEmergencyStopDescription[] = R"json(
 "hash": "85b7719779d11bd4fea35ac127cd15d7", "commands": [{"name": "press", "kind": "void",
 "ordinal": 1, "doc": "All drives stop, and none has power until release().", "queue": 16}, {
 "name": "release", "kind": "void", "ordinal": 2,
-"doc": "An operator's decision: drives may have power again. Nothing moves by that: arms stay disabled\nuntil somebody enables them.",
+"doc": "An operator's decision: drives may have power again. Arms stay disabled until somebody enables\nthem, such as a console that brings its system up by itself.",
 "queue": 16}, {"name": "permit", "kind": "read", "ordinal": 3, "doc": "Renewed in each cycle.",
 "result": {"type": {"kind": "struct", "name": "robots::Permit"}}, "queue": 16}], "events": [{
 "name": "stop", "kind": "write", "ordinal": 1,

@@ -64,8 +64,8 @@ class Required<robots::EmergencyStop> : public RequiredBase {
 
   /// All drives stop, and none has power until release().
   Command<&Contract::press, NoSlot> press{*this, static_cast<std::uint16_t>(Id::press)};
-  /// An operator's decision: drives may have power again. Nothing moves by that: arms stay disabled
-  /// until somebody enables them.
+  /// An operator's decision: drives may have power again. Arms stay disabled until somebody enables
+  /// them, such as a console that brings its system up by itself.
   Command<&Contract::release, NoSlot> release{*this, static_cast<std::uint16_t>(Id::release)};
   /// Renewed in each cycle.
   ReadCommand<&Contract::permit, robots::PermitSlot> permit{

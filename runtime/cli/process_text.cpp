@@ -12,12 +12,10 @@ namespace {
 Json interfacesToJson(const std::vector<InterfaceRecord>& interfaces) {
   Json all = Json::array();
   for (const InterfaceRecord& one : interfaces) {
-    Json interface {
-      {"name", one.name}, {"contract", one.contract}, { "hash", one.hash }
-    };
-    if (!one.frames.reference.empty()) interface["reference_frame"] = one.frames.reference;
-    if (!one.frames.moving.empty()) interface["moving_frame"] = one.frames.moving;
-    all.push_back(std::move(interface));
+    Json record{{"name", one.name}, {"contract", one.contract}, {"hash", one.hash}};
+    if (!one.frames.reference.empty()) record["reference_frame"] = one.frames.reference;
+    if (!one.frames.moving.empty()) record["moving_frame"] = one.frames.moving;
+    all.push_back(std::move(record));
   }
   return all;
 }

@@ -135,11 +135,13 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   setBaseFrame @33 (base :Pose.TransformStamped, sent :Rpc.Sent) -> () $Meta.cxx("set_base_frame")
       $Meta.kind("write") $Meta.queue(16);
   # The arm's base in the reference frame of this interface. Refused if it is given in another
-  # one.
+  # one, and while the arm moves or follows a stream.
   free @34 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Lets go: the set-point follows the joints until another command.
   useGravityCompensation @35 (use :Bool, sent :Rpc.Sent) -> ()
       $Meta.cxx("use_gravity_compensation") $Meta.kind("write") $Meta.queue(16);
+  # For the record: it is told in gravity_compensation and changes no motor, which is the business
+  # of the drives.
   servoJr @36 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
   servoJv @37 (goal :JointCommands.JointVelocityGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jv")

@@ -31,8 +31,8 @@ interface EmergencyStop @0x85a101cfc49eccfc $Meta.cxx("robots::EmergencyStop") {
   press @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # All drives stop, and none has power until release().
   release @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # An operator's decision: drives may have power again. Nothing moves by that: arms stay disabled
-  # until somebody enables them.
+  # An operator's decision: drives may have power again. Arms stay disabled until somebody enables
+  # them, such as a console that brings its system up by itself.
   permit @3 (sent :Rpc.Sent) -> (value :Permit, stamp :Int64) $Meta.kind("read");
   # Renewed in each cycle.
 }

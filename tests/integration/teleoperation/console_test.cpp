@@ -58,10 +58,9 @@ class ConsoleTest : public testing::Test {
  protected:
   ~ConsoleTest() override { manager_.stop(); }
 
-  void begin(bool startsByItself = false) {
-    console_.emplace(SystemConsoleParameters{.system = {"MTML", "PSM2", "TeleopL"},
-                                             .patience = 3s,
-                                             .bring_up_by_itself = startsByItself});
+  void begin(bool byItself = false) {
+    console_.emplace(SystemConsoleParameters{
+        .system = {"MTML", "PSM2", "TeleopL"}, .patience = 3s, .bring_up_by_itself = byItself});
     manager_.add("Coordinator", coordinator_);
     master_.addTo(manager_, "MTML");
     slave_.addTo(manager_, "PSM2");
@@ -87,7 +86,7 @@ class ConsoleTest : public testing::Test {
     EXPECT_TRUE(onlooker_.button.release());
     pass(50ms);
   }
-  void start() { EXPECT_TRUE(onlooker_.console.bring_up()); }
+  void bringUp() { EXPECT_TRUE(onlooker_.console.bring_up()); }
   bool becomes(ConsoleState wanted) {
     return suture::clockOfTest().until([&] {
       onlooker_.processEvents();
@@ -113,7 +112,7 @@ TEST_F(ConsoleTest, BringsUpArmsOneByOneThenHomesThemThenEnablesTeleoperation) {
   release();
   look();
   onlooker_.order.clear();
-  start();
+  bringUp();
   ASSERT_TRUE(becomes(ConsoleState::Up));
   look();
   ASSERT_EQ(onlooker_.order.size(), 5u);
@@ -130,7 +129,7 @@ TEST_F(ConsoleTest, BringsUpArmsOneByOneThenHomesThemThenEnablesTeleoperation) {
 TEST_F(ConsoleTest, BringsDownInTheOppositeOrder) {
   begin();
   release();
-  start();
+  bringUp();
   ASSERT_TRUE(becomes(ConsoleState::Up));
   look();
   onlooker_.order.clear();
@@ -141,38 +140,38 @@ TEST_F(ConsoleTest, BringsDownInTheOppositeOrder) {
   EXPECT_EQ(slave_.drives.feedback().power, DrivePower::Off);
 }
 
-TEST_F(ConsoleTest, RefusesToStartWhatIsNotCompleteAndNamesEachReason) {
+TEST_F(ConsoleTest, RefusesToBringUpWhatIsNotCompleteAndNamesEachReason) {
   begin();
   manager_.disconnect("Console/PSM2");
   manager_.disconnect("Console/TeleopL");
-  start();
+  bringUp();
   look();
   ASSERT_EQ(onlooker_.errors.size(), 1u);
   EXPECT_EQ(
       onlooker_.errors[0],
-      "bring_up: the emergency stop is pressed, or says nothing; MTML is not there, or has no "
-      "power permitted; PSM2 is not there, or has no power permitted; TeleopL is not there");
+      "bring_up: the emergency stop is pressed, or says nothing; MTML has no power permitted, "
+      "or says nothing; PSM2 has no power permitted, or says nothing; TeleopL says nothing");
   EXPECT_EQ(console_->console_state(), ConsoleState::Down);
   release();
-  start();
+  bringUp();
   look();
   EXPECT_EQ(onlooker_.errors.back(),
-            "bring_up: PSM2 is not there, or has no power permitted; TeleopL is not there");
+            "bring_up: PSM2 has no power permitted, or says nothing; TeleopL says nothing");
   EXPECT_EQ(master_.arm.operating_state().state, ArmState::Disabled) << "nothing has been begun";
 }
 
-TEST_F(ConsoleTest, RefusesToStartWhatIsNotDown) {
+TEST_F(ConsoleTest, RefusesToBringUpWhatIsNotDown) {
   begin();
   release();
-  start();
+  bringUp();
   ASSERT_TRUE(becomes(ConsoleState::Up));
-  start();
+  bringUp();
   look();
   EXPECT_EQ(onlooker_.errors, Names{"bring_up: it is not down; bring it down first"});
   EXPECT_EQ(console_->console_state(), ConsoleState::Up);
 }
 
-TEST_F(ConsoleTest, StartsOnceByItselfWhenEverythingIsThere) {
+TEST_F(ConsoleTest, BringsUpOnceByItselfWhenEverythingIsThere) {
   begin(true);
   pass(1s);
   EXPECT_EQ(console_->console_state(), ConsoleState::Down) << "the stop is pressed";
@@ -184,12 +183,12 @@ TEST_F(ConsoleTest, StartsOnceByItselfWhenEverythingIsThere) {
   EXPECT_EQ(console_->console_state(), ConsoleState::Down) << "somebody wanted it so";
 }
 
-TEST_F(ConsoleTest, TakesBackAStartOfWhichAPartDoesNotDoItsOwn) {
+TEST_F(ConsoleTest, TakesBackABringUpOfWhichAPartDoesNotDoItsOwn) {
   begin();
   release();
   manager_.suspend("PSM2Drives");
   pass(300ms);
-  start();
+  bringUp();
   pass(100ms);
   EXPECT_EQ(master_.arm.operating_state().state, ArmState::Enabled);
   ASSERT_TRUE(becomes(ConsoleState::Down));
@@ -201,10 +200,102 @@ TEST_F(ConsoleTest, TakesBackAStartOfWhichAPartDoesNotDoItsOwn) {
   EXPECT_EQ(master_.arm.operating_state().state, ArmState::Disabled);
 }
 
+TEST_F(ConsoleTest, EndsBringingUpWhenTheStopIsPressedAndGivesNoPowerAfterItsRelease) {
+  begin();
+  release();
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Homing));
+  EXPECT_TRUE(onlooker_.button.press());
+  ASSERT_TRUE(becomes(ConsoleState::Down));
+  release();
+  pass(2s);
+  look();
+  EXPECT_EQ(master_.arm.operating_state().state, ArmState::Disabled);
+  EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled);
+  ASSERT_EQ(onlooker_.errors.size(), 1u);
+  EXPECT_TRUE(onlooker_.errors[0].ends_with("; all is taken back")) << onlooker_.errors[0];
+}
+
+TEST_F(ConsoleTest, DoesNotSendAnArmHomeAgainThatSomebodyHolds) {
+  begin();
+  release();
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Homing));
+  ASSERT_TRUE(suture::clockOfTest().until([&] { return slave_.arm.operating_state().is_busy; }));
+  EXPECT_TRUE(onlooker_.slave.hold());
+  pass(2s);
+  EXPECT_FALSE(slave_.arm.operating_state().is_busy);
+  ASSERT_TRUE(becomes(ConsoleState::Down));
+  look();
+  EXPECT_EQ(onlooker_.errors,
+            Names{"PSM2 is not homed after the console's patience; all is taken back"});
+}
+
+TEST_F(ConsoleTest, EndsBringingUpWhenAnArmIsDisabledMeanwhile) {
+  begin();
+  release();
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Homing));
+  EXPECT_TRUE(onlooker_.master.disable());
+  ASSERT_TRUE(becomes(ConsoleState::Down));
+  look();
+  EXPECT_EQ(onlooker_.errors, Names{"MTML is not enabled any more; all is taken back"});
+  EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled);
+}
+
+TEST_F(ConsoleTest, IsIncompleteWhileAMoverIsDisabled) {
+  begin();
+  release();
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Up));
+  EXPECT_TRUE(onlooker_.teleop.disable());
+  ASSERT_TRUE(becomes(ConsoleState::Incomplete));
+  EXPECT_TRUE(onlooker_.teleop.enable());
+  EXPECT_TRUE(becomes(ConsoleState::Up));
+}
+
+TEST_F(ConsoleTest, ForgetsAStopThatItIsNotConnectedTo) {
+  begin();
+  release();
+  manager_.disconnect("Console/Stop");
+  pass(50ms);
+  bringUp();
+  look();
+  EXPECT_EQ(onlooker_.errors, Names{"bring_up: the emergency stop is pressed, or says nothing"});
+}
+
+TEST_F(ConsoleTest, BringsDownWhatIsBeingBroughtUp) {
+  begin();
+  release();
+  bringUp();
+  ASSERT_TRUE(becomes(ConsoleState::Homing));
+  EXPECT_TRUE(onlooker_.console.bring_down());
+  ASSERT_TRUE(becomes(ConsoleState::Down));
+  EXPECT_EQ(master_.arm.operating_state().state, ArmState::Disabled);
+  EXPECT_EQ(slave_.arm.operating_state().state, ArmState::Disabled);
+}
+
+TEST(ConsoleReasons, AreCountedWhereTheyHaveNoRoom) {
+  SystemConsole console(
+      {.system = {"MTML", "MTMR", "PSM1", "PSM2", "TeleopL", "TeleopR"}, .patience = 3s});
+  Onlooker onlooker;
+  suture::Manager manager("workstation");
+  manager.add("Console", console);
+  manager.add("Onlooker", onlooker);
+  manager.start();
+  manager.connect("Onlooker/Console", "Console/Console");
+  EXPECT_TRUE(onlooker.console.bring_up());
+  pass(50ms);
+  onlooker.processEvents();
+  ASSERT_EQ(onlooker.errors.size(), 1u);
+  EXPECT_TRUE(onlooker.errors[0].ends_with("; and 1 more")) << onlooker.errors[0];
+  manager.stop();
+}
+
 TEST_F(ConsoleTest, IsIncompleteWhileTheStopIsPressedAndUpAgainAfterwards) {
   begin();
   release();
-  start();
+  bringUp();
   ASSERT_TRUE(becomes(ConsoleState::Up));
   EXPECT_TRUE(onlooker_.button.press());
   ASSERT_TRUE(becomes(ConsoleState::Incomplete));
@@ -218,7 +309,7 @@ TEST_F(ConsoleTest, IsIncompleteWhileTheStopIsPressedAndUpAgainAfterwards) {
 TEST_F(ConsoleTest, IsIncompleteWhileAPartIsNotConnected) {
   begin();
   release();
-  start();
+  bringUp();
   ASSERT_TRUE(becomes(ConsoleState::Up));
   manager_.disconnect("Console/TeleopL");
   ASSERT_TRUE(becomes(ConsoleState::Incomplete));

@@ -123,6 +123,27 @@ TEST_F(CrtkArmTest, ABaseInAnotherFrameIsRefused) {
   expectMoved(before, {1, 0, 0});
 }
 
+TEST_F(CrtkArmTest, ABaseInAnyFrameIsTakenWhereTheInterfaceDeclaresNone) {
+  const PoseStamped before = crtk_.setpoint_cp();
+  TransformStamped base = baseAt({1, 0, 0});
+  base.reference_frame = suture::frameId("scene");
+  crtk_.set_base_frame(base);
+  expectMoved(before, {1, 0, 0});
+}
+
+TEST_F(CrtkArmTest, TheBaseOfAnArmThatMovesStaysAsItIs) {
+  crtk_.servo_cp(crtk_.setpoint_cp());
+  cycles(1);
+  const PoseStamped before = crtk_.setpoint_cp();
+  crtk_.set_base_frame(baseAt({0.03, 0, 0}));
+  cycles(1);
+  expectMoved(before, {0, 0, 0});
+  EXPECT_EQ(heard_.codes, std::vector{ArmWarning::InMotion});
+  crtk_.hold();
+  crtk_.set_base_frame(baseAt({0.03, 0, 0}));
+  expectMoved(before, {0.03, 0, 0});
+}
+
 TEST_F(CrtkArmTest, MotionAndForceNameTheirFrames) {
   crtk_.nameFrames({.reference = "scene", .moving = "tip"});
   const suture::FrameId scene = suture::frameId("scene"), tip = suture::frameId("tip");

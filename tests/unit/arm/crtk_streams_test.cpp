@@ -117,6 +117,23 @@ TEST_F(CrtkStreamsTest, ATwistIsReachedWithItsAccelerationAlongTheReferenceFrame
   expectMoved(before, {0.21e-3, 0.4e-3, 0});
 }
 
+TEST_F(CrtkStreamsTest, ATwistMovesNoJointFasterThanItCan) {
+  TwistGoal goal;
+  goal.linear = {50, 50, 0};
+  std::vector<double> before = positions();
+  double fastest = 0;
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    crtk_.servo_cv(goal);
+    cycles(1);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      fastest = std::max(fastest, std::abs(positions()[i] - before[i]));
+    }
+    before = positions();
+  }
+  EXPECT_LE(fastest, 4 * 0.001 + 1e-12);
+  EXPECT_GT(fastest, 0.001);
+}
+
 TEST_F(CrtkStreamsTest, BoundsThatMakeNoSenseAreRefused) {
   JointVelocityGoal fine;
   fine.goal.assign(6, 0.1);

@@ -42,6 +42,40 @@ TEST_F(InterpolationTest, AStreamIsFollowedAtAConstantRate) {
   }
 }
 
+TEST_F(InterpolationTest, RelativeGoalsAddUpThoughTheyComeInOneCycle) {
+  const double before = setpoint(0);
+  crtk_.interpolate_jr(yaw(0.01));
+  crtk_.interpolate_jr(yaw(0.01));
+  cycles(20);
+  EXPECT_NEAR(setpoint(0), before + 0.02, 1e-9);
+  const PoseStamped pose = crtk_.setpoint_cp();
+  crtk_.interpolate_cr(step({0, 0, 0.001}));
+  crtk_.interpolate_cr(step({0, 0.001, 0}));
+  cycles(200);
+  expectMoved(pose, {0, 0.001, 0.001});
+}
+
+TEST_F(InterpolationTest, ASecondGoalOfOneCycleKeepsTheRateOfTheStream) {
+  for (int i = 0; i < 3; ++i) {
+    crtk_.interpolate_jr(yaw(0.01));
+    cycles(50);
+  }
+  const double before = setpoint(0);
+  crtk_.interpolate_jr(yaw(0.01));
+  crtk_.interpolate_jr(yaw(0));
+  cycles(1);
+  EXPECT_NEAR(setpoint(0) - before, 0.01 / 50, 1e-6);
+}
+
+TEST_F(InterpolationTest, AGoalThatOnlyAnotherPostureReachesIsRefused) {
+  const PoseStamped before = crtk_.setpoint_cp();
+  PoseStamped goal = crtk_.forward_kinematics({{-0.9, 0.3, 0.1, 3, 0.5, -0.5}, {}});
+  crtk_.interpolate_cp(goal);
+  cycles(500);
+  EXPECT_EQ(heard_.codes, std::vector{ArmWarning::OutOfReach});
+  expectMoved(before, {0, 0, 0});
+}
+
 TEST_F(InterpolationTest, ACartesianGoalIsReached) {
   const PoseStamped before = crtk_.setpoint_cp();
   PoseStamped goal = before;

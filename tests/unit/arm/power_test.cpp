@@ -102,7 +102,12 @@ TEST_F(PowerTest, SilentDrivesFaultTheArm) {
   silence();
   EXPECT_EQ(state(), ArmState::Fault);
   EXPECT_EQ(crtk_.operating_state().sub_state, "drives silent");
+  crtk_.publish(time_);
   EXPECT_FALSE(crtk_.measured_cp().valid);
+  EXPECT_FALSE(crtk_.measured_cv().valid);
+  EXPECT_FALSE(crtk_.measured_cs().position_is_valid);
+  EXPECT_FALSE(crtk_.spatial_jacobian().valid);
+  EXPECT_TRUE(crtk_.goal_js().valid);
   expectError("silent");
   cycles(1);
   EXPECT_EQ(state(), ArmState::Fault);

@@ -12,8 +12,8 @@
 namespace robots::dynamics::test {
 namespace {
 
-constexpr double kTick = 1.0 / 1500;
-constexpr int kTicks = 15'000;  // 10 s
+constexpr double kEnergyCycle = 1.0 / 1500;
+constexpr int kEnergyCycles = 15'000;  // 10 s
 
 template <int N>
 JointMotion<N> frictionless(const kinematics::Chain<N>& chain, const ArmMechanics<N>& mechanics,
@@ -43,8 +43,8 @@ template <int N>
 void expectEnergyIsKept(JointMotion<N> motion) {
   const double before = Energy<N>(motion).total();
   double worst = 0, mostKinetic = 0;
-  for (int i = 0; i < kTicks; ++i) {
-    motion.advance(kTick, JointMotion<N>::Joints::Zero());
+  for (int i = 0; i < kEnergyCycles; ++i) {
+    motion.advance(kEnergyCycle, JointMotion<N>::Joints::Zero());
     const Energy<N> energy(motion);
     worst = std::max(worst, std::abs(energy.total() - before));
     mostKinetic = std::max(mostKinetic, energy.kinetic);

@@ -166,6 +166,7 @@ void expectReachesARoundedRotation(const Chain<N>& chain, InverseFunction<N> sol
     goal.linear() += 1e-7 * Eigen::Matrix3d::Random();
     const auto solution = solve(chain, goal, near(chain, q, 0.01, random), Postures::All);
     ASSERT_TRUE(solution.found || solution.orientation_error < 1e-6) << q.transpose();
+    ASSERT_LT(solution.position_error, 1e-6) << q.transpose();
     ASSERT_LE(solution.iterations, 4) << q.transpose();
   }
 }
