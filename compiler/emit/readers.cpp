@@ -39,7 +39,7 @@ class SharedParts {
     }
   }
 
-  /// Those of the header that another source of ours reads.
+  /// These types of the header are read by another source of ours too.
   const std::set<std::string>& names() const { return names_; }
 
  private:

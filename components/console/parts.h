@@ -45,7 +45,7 @@ class ArmPart {
     hasMoved_ = false;
     (void)arm_.enable();
   }
-  /// Not again once it has begun to move: somebody may have stopped it.
+  /// An arm that has begun to move is not asked again: somebody may have stopped it.
   void home() {
     if (!homed_ && !hasMoved_) (void)arm_.home();
   }
