@@ -29,8 +29,12 @@ class ArmWatch {
   ArmWatch(const ArmWatch&) = delete;
   ArmWatch& operator=(const ArmWatch&) = delete;
 
-  /// The arm obeys servo commands: enabled, homed, and no move under way.
-  bool ready() const { return state_ == ArmState::Enabled && homed_ && !busy_; }
+  /// The arm has power and knows where it is.
+  bool isUp() const { return state_ == ArmState::Enabled && homed_; }
+  /// A move is under way.
+  bool busy() const { return busy_; }
+  /// The arm obeys servo commands.
+  bool ready() const { return isUp() && !busy_; }
 
   /// Since the last call the arm has refused a goal that lies too far from its set-point: whoever
   /// streams goals begins anew, from where the arm is, or the arm would refuse them for ever.

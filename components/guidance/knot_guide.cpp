@@ -101,7 +101,9 @@ void KnotGuide::lookForKnot() {
   const suture::Time now = suture::now();
   const auto sighting = vision_.sighting();
   if (sighting && sighting->valid) {
-    estimate_.seenAt(sighting->stamp, frames_.camera * sighting->knot);
+    const auto then = registration_.frames.at(sighting->stamp);  // a camera may have moved since
+    const SceneFrames& frames = then ? *then : frames_;
+    estimate_.seenAt(sighting->stamp, frames.camera * sighting->knot);
   }
   const auto knot = estimate_.knot(now);
   progress_.valid = knot.has_value();
@@ -126,7 +128,8 @@ bool KnotGuide::mustBeginAnew() {
 
 void KnotGuide::begin() {
   for (Side* side : {&left_, &right_}) {
-    side->law.emplace(side->masterPose.pose, side->slavePose.pose, parameters_.scale);
+    side->law.emplace(side->masterPose.pose, side->slavePose.pose,
+                      FollowSettings{.scale = parameters_.scale});
   }
   tips_ = setpoints_;
 }

@@ -32,8 +32,11 @@ Judge::Pose Judge::blend(const Pose& from, const Pose& to, double share) {
 // Written down a second time on purpose: this is what the component's own is checked against.
 Judge::Pose Judge::law(const FollowAnchors& anchors, const Pose& master) {
   const Pose master0 = toPose(anchors.master), slave0 = toPose(anchors.slave_setpoint);
-  return {slave0.p + anchors.scale * (master.p - master0.p),
-          master.q * master0.q.conjugate() * slave0.q};
+  const Quaterniond view(anchors.view);
+  const Vector3d moved = anchors.scale * (view * (master.p - master0.p));
+  const Quaterniond turned = view * master.q * master0.q.conjugate() * view.conjugate();
+  return {anchors.translation_locked ? slave0.p : slave0.p + moved,
+          anchors.rotation_locked ? slave0.q : turned * slave0.q};
 }
 
 /// The recorded master at `stamp`, between the two rows around it.

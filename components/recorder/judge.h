@@ -24,12 +24,12 @@ struct Judgement {
 };
 
 /// Judges a slave while it is recorded. Rows come by ascending stamp, all on one clock. From the
-/// first announcement of the teleoperation on, the law x_s = x_s0 + s (x_m - x_m0), R_s = R_m
-/// R_m0^T R_s0 gives the target of each slave cycle from the recorded master at the stamp of the
-/// set-point; a first-order filter of `timeConstant` (s) in Cartesian space, on the slave's own
-/// cycle times, gives where the slave should be. Rate limits are not modelled: a slave that met one
-/// is late, and that shows. Of a slave that is not enabled the law asks for nothing, until
-/// following begins anew.
+/// first announcement of the teleoperation on, the law x_s = x_s0 + s V (x_m - x_m0), R_s = V
+/// R_m (V R_m0)^T R_s0, without what is locked, gives the target of each slave cycle from the
+/// recorded master at the stamp of the set-point; a first-order filter of `timeConstant` (s) in
+/// Cartesian space, on the slave's own cycle times, gives where the slave should be. Rate limits
+/// are not modelled: a slave that met one is late, and that shows. Of a slave that is not enabled
+/// the law asks for nothing, until following begins anew.
 class Judge {
  public:
   explicit Judge(double timeConstant) : timeConstant_(timeConstant) {}

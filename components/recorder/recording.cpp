@@ -39,18 +39,30 @@ Json toJson(const FollowAnchors& anchors) {
           {"master_stamp", suture::toNanoseconds(anchors.master_stamp)},
           {"master", toJson(anchors.master)},
           {"slave_setpoint", toJson(anchors.slave_setpoint)},
-          {"scale", anchors.scale}};
+          {"scale", anchors.scale},
+          {"view", toJson(Eigen::Isometry3d(anchors.view))},
+          {"rotation_locked", anchors.rotation_locked},
+          {"translation_locked", anchors.translation_locked}};
 }
 
 Json toJson(const StopNews& news) {
   return {{"pressed", news.pressed}, {"stamp", suture::toNanoseconds(news.stamp)}};
 }
 
+FollowAnchors toAnchors(const Json& json) {
+  return {.master_stamp = stampOf(json.at("master_stamp")),
+          .master = toPose(json.at("master")),
+          .slave_setpoint = toPose(json.at("slave_setpoint")),
+          .scale = json.at("scale").get<double>(),
+          .entry = json.at("followed").get<std::uint64_t>(),
+          .view = toPose(json.at("view")).linear(),
+          .rotation_locked = json.at("rotation_locked").get<bool>(),
+          .translation_locked = json.at("translation_locked").get<bool>()};
+}
+
 void add(Recording& recording, const Json& json) {
   if (json.contains("followed")) {
-    recording.followed.push_back({stampOf(json.at("master_stamp")), toPose(json.at("master")),
-                                  toPose(json.at("slave_setpoint")), json.at("scale").get<double>(),
-                                  json.at("followed").get<std::uint64_t>()});
+    recording.followed.push_back(toAnchors(json));
   } else if (json.contains("pressed")) {
     recording.stops.push_back({json.at("pressed").get<bool>(), stampOf(json.at("stamp"))});
   } else {

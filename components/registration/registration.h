@@ -7,7 +7,8 @@
 
 namespace robots {
 
-/// Where things are in the frame of the scene, whose z points away from the tissue.
+/// Where things are: slaves and camera in the frame of the scene, whose z points away from the
+/// tissue; masters and display in that of the console.
 struct SUTURE_TYPE() SceneFrames {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d left_base = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d right_base = Eigen::Isometry3d::Identity();
@@ -15,14 +16,25 @@ struct SUTURE_TYPE() SceneFrames {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
   /// The tissue's surface: its z.
   SUTURE_FIELD(unit("m")) double tissue = -0.16;
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d left_master = Eigen::Isometry3d::Identity();
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d right_master = Eigen::Isometry3d::Identity();
+  /// The picture that the surgeon looks at, with the axes of the camera: x to the right and y
+  /// downward in it, z ahead.
+  SUTURE_FIELD(unit("m")) Eigen::Isometry3d display = Eigen::Isometry3d::Identity();
 };
 
+/// Commands run in the registration's own thread.
 class SUTURE_INTERFACE() Registration {
  public:
   virtual ~Registration() = default;
 
-  /// As they were registered last; each rotation is one to 1e-6.
+  /// As they were registered last; each rotation is one to 1e-6. Ask with `frames.at(stamp)` for
+  /// what an image or a pose of that stamp belongs to.
   SUTURE_COMMAND() virtual const SceneFrames& frames() const = 0;
+
+  /// The left camera has been moved to there. Ignored, with a warning, unless its rotation is one.
+  SUTURE_COMMAND()
+  virtual void set_camera(SUTURE_FIELD(unit("m")) const Eigen::Isometry3d& camera) = 0;
 };
 
 }  // namespace robots

@@ -7,11 +7,21 @@ namespace robots {
 
 Surgeon::Surgeon(const SurgeonParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      shape_{parameters.amplitude, parameters.turn, parameters.frequency, parameters.ramp} {}
+      shape_{parameters.amplitude, parameters.turn, parameters.frequency, parameters.ramp} {
+  teleoperation_.on().teleop_state(
+      [this](const TeleopState& state) { follows_ = state == TeleopState::Following; });
+}
+
+/// Whoever moves a master that is being aligned fights with it.
+bool Surgeon::mayMove() {
+  const suture::Errc lost = teleoperation_.unusable();
+  const bool followed = lost == suture::Errc::NotConnected || (lost == suture::Errc{} && follows_);
+  return followed && watch_.ready() && master_.connected();
+}
 
 void Surgeon::run() {
   const suture::Time now = suture::now();
-  if (!watch_.ready() || !master_.connected()) return path_.reset();
+  if (!mayMove()) return path_.reset();
   const bool missed = cycles_.missed(kLongestPause);
   if (watch_.hasBrokenOff() || missed) path_.reset();
   if (!path_) {

@@ -12,6 +12,7 @@
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
 #include "surgeon/hand_path.h"
+#include "teleop/teleoperation.suture.h"
 #include "timing/cycle_watch.h"
 
 namespace robots {
@@ -29,6 +30,7 @@ struct SUTURE_TYPE() SurgeonParameters {
 
 /// Drives the arm it is connected to along a smooth path around where it finds it, from the moment
 /// the arm is ready; whenever it has not been, or the task was held up, it sets out anew from rest.
+/// Connected to a teleoperation it moves only while that follows.
 class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
  public:
   explicit Surgeon(const SurgeonParameters& parameters);
@@ -36,12 +38,17 @@ class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
   void run() override;
 
  private:
+  bool mayMove();
+
   const HandPathShape shape_;
   suture::Required<Arm> master_{*this, "Master"};
+  SUTURE_REQUIRED(optional())
+  suture::Required<Teleoperation> teleoperation_{*this, "Teleoperation"};
   ArmWatch watch_{master_};
   CycleWatch cycles_;
   std::optional<HandPath> path_;
   suture::Time setOut_;
+  bool follows_ = false;  // the slave
 };
 
 }  // namespace robots

@@ -6,36 +6,55 @@
 
 namespace robots {
 
-/// x_s = x_s0 + s (x_m - x_m0), R_s = R_m A with A = R_m0^T R_s0: translation relative to where
-/// following began and scaled, orientation rigidly coupled. The law of the da Vinci Research Kit
-/// (sawIntuitiveResearchKit, mtsTeleOperationPSM). Immutable; no method allocates or throws.
+struct FollowSettings {
+  /// Slave metres a master metre.
+  double scale = 1;
+  /// From directions of the master's reference frame to those of the slave's that look the same to
+  /// the surgeon.
+  Eigen::Matrix3d view = Eigen::Matrix3d::Identity();
+  /// The slave keeps its orientation, or its position, whatever the master does.
+  bool rotation_locked = false;
+  bool translation_locked = false;
+};
+
+/// x_s = x_s0 + s V (x_m - x_m0), R_s = V R_m A with A = (V R_m0)^T R_s0: translation relative to
+/// where following began and scaled, orientation rigidly coupled, both as they look in the view V.
+/// The law of the da Vinci Research Kit (sawIntuitiveResearchKit, mtsTeleOperationPSM). Immutable;
+/// no method allocates or throws.
 class FollowLaw {
  public:
   /// Anchors at the entry to following: `master` is the master's measured pose, `slaveSetpoint` the
   /// slave's set-point (not its measured pose, or the tracking error of that moment would become a
-  /// step). Each in its own arm's base frame, m. The scale must be valid.
-  FollowLaw(const Eigen::Isometry3d& master, const Eigen::Isometry3d& slaveSetpoint, double scale)
-      : master0_(master.translation()),
-        slave0_(slaveSetpoint.translation()),
-        alignment_(master.linear().transpose() * slaveSetpoint.linear()),
-        scale_(scale) {}
+  /// step). Each in its own arm's reference frame, m. The scale must be valid.
+  FollowLaw(const Eigen::Isometry3d& master, const Eigen::Isometry3d& slaveSetpoint,
+            const FollowSettings& settings)
+      : settings_(settings),
+        master0_(master.translation()),
+        slave0_(slaveSetpoint),
+        alignment_((settings.view * master.linear()).transpose() * slaveSetpoint.linear()) {}
 
   /// True for a finite scale above zero: a mirrored or frozen slave is a mistake, not a setting.
   static bool isValidScale(double scale) { return std::isfinite(scale) && scale > 0; }
 
-  /// Where the slave shall be (its base frame, m) while the master is at `master`.
+  const FollowSettings& settings() const { return settings_; }
+
+  /// Where the slave shall be (its reference frame, m) while the master is at `master`.
   Eigen::Isometry3d follow(const Eigen::Isometry3d& master) const {
-    Eigen::Isometry3d slave = Eigen::Isometry3d::Identity();
-    slave.translation() = slave0_ + scale_ * (master.translation() - master0_);
-    slave.linear() = master.linear() * alignment_;
+    Eigen::Isometry3d slave = slave0_;
+    if (!settings_.translation_locked) {
+      slave.translation() += settings_.scale * settings_.view * (master.translation() - master0_);
+    }
+    if (!settings_.rotation_locked) {
+      slave.linear() = settings_.view * master.linear() * alignment_;
+    }
     return slave;
   }
 
  private:
+  FollowSettings settings_;
   Eigen::Vector3d master0_;
-  Eigen::Vector3d slave0_;
+  Eigen::Isometry3d slave0_;
   Eigen::Matrix3d alignment_;
-  double scale_;
 };
 
 }  // namespace robots

@@ -4,15 +4,22 @@
 #include <utility>
 
 #include "arm/fresh_pose.h"
+#include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
 
 namespace robots {
 
 Teleop::Teleop(const TeleopParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      scale_(requireValidScale(parameters.scale)),
-      maxAge_(parameters.max_age),
-      enableAtFirstCycle_(parameters.enable_at_start) {}
+      parameters_(parameters),
+      enableAtFirstCycle_(parameters.enable_at_start) {
+  settings_.scale = requireValidScale(parameters.scale);
+}
+
+void Teleop::onStart() {
+  teleoperation_.emit().teleop_state(state_);
+  teleoperation_.emit().settings(settings_);
+}
 
 void Teleop::enable() {
   masterWatch_.permit();
@@ -20,48 +27,132 @@ void Teleop::enable() {
   if (state_ == TeleopState::Disabled) enter(TeleopState::Preparing);
 }
 
-void Teleop::disable() {
-  law_.reset();
-  enter(TeleopState::Disabled);
+void Teleop::disable() { leave(TeleopState::Disabled); }
+
+void Teleop::set_scale(double scale) {
+  settings_.scale = scale;
+  settingsChanged();
+}
+
+void Teleop::lock_rotation(bool lock) {
+  // The slave has not turned with its master meanwhile.
+  if (settings_.rotation_locked && !lock) law_.reset();
+  settings_.rotation_locked = lock;
+  settingsChanged();
+}
+
+void Teleop::lock_translation(bool lock) {
+  settings_.translation_locked = lock;
+  settingsChanged();
+}
+
+void Teleop::settingsChanged() {
+  lawIsOld_ = true;
+  teleoperation_.emit().settings(settings_);
 }
 
 void Teleop::run() {
   if (std::exchange(enableAtFirstCycle_, false)) enable();
   if (state_ == TeleopState::Disabled) return;
+  const suture::Time now = suture::now();
   masterWatch_.prepare();
   slaveWatch_.prepare();
+  step(now);
+  giveUpIfLate(now);
+}
 
+void Teleop::step(suture::Time now) {
   const auto masterSample = master_.measured_cp();
   const auto slaveSample = slave_.setpoint_cp();
-  const PoseStamped* const master = freshMeasurement(masterSample, maxAge_);
-  const PoseStamped* const slave = freshPose(slaveSample, maxAge_);
-  if (master == nullptr || slave == nullptr || !masterWatch_.ready() || !slaveWatch_.ready()) {
-    return leave();
-  }
-  const bool missed = cycles_.missed(std::max(maxAge_, 3 * period()));
+  const PoseStamped* const master = freshMeasurement(masterSample, parameters_.max_age);
+  const PoseStamped* const slave = freshPose(slaveSample, parameters_.max_age);
+  const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
   if (slaveWatch_.hasBrokenOff() || missed) law_.reset();
-  const bool begins = !law_;
-  if (begins) law_.emplace(master->pose, slave->pose, scale_);
+  const bool haveData = master != nullptr && slave != nullptr && knowsView();
+  if (!haveData || !masterWatch_.isUp() || !slaveWatch_.ready()) {
+    return leave(TeleopState::Preparing);
+  }
+  if (!operator_.teleoperates()) return leave(TeleopState::Clutched);
+  if (!law_ && !isAligned(*master, *slave, now)) return leave(TeleopState::Aligning);
+  if (!masterWatch_.ready()) return leave(TeleopState::Preparing);
+  follow(*master, *slave);
+}
+
+/// False if there is a registration that has not answered yet. One that is lost stays as it was.
+bool Teleop::knowsView() {
+  const auto frames = registration_.frames();
+  if (!frames) return frames.error() == suture::Errc::NotConnected || law_;
+  const Eigen::Matrix3d view =
+      surgeonView(*frames, parameters_.master_side, parameters_.slave_side);
+  if (!view.isApprox(view_, 1e-12)) lawIsOld_ = true;
+  view_ = view;
+  return true;
+}
+
+bool Teleop::isAligned(const PoseStamped& master, const PoseStamped& slave, suture::Time now) {
+  if (!parameters_.align || settings_.rotation_locked) return true;
+  return alignment_.align(master.pose, view_.transpose() * slave.pose.linear(), now);
+}
+
+void Teleop::follow(const PoseStamped& master, const PoseStamped& slave) {
+  const bool begins = !law_ || lawIsOld_;
+  // By new settings it goes on from where it was sent: its set-point may be some cycles behind.
+  const Eigen::Isometry3d from = law_ ? law_->follow(master.pose) : slave.pose;
+  if (begins) law_.emplace(master.pose, from, lawSettings());
+  lawIsOld_ = false;
   // The goal keeps the stamp of the master's data, so its age is known wherever it arrives.
-  if (!slave_.servo_cp({law_->follow(master->pose), master->stamp, true})) return leave();
-  if (begins) announce(*master, *slave);
+  if (!slave_.servo_cp({law_->follow(master.pose), master.stamp, true})) {
+    return leave(TeleopState::Preparing);
+  }
+  if (begins) announce(master, from);
+}
+
+FollowSettings Teleop::lawSettings() const {
+  return {.scale = settings_.scale,
+          .view = view_,
+          .rotation_locked = settings_.rotation_locked,
+          .translation_locked = settings_.translation_locked};
 }
 
 /// It follows: the slave has taken its first goal.
-void Teleop::announce(const PoseStamped& master, const PoseStamped& slaveSetpoint) {
-  anchors_ = {master.stamp, master.pose, slaveSetpoint.pose, scale_, anchors_.entry + 1};
+void Teleop::announce(const PoseStamped& master, const Eigen::Isometry3d& slave) {
+  anchors_ = {.master_stamp = master.stamp,
+              .master = master.pose,
+              .slave_setpoint = slave,
+              .scale = settings_.scale,
+              .entry = anchors_.entry + 1,
+              .view = view_,
+              .rotation_locked = settings_.rotation_locked,
+              .translation_locked = settings_.translation_locked};
   enter(TeleopState::Following);
   teleoperation_.emit().followed(anchors_);
 }
 
-void Teleop::leave() {
+void Teleop::giveUpIfLate(suture::Time now) {
+  const bool prepares = state_ == TeleopState::Preparing || state_ == TeleopState::Aligning;
+  const suture::Duration limit = parameters_.preparation_limit;
+  if (!prepares || limit == suture::Duration{0} || now - entered_ < limit) return;
+  const char* const why = state_ == TeleopState::Preparing
+                              ? "the arms have not become ready in time; enable once they can"
+                              : "the master has not turned to the slave's orientation in time; "
+                                "look at its warnings, then enable";
+  leave(TeleopState::Disabled);
+  messages_.error(why);
+}
+
+/// Follows no more. A slave that can obey holds where it is, and a master that is being turned
+/// too; whoever moves an arm that is not ready is not disturbed.
+void Teleop::leave(TeleopState state) {
   law_.reset();
-  enter(TeleopState::Preparing);
+  if (state_ == TeleopState::Following && state != TeleopState::Preparing) (void)slave_.hold();
+  if (state != TeleopState::Aligning) alignment_.end();
+  enter(state);
 }
 
 void Teleop::enter(TeleopState state) {
   if (state_ == state) return;
   state_ = state;
+  entered_ = suture::now();
   teleoperation_.emit().teleop_state(state);
 }
 

@@ -6,13 +6,20 @@
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
+#include <suture/standard/message_port.h>
 
 #include <chrono>
 #include <optional>
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
+#include "pedals/foot_pedals.suture.h"
+#include "pedals/operator_presence.suture.h"
+#include "pedals/operator_watch.h"
+#include "registration/registration.suture.h"
+#include "robot_types/side.h"
 #include "teleop/follow_law.h"
+#include "teleop/master_alignment.h"
 #include "teleop/teleoperation.suture.h"
 #include "timing/cycle_watch.h"
 
@@ -27,12 +34,26 @@ struct SUTURE_TYPE() TeleopParameters {
   suture::Duration max_age = std::chrono::milliseconds(20);
   /// Prepare and follow without waiting for enable().
   bool enable_at_start = true;
+  /// Turn the master to the orientation of the slave before that follows. Without, what is between
+  /// them stays.
+  bool align = true;
+  /// A difference so small counts as none: it stays.
+  SUTURE_FIELD(unit("rad"), range(0.001, 1)) double alignment_tolerance = 0.087;
+  /// Arms that are not ready, or a master that is not aligned, after so long: the teleoperation
+  /// is disabled. 0: it waits for ever.
+  suture::Duration preparation_limit = std::chrono::seconds(60);
+  /// Pedals and presence that are older are not known, which ends following.
+  suture::Duration operator_age = std::chrono::milliseconds(200);
+  /// Which arms of the registration these are.
+  Side master_side = Side::Left;
+  Side slave_side = Side::Left;
 };
 
 /// Knows two Arm contracts and nothing of where the arms are. Follows only while both arms are
-/// enabled, homed and not busy, and both arms' data are fresh; each time that becomes true, or it
-/// was itself kept from looking for longer than max_age, it takes new anchors, so the slave never
-/// jumps.
+/// enabled, homed and not busy, both arms' data are fresh, and the surgeon is there without a foot
+/// on a pedal that takes the master; each time that becomes true, or it was itself kept from
+/// looking for longer than max_age, it aligns the master and takes new anchors, so the slave never
+/// jumps. With a registration, directions are those that the surgeon sees.
 class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Teleoperation {
  public:
   /// Throws suture::SetupError for a scale that is not above zero.
@@ -40,30 +61,50 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
 
   void enable() override;
   void disable() override;
+  void set_scale(double scale) override;
+  void lock_rotation(bool lock) override;
+  void lock_translation(bool lock) override;
   TeleopState teleop_state() const override { return state_; }
   FollowAnchors anchors() const override { return anchors_; }
+  TeleopSettings settings() const override { return settings_; }
 
   void run() override;
   /// Whoever connects hears the first state too.
-  void onStart() override { teleoperation_.emit().teleop_state(state_); }
+  void onStart() override;
 
  private:
-  void announce(const PoseStamped& master, const PoseStamped& slaveSetpoint);
-  void leave();
+  void step(suture::Time now);
+  bool knowsView();
+  bool isAligned(const PoseStamped& master, const PoseStamped& slave, suture::Time now);
+  void follow(const PoseStamped& master, const PoseStamped& slave);
+  FollowSettings lawSettings() const;
+  void announce(const PoseStamped& master, const Eigen::Isometry3d& slave);
+  void settingsChanged();
+  void giveUpIfLate(suture::Time now);
+  void leave(TeleopState state);
   void enter(TeleopState state);
 
-  const double scale_;
-  const suture::Duration maxAge_;
+  const TeleopParameters parameters_;
   bool enableAtFirstCycle_;
   suture::Required<Arm> master_{*this, "Master"};
   suture::Required<Arm> slave_{*this, "Slave"};
+  SUTURE_REQUIRED(optional()) suture::Required<FootPedals> pedals_{*this, "Pedals"};
+  SUTURE_REQUIRED(optional()) suture::Required<OperatorPresence> presence_{*this, "Presence"};
+  SUTURE_REQUIRED(optional()) suture::Required<Registration> registration_{*this, "Registration"};
   suture::Provided<Teleoperation> teleoperation_{*this, "Teleoperation", *this};
+  suture::MessagePort messages_{*this};
 
   ArmWatch masterWatch_{master_}, slaveWatch_{slave_};
+  OperatorWatch operator_{pedals_, presence_, parameters_.operator_age};
+  MasterAlignment alignment_{master_, masterWatch_, parameters_.alignment_tolerance};
   CycleWatch cycles_;
   TeleopState state_ = TeleopState::Disabled;
+  suture::Time entered_;  // when that began
+  TeleopSettings settings_;
+  Eigen::Matrix3d view_ = Eigen::Matrix3d::Identity();
   FollowAnchors anchors_;
   std::optional<FollowLaw> law_;
+  bool lawIsOld_ = false;  // it follows by other settings now
 };
 
 }  // namespace robots

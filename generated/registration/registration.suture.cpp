@@ -20,6 +20,7 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::newSlot;
 using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
@@ -40,6 +41,9 @@ static_assert(std::is_same_v<decltype(SceneFrames::left_base), Eigen::Isometry3d
 static_assert(std::is_same_v<decltype(SceneFrames::right_base), Eigen::Isometry3d>);
 static_assert(std::is_same_v<decltype(SceneFrames::camera), Eigen::Isometry3d>);
 static_assert(std::is_same_v<decltype(SceneFrames::tissue), double>);
+static_assert(std::is_same_v<decltype(SceneFrames::left_master), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(SceneFrames::right_master), Eigen::Isometry3d>);
+static_assert(std::is_same_v<decltype(SceneFrames::display), Eigen::Isometry3d>);
 
 }  // namespace
 
@@ -49,6 +53,9 @@ bool store(const SceneFrames& value, SceneFramesSlot& slot) {
   fits &= store(value.right_base, slot.right_base);
   fits &= store(value.camera, slot.camera);
   fits &= store(value.tissue, slot.tissue);
+  fits &= store(value.left_master, slot.left_master);
+  fits &= store(value.right_master, slot.right_master);
+  fits &= store(value.display, slot.display);
   return fits;
 }
 
@@ -57,6 +64,13 @@ void load(const SceneFramesSlot& slot, SceneFrames& value) {
   load(slot.right_base, value.right_base);
   load(slot.camera, value.camera);
   load(slot.tissue, value.tissue);
+  load(slot.left_master, value.left_master);
+  load(slot.right_master, value.right_master);
+  load(slot.display, value.display);
+}
+
+bool store(const Eigen::Isometry3d& camera, RegistrationSetCameraArguments& slot) {
+  return store(camera, slot.camera);
 }
 
 // --- between slots and Cap'n Proto
@@ -66,6 +80,9 @@ void toWire(const SceneFramesSlot& slot, wire::SceneFrames::Builder out) {
   toWire(slot.right_base, out.initRightBase());
   toWire(slot.camera, out.initCamera());
   out.setTissue(slot.tissue);
+  toWire(slot.left_master, out.initLeftMaster());
+  toWire(slot.right_master, out.initRightMaster());
+  toWire(slot.display, out.initDisplay());
 }
 
 Errc fromWire(wire::SceneFrames::Reader in, SceneFramesSlot& slot, Duration) {
@@ -77,6 +94,12 @@ Errc fromWire(wire::SceneFrames::Reader in, SceneFramesSlot& slot, Duration) {
           : fromDefault(SceneFrames().right_base, slot.right_base),
       in.hasCamera() ? fromWire(in.getCamera(), slot.camera)
           : fromDefault(SceneFrames().camera, slot.camera),
+      in.hasLeftMaster() ? fromWire(in.getLeftMaster(), slot.left_master)
+          : fromDefault(SceneFrames().left_master, slot.left_master),
+      in.hasRightMaster() ? fromWire(in.getRightMaster(), slot.right_master)
+          : fromDefault(SceneFrames().right_master, slot.right_master),
+      in.hasDisplay() ? fromWire(in.getDisplay(), slot.display)
+          : fromDefault(SceneFrames().display, slot.display),
   });
 }
 
@@ -84,10 +107,17 @@ bool isValid(const SceneFramesSlot& slot, FieldPath* path) {
   if (!isValid(slot.left_base)) return refusedAt(path, "left_base");
   if (!isValid(slot.right_base)) return refusedAt(path, "right_base");
   if (!isValid(slot.camera)) return refusedAt(path, "camera");
-  return isValid(slot.tissue) || refusedAt(path, "tissue");
+  if (!isValid(slot.tissue)) return refusedAt(path, "tissue");
+  if (!isValid(slot.left_master)) return refusedAt(path, "left_master");
+  if (!isValid(slot.right_master)) return refusedAt(path, "right_master");
+  return isValid(slot.display) || refusedAt(path, "display");
 }
 
 namespace {
+
+bool acceptsRegistrationSetCamera(const RegistrationSetCameraArguments& slot, FieldPath* path) {
+  return isValid(slot.camera) || refusedAt(path, "camera");
+}
 
 // --- Registration over Cap'n Proto RPC: the provider's side
 
@@ -140,6 +170,15 @@ class RegistrationServant final : public wire::Registration::Server {
     };
     return port_->call(numberOf(RegistrationCommand::frames), in.getSent(),
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> setCamera(SetCameraContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<RegistrationSetCameraArguments>(memory);
+      return in.hasCamera() ? fromWire(in.getCamera(), slot.camera) : Errc::Invalid;
+    };
+    return port_->command(numberOf(RegistrationCommand::set_camera), in.getSent(), fill);
   }
 
  private:
@@ -197,6 +236,13 @@ class RegistrationProxy final : public suture::rpc::Proxy {
           });
         });
       }
+      case RegistrationCommand::set_camera: {
+        const auto& slot = slotIn<RegistrationSetCameraArguments>(record.arguments());
+        auto request = provider_.setCameraRequest();
+        toWire(slot.camera, request.initCamera());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
     }
     return kj::READY_NOW;
   }
@@ -235,38 +281,58 @@ constexpr CommandInfo kRegistrationCommands[] = {
      .depth = 16,
      .column = 0,
      .acceptsResult = checkSlot<SceneFramesSlot, isValid>},
+    {.name = "set_camera",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<RegistrationSetCameraArguments>,
+     .depth = 16,
+     .accepts = checkSlot<RegistrationSetCameraArguments, acceptsRegistrationSetCamera>},
 };
 
 // The self-description, as in registration/registration.suture.json.
 constexpr char kRegistrationDescription[] = R"json(
-{"name": "robots::Registration", "hash": "1af4f544dde76de938abf4596de10e4e", "commands": [{
-"name": "frames", "kind": "read", "ordinal": 1,
-"doc": "As they were registered last; each rotation is one to 1e-6.", "result": {"type": {
-"kind": "struct", "name": "robots::SceneFrames"}}, "queue": 16}], "events": [], "enums": [],
-"structs": [{"name": "robots::SceneFrames",
-"doc": "Where things are in the frame of the scene, whose z points away from the tissue.",
+{"name": "robots::Registration", "doc": "Commands run in the registration's own thread.",
+"hash": "ab7f70fec1652e961132ed089669aac1", "commands": [{"name": "frames", "kind": "read",
+"ordinal": 1,
+"doc": "As they were registered last; each rotation is one to 1e-6. Ask with `frames.at(stamp)` for\nwhat an image or a pose of that stamp belongs to.",
+"result": {"type": {"kind": "struct", "name": "robots::SceneFrames"}}, "queue": 16}, {
+"name": "set_camera", "kind": "write", "ordinal": 2, "wire": "setCamera",
+"doc": "The left camera has been moved to there. Ignored, with a warning, unless its rotation is one.",
+"parameters": [{"name": "camera", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}],
+"queue": 16}], "events": [], "enums": [], "structs": [{"name": "robots::SceneFrames",
+"doc": "Where things are: slaves and camera in the frame of the scene, whose z points away from the\ntissue; masters and display in that of the console.",
 "fields": [{"name": "left_base", "wire": "leftBase", "type": {"kind": "isometry",
 "scalar": "Float64"}, "unit": "m"}, {"name": "right_base", "wire": "rightBase", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "camera",
 "doc": "The left camera: x to the right and y downward in the image, z ahead.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "tissue",
-"doc": "The tissue's surface: its z.", "type": {"kind": "Float64"}, "unit": "m", "default": -0.16}]
-}], "wire": [{"id": "@0xe9484f8fbd271c3f", "kind": "interface", "name": "Registration",
+"doc": "The tissue's surface: its z.", "type": {"kind": "Float64"}, "unit": "m", "default": -0.16},
+{"name": "left_master", "wire": "leftMaster", "type": {"kind": "isometry", "scalar": "Float64"},
+"unit": "m"}, {"name": "right_master", "wire": "rightMaster", "type": {"kind": "isometry",
+"scalar": "Float64"}, "unit": "m"}, {"name": "display",
+"doc": "The picture that the surgeon looks at, with the axes of the camera: x to the right and y\ndownward in it, z ahead.",
+"type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}]}], "wire": [{
+"id": "@0xe9484f8fbd271c3f", "kind": "interface", "name": "Registration",
 "cxx": "robots::Registration", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
 "name": "events", "is": "@0xead83c2c10b9a601"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
 "at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "frames", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xe63e7e972f06e442"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xead83c2c10b9a601", "kind": "interface", "name": "RegistrationEvents", "members": [{
-"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf672b219e7b88cf8"}]}]},
-{"id": "@0xf672b219e7b88cf8", "kind": "struct", "name": "RegistrationStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "frames", "is": "@0xe63e7e972f06e442"}]}, {
-"id": "@0xe63e7e972f06e442", "kind": "struct", "name": "SceneFrames", "members": [{"at": 0,
-"name": "leftBase", "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "rightBase",
+"name": "value", "is": "@0xe63e7e972f06e442"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 2, "name": "setCamera", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "camera",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}]}, {"id": "@0xead83c2c10b9a601", "kind": "interface",
+"name": "RegistrationEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xf672b219e7b88cf8"}]}]}, {"id": "@0xf672b219e7b88cf8", "kind": "struct",
+"name": "RegistrationStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "frames", "is": "@0xe63e7e972f06e442"}]}, {"id": "@0xe63e7e972f06e442", "kind": "struct",
+"name": "SceneFrames", "members": [{"at": 0, "name": "leftBase",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "rightBase",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 2, "name": "camera",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "tissue",
-"is": "Float64 unit \"m\" = -0.16"}]}]})json";
+"is": "Float64 unit \"m\" = -0.16"}, {"at": 4, "name": "leftMaster",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 5, "name": "rightMaster",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 6, "name": "display",
+"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -279,6 +345,9 @@ void fromJson(const suture::JsonReader& in, SceneFrames& value) {
   reader.field("right_base", value.right_base);
   reader.field("camera", value.camera);
   reader.field("tissue", value.tissue);
+  reader.field("left_master", value.left_master);
+  reader.field("right_master", value.right_master);
+  reader.field("display", value.display);
   reader.finish();
 }
 
@@ -290,7 +359,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Registration>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Registration",
-      .hash = "1af4f544dde76de938abf4596de10e4e",
+      .hash = "ab7f70fec1652e961132ed089669aac1",
       .description = robots::kRegistrationDescription,
       .commands = robots::kRegistrationCommands,
       .events = {},
@@ -299,13 +368,19 @@ const InterfaceInfo& interfaceInfo<robots::Registration>() {
   return kInfo;
 }
 
-Errc Provided<robots::Registration>::execute(std::uint16_t command, const std::byte* /*arguments*/,
+Errc Provided<robots::Registration>::execute(std::uint16_t command, const std::byte* arguments,
                                              std::byte* result) {
   using ::robots::RegistrationCommand;
   switch (static_cast<RegistrationCommand>(command)) {
     case RegistrationCommand::frames: {
       auto& slot = newSlot<robots::SceneFramesSlot>(result);
       return store(implementation_.frames(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case RegistrationCommand::set_camera: {
+      const auto& slot = slotIn<robots::RegistrationSetCameraArguments>(arguments);
+      load(slot.camera, scratch_.set_camera_camera);
+      implementation_.set_camera(scratch_.set_camera_camera);
+      return Errc{};
     }
   }
   return Errc::Invalid;

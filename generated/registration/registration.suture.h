@@ -11,20 +11,33 @@
 
 namespace robots {
 
-/// Where things are in the frame of the scene, whose z points away from the tissue.
+/// Where things are: slaves and camera in the frame of the scene, whose z points away from the
+/// tissue; masters and display in that of the console.
 struct SceneFramesSlot {
-  std::array<double, 12> left_base;   // Eigen::Isometry3d, m
-  std::array<double, 12> right_base;  // Eigen::Isometry3d, m
-  std::array<double, 12> camera;      // Eigen::Isometry3d, m
-  double tissue;                      // m
+  std::array<double, 12> left_base;     // Eigen::Isometry3d, m
+  std::array<double, 12> right_base;    // Eigen::Isometry3d, m
+  std::array<double, 12> camera;        // Eigen::Isometry3d, m
+  double tissue;                        // m
+  std::array<double, 12> left_master;   // Eigen::Isometry3d, m
+  std::array<double, 12> right_master;  // Eigen::Isometry3d, m
+  std::array<double, 12> display;       // Eigen::Isometry3d, m
 };
 
 bool store(const SceneFrames& value, SceneFramesSlot& slot);
 void load(const SceneFramesSlot& slot, SceneFrames& value);
 
+// --- Registration: the arguments of its commands ---
+
+struct RegistrationSetCameraArguments {
+  std::array<double, 12> camera;  // m
+};
+
+bool store(const Eigen::Isometry3d& camera, RegistrationSetCameraArguments& slot);
+
 /// The numbers of Registration's commands in every table and record.
 enum class RegistrationCommand : std::uint16_t {
   frames,
+  set_camera,
 };
 
 }  // namespace robots
@@ -44,9 +57,13 @@ class Required<robots::Registration> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// As they were registered last; each rotation is one to 1e-6.
+  /// As they were registered last; each rotation is one to 1e-6. Ask with `frames.at(stamp)` for
+  /// what an image or a pose of that stamp belongs to.
   ReadCommand<&Contract::frames, robots::SceneFramesSlot> frames{
       *this, static_cast<std::uint16_t>(Id::frames)};
+  /// The left camera has been moved to there. Ignored, with a warning, unless its rotation is one.
+  Command<&Contract::set_camera, robots::RegistrationSetCameraArguments> set_camera{
+      *this, static_cast<std::uint16_t>(Id::set_camera)};
 
  protected:
   // For contracts that derive from this one.
@@ -73,7 +90,13 @@ class Provided<robots::Registration> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    Eigen::Isometry3d set_camera_camera;
+  };
+
   Contract& implementation_;
+  Scratch scratch_{};
 };
 
 }  // namespace suture

@@ -100,7 +100,9 @@ ComponentClass componentClass<robots::Surgeon>() {
             robots::SurgeonParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::unique_ptr<Component>(new robots::Surgeon(values));
+            std::unique_ptr<Component> component(new robots::Surgeon(values));
+            makeOptional(*component, {"Teleoperation"});
+            return component;
           }};
 }
 

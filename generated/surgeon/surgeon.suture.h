@@ -6,6 +6,7 @@
 
 #include "surgeon/surgeon.h"
 #include "arm/arm.suture.h"
+#include "teleop/teleoperation.suture.h"
 
 namespace suture {
 class JsonReader;

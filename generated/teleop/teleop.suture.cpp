@@ -8,6 +8,13 @@
 
 #include "teleop/teleop.capnp.h"
 
+// Defined in robot_types/side.suture.cpp.
+namespace robots {
+wire::Side wireSide(std::uint8_t slot);
+bool isKnownSide(std::uint8_t slot);
+suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
+}  // namespace robots
+
 namespace robots {
 
 using suture::Duration;
@@ -15,6 +22,7 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::load;
 using suture::refusedAt;
+using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
@@ -28,6 +36,13 @@ static_assert(std::is_same_v<decltype(TeleopParameters::period), std::chrono::na
 static_assert(std::is_same_v<decltype(TeleopParameters::scale), double>);
 static_assert(std::is_same_v<decltype(TeleopParameters::max_age), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(TeleopParameters::enable_at_start), bool>);
+static_assert(std::is_same_v<decltype(TeleopParameters::align), bool>);
+static_assert(std::is_same_v<decltype(TeleopParameters::alignment_tolerance), double>);
+static_assert(std::is_same_v<decltype(TeleopParameters::preparation_limit),
+                             std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(TeleopParameters::operator_age), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(TeleopParameters::master_side), Side>);
+static_assert(std::is_same_v<decltype(TeleopParameters::slave_side), Side>);
 
 }  // namespace
 
@@ -37,6 +52,12 @@ bool store(const TeleopParameters& value, TeleopParametersSlot& slot) {
   fits &= store(value.scale, slot.scale);
   fits &= store(value.max_age, slot.max_age);
   fits &= store(value.enable_at_start, slot.enable_at_start);
+  fits &= store(value.align, slot.align);
+  fits &= store(value.alignment_tolerance, slot.alignment_tolerance);
+  fits &= store(value.preparation_limit, slot.preparation_limit);
+  fits &= store(value.operator_age, slot.operator_age);
+  fits &= store(value.master_side, slot.master_side);
+  fits &= store(value.slave_side, slot.slave_side);
   return fits;
 }
 
@@ -45,6 +66,12 @@ void load(const TeleopParametersSlot& slot, TeleopParameters& value) {
   load(slot.scale, value.scale);
   load(slot.max_age, value.max_age);
   load(slot.enable_at_start, value.enable_at_start);
+  load(slot.align, value.align);
+  load(slot.alignment_tolerance, value.alignment_tolerance);
+  load(slot.preparation_limit, value.preparation_limit);
+  load(slot.operator_age, value.operator_age);
+  load(slot.master_side, value.master_side);
+  load(slot.slave_side, value.slave_side);
 }
 
 // --- between slots and Cap'n Proto
@@ -54,6 +81,12 @@ void toWire(const TeleopParametersSlot& slot, wire::TeleopParameters::Builder ou
   out.setScale(slot.scale);
   out.setMaxAge(slot.max_age);
   out.setEnableAtStart(slot.enable_at_start != 0);
+  out.setAlign(slot.align != 0);
+  out.setAlignmentTolerance(slot.alignment_tolerance);
+  out.setPreparationLimit(slot.preparation_limit);
+  out.setOperatorAge(slot.operator_age);
+  out.setMasterSide(wireSide(slot.master_side));
+  out.setSlaveSide(wireSide(slot.slave_side));
 }
 
 Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot, Duration) {
@@ -61,13 +94,28 @@ Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot, Dur
   slot.scale = in.getScale();
   slot.max_age = in.getMaxAge();
   slot.enable_at_start = in.getEnableAtStart();
-  return Errc{};
+  slot.align = in.getAlign();
+  slot.alignment_tolerance = in.getAlignmentTolerance();
+  slot.preparation_limit = in.getPreparationLimit();
+  slot.operator_age = in.getOperatorAge();
+  return firstError({
+      fromWire(in.getMasterSide(), slot.master_side),
+      fromWire(in.getSlaveSide(), slot.slave_side),
+  });
 }
 
 bool isValid(const TeleopParametersSlot& slot, FieldPath* path) {
-  return inRange(slot.scale, 0.01, 10) || refusedAt(path, "scale");
+  if (!inRange(slot.scale, 0.01, 10)) return refusedAt(path, "scale");
+  if (!inRange(slot.alignment_tolerance, 0.001, 1)) return refusedAt(path, "alignment_tolerance");
+  if (!isKnownSide(slot.master_side)) return refusedAt(path, "master_side");
+  return isKnownSide(slot.slave_side) || refusedAt(path, "slave_side");
 }
 
+}  // namespace robots
+
+// Defined in robot_types/side.suture.cpp.
+namespace robots {
+void fromJson(const suture::JsonReader& in, Side& value);
 }  // namespace robots
 
 namespace robots {
@@ -78,6 +126,12 @@ void fromJson(const suture::JsonReader& in, TeleopParameters& value) {
   reader.field("scale", value.scale, 0.01, 10);
   reader.field("max_age", value.max_age);
   reader.field("enable_at_start", value.enable_at_start);
+  reader.field("align", value.align);
+  reader.field("alignment_tolerance", value.alignment_tolerance, 0.001, 1);
+  reader.field("preparation_limit", value.preparation_limit);
+  reader.field("operator_age", value.operator_age);
+  reader.field("master_side", value.master_side);
+  reader.field("slave_side", value.slave_side);
   reader.finish();
 }
 
@@ -91,7 +145,9 @@ ComponentClass componentClass<robots::Teleop>() {
             robots::TeleopParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::unique_ptr<Component>(new robots::Teleop(values));
+            std::unique_ptr<Component> component(new robots::Teleop(values));
+            makeOptional(*component, {"Pedals", "Presence", "Registration"});
+            return component;
           }};
 }
 

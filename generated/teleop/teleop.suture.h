@@ -6,6 +6,10 @@
 
 #include "teleop/teleop.h"
 #include "arm/arm.suture.h"
+#include "pedals/foot_pedals.suture.h"
+#include "pedals/operator_presence.suture.h"
+#include "registration/registration.suture.h"
+#include "robot_types/side.suture.h"
 #include "teleop/teleoperation.suture.h"
 
 namespace suture {
@@ -17,8 +21,14 @@ namespace robots {
 struct TeleopParametersSlot {
   std::int64_t period;  // std::chrono::nanoseconds, ns
   double scale;
-  std::int64_t max_age;          // std::chrono::nanoseconds, ns
-  std::uint8_t enable_at_start;  // bool
+  std::int64_t max_age;            // std::chrono::nanoseconds, ns
+  std::uint8_t enable_at_start;    // bool
+  std::uint8_t align;              // bool
+  double alignment_tolerance;      // rad
+  std::int64_t preparation_limit;  // std::chrono::nanoseconds, ns
+  std::int64_t operator_age;       // std::chrono::nanoseconds, ns
+  std::uint8_t master_side;        // Side
+  std::uint8_t slave_side;         // Side
 };
 
 bool store(const TeleopParameters& value, TeleopParametersSlot& slot);

@@ -20,12 +20,14 @@ using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::newSlot;
 using suture::refusedAt;
 using suture::rpc::ProxyPort;
 using suture::rpc::ServantPort;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
+using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
 using suture::rpc::shifted;
@@ -42,12 +44,20 @@ static_assert(std::is_same_v<std::underlying_type_t<TeleopState>, std::uint8_t>)
 static_assert(static_cast<std::uint8_t>(TeleopState::Disabled) == 0);
 static_assert(static_cast<std::uint8_t>(TeleopState::Preparing) == 1);
 static_assert(static_cast<std::uint8_t>(TeleopState::Following) == 2);
+static_assert(static_cast<std::uint8_t>(TeleopState::Aligning) == 3);
+static_assert(static_cast<std::uint8_t>(TeleopState::Clutched) == 4);
 static_assert(std::is_same_v<decltype(FollowAnchors::master_stamp),
                              std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(FollowAnchors::master), Eigen::Isometry3d>);
 static_assert(std::is_same_v<decltype(FollowAnchors::slave_setpoint), Eigen::Isometry3d>);
 static_assert(std::is_same_v<decltype(FollowAnchors::scale), double>);
 static_assert(std::is_same_v<decltype(FollowAnchors::entry), std::uint64_t>);
+static_assert(std::is_same_v<decltype(FollowAnchors::view), Eigen::Matrix3d>);
+static_assert(std::is_same_v<decltype(FollowAnchors::rotation_locked), bool>);
+static_assert(std::is_same_v<decltype(FollowAnchors::translation_locked), bool>);
+static_assert(std::is_same_v<decltype(TeleopSettings::scale), double>);
+static_assert(std::is_same_v<decltype(TeleopSettings::rotation_locked), bool>);
+static_assert(std::is_same_v<decltype(TeleopSettings::translation_locked), bool>);
 
 }  // namespace
 
@@ -58,6 +68,9 @@ bool store(const FollowAnchors& value, FollowAnchorsSlot& slot) {
   fits &= store(value.slave_setpoint, slot.slave_setpoint);
   fits &= store(value.scale, slot.scale);
   fits &= store(value.entry, slot.entry);
+  fits &= store(value.view, slot.view);
+  fits &= store(value.rotation_locked, slot.rotation_locked);
+  fits &= store(value.translation_locked, slot.translation_locked);
   return fits;
 }
 
@@ -67,10 +80,39 @@ void load(const FollowAnchorsSlot& slot, FollowAnchors& value) {
   load(slot.slave_setpoint, value.slave_setpoint);
   load(slot.scale, value.scale);
   load(slot.entry, value.entry);
+  load(slot.view, value.view);
+  load(slot.rotation_locked, value.rotation_locked);
+  load(slot.translation_locked, value.translation_locked);
 }
 
 void shiftStamps(FollowAnchorsSlot& slot, Duration shift) {
   slot.master_stamp = shifted(slot.master_stamp, shift);
+}
+
+bool store(const TeleopSettings& value, TeleopSettingsSlot& slot) {
+  bool fits = true;
+  fits &= store(value.scale, slot.scale);
+  fits &= store(value.rotation_locked, slot.rotation_locked);
+  fits &= store(value.translation_locked, slot.translation_locked);
+  return fits;
+}
+
+void load(const TeleopSettingsSlot& slot, TeleopSettings& value) {
+  load(slot.scale, value.scale);
+  load(slot.rotation_locked, value.rotation_locked);
+  load(slot.translation_locked, value.translation_locked);
+}
+
+bool store(const double& scale, TeleoperationSetScaleArguments& slot) {
+  return store(scale, slot.scale);
+}
+
+bool store(const bool& lock, TeleoperationLockRotationArguments& slot) {
+  return store(lock, slot.lock);
+}
+
+bool store(const bool& lock, TeleoperationLockTranslationArguments& slot) {
+  return store(lock, slot.lock);
 }
 
 // --- between slots and Cap'n Proto
@@ -80,6 +122,8 @@ wire::TeleopState wireTeleopState(std::uint8_t slot) {
     case TeleopState::Disabled: return wire::TeleopState::DISABLED;
     case TeleopState::Preparing: return wire::TeleopState::PREPARING;
     case TeleopState::Following: return wire::TeleopState::FOLLOWING;
+    case TeleopState::Aligning: return wire::TeleopState::ALIGNING;
+    case TeleopState::Clutched: return wire::TeleopState::CLUTCHED;
   }
   return wire::TeleopState{};
 }
@@ -89,6 +133,8 @@ bool isKnownTeleopState(std::uint8_t slot) {
     case TeleopState::Disabled:
     case TeleopState::Preparing:
     case TeleopState::Following:
+    case TeleopState::Aligning:
+    case TeleopState::Clutched:
       return true;
   }
   return false;
@@ -102,6 +148,10 @@ Errc fromWire(wire::TeleopState in, std::uint8_t& slot) {
         static_cast<std::uint8_t>(TeleopState::Preparing), Errc{};
     case wire::TeleopState::FOLLOWING: return slot =
         static_cast<std::uint8_t>(TeleopState::Following), Errc{};
+    case wire::TeleopState::ALIGNING: return slot =
+        static_cast<std::uint8_t>(TeleopState::Aligning), Errc{};
+    case wire::TeleopState::CLUTCHED: return slot =
+        static_cast<std::uint8_t>(TeleopState::Clutched), Errc{};
   }
   return Errc::Invalid;
 }
@@ -112,23 +162,48 @@ void toWire(const FollowAnchorsSlot& slot, wire::FollowAnchors::Builder out) {
   toWire(slot.slave_setpoint, out.initSlaveSetpoint());
   out.setScale(slot.scale);
   out.setEntry(slot.entry);
+  toWire(slot.view, out.initView());
+  out.setRotationLocked(slot.rotation_locked != 0);
+  out.setTranslationLocked(slot.translation_locked != 0);
 }
 
 Errc fromWire(wire::FollowAnchors::Reader in, FollowAnchorsSlot& slot, Duration shift) {
   slot.master_stamp = suture::rpc::shifted(in.getMasterStamp(), shift);
   slot.scale = in.getScale();
   slot.entry = in.getEntry();
+  slot.rotation_locked = in.getRotationLocked();
+  slot.translation_locked = in.getTranslationLocked();
   return firstError({
       in.hasMaster() ? fromWire(in.getMaster(), slot.master)
           : fromDefault(FollowAnchors().master, slot.master),
       in.hasSlaveSetpoint() ? fromWire(in.getSlaveSetpoint(), slot.slave_setpoint)
           : fromDefault(FollowAnchors().slave_setpoint, slot.slave_setpoint),
+      in.hasView() ? fromWire(in.getView(), slot.view)
+          : fromDefault(FollowAnchors().view, slot.view),
   });
 }
 
 bool isValid(const FollowAnchorsSlot& slot, FieldPath* path) {
   if (!isValid(slot.master)) return refusedAt(path, "master");
   if (!isValid(slot.slave_setpoint)) return refusedAt(path, "slave_setpoint");
+  if (!isValid(slot.scale)) return refusedAt(path, "scale");
+  return isValid(slot.view) || refusedAt(path, "view");
+}
+
+void toWire(const TeleopSettingsSlot& slot, wire::TeleopSettings::Builder out) {
+  out.setScale(slot.scale);
+  out.setRotationLocked(slot.rotation_locked != 0);
+  out.setTranslationLocked(slot.translation_locked != 0);
+}
+
+Errc fromWire(wire::TeleopSettings::Reader in, TeleopSettingsSlot& slot, Duration) {
+  slot.scale = in.getScale();
+  slot.rotation_locked = in.getRotationLocked();
+  slot.translation_locked = in.getTranslationLocked();
+  return Errc{};
+}
+
+bool isValid(const TeleopSettingsSlot& slot, FieldPath* path) {
   return isValid(slot.scale) || refusedAt(path, "scale");
 }
 
@@ -136,6 +211,10 @@ namespace {
 
 bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot, FieldPath*) {
   return isKnownTeleopState(slot);
+}
+
+bool acceptsTeleoperationSetScale(const TeleoperationSetScaleArguments& slot, FieldPath* path) {
+  return inRange(slot.scale, 0.01, 10) || refusedAt(path, "scale");
 }
 
 bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot, FieldPath*) {
@@ -164,6 +243,12 @@ class TeleoperationSink final : public suture::rpc::EventSink {
         toWire(slot, request.initValue());
         return request.send().ignoreResult();
       }
+      case numberOf(TeleoperationEvent::settings): {
+        const auto& slot = slotIn<TeleopSettingsSlot>(payload);
+        auto request = subscriber_.settingsRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
     }
     return kj::READY_NOW;
   }
@@ -182,6 +267,10 @@ class TeleoperationSink final : public suture::rpc::EventSink {
     if (row.hasValue(1)) {
       const auto& slot = slotIn<FollowAnchorsSlot>(columns[1]);
       toWire(slot, out.initAnchors());
+    }
+    if (row.hasValue(2)) {
+      const auto& slot = slotIn<TeleopSettingsSlot>(columns[2]);
+      toWire(slot, out.initSettings());
     }
     return request.send().ignoreResult();
   }
@@ -239,6 +328,48 @@ class TeleoperationServant final : public wire::Teleoperation::Server {
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
+  kj::Promise<void> setScale(SetScaleContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<TeleoperationSetScaleArguments>(memory);
+      slot.scale = in.getScale();
+      return Errc{};
+    };
+    return port_->command(numberOf(TeleoperationCommand::set_scale), in.getSent(), fill);
+  }
+
+  kj::Promise<void> lockRotation(LockRotationContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<TeleoperationLockRotationArguments>(memory);
+      slot.lock = in.getLock();
+      return Errc{};
+    };
+    return port_->command(numberOf(TeleoperationCommand::lock_rotation), in.getSent(), fill);
+  }
+
+  kj::Promise<void> lockTranslation(LockTranslationContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<TeleoperationLockTranslationArguments>(memory);
+      slot.lock = in.getLock();
+      return Errc{};
+    };
+    return port_->command(numberOf(TeleoperationCommand::lock_translation), in.getSent(), fill);
+  }
+
+  kj::Promise<void> settings(SettingsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<TeleopSettingsSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(TeleoperationCommand::settings), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
  private:
   kj::Own<ServantPort> port_;
 };
@@ -265,6 +396,12 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
           in.hasAnchors() ? fromWire(in.getAnchors(), slot, port_->shift()) : Errc::Invalid;
       columns.enter(1, error);
     }
+    if (columns.hasValue(2)) {
+      auto& slot = port_->column<TeleopSettingsSlot>(2);
+      const Errc error =
+          in.hasSettings() ? fromWire(in.getSettings(), slot, port_->shift()) : Errc::Invalid;
+      columns.enter(2, error);
+    }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
   }
@@ -281,6 +418,14 @@ class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
     auto in = context.getParams();
     return port_->event<FollowAnchorsSlot>(numberOf(TeleoperationEvent::followed),
                                            [&](FollowAnchorsSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> settings(SettingsContext context) override {
+    auto in = context.getParams();
+    return port_->event<TeleopSettingsSlot>(numberOf(TeleoperationEvent::settings),
+                                            [&](TeleopSettingsSlot& slot) {
       return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
     });
   }
@@ -335,6 +480,38 @@ class TeleoperationProxy final : public suture::rpc::Proxy {
           });
         });
       }
+      case TeleoperationCommand::set_scale: {
+        const auto& slot = slotIn<TeleoperationSetScaleArguments>(record.arguments());
+        auto request = provider_.setScaleRequest();
+        request.setScale(slot.scale);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case TeleoperationCommand::lock_rotation: {
+        const auto& slot = slotIn<TeleoperationLockRotationArguments>(record.arguments());
+        auto request = provider_.lockRotationRequest();
+        request.setLock(slot.lock != 0);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case TeleoperationCommand::lock_translation: {
+        const auto& slot = slotIn<TeleoperationLockTranslationArguments>(record.arguments());
+        auto request = provider_.lockTranslationRequest();
+        request.setLock(slot.lock != 0);
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case TeleoperationCommand::settings: {
+        auto request = provider_.settingsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<TeleopSettingsSlot>(call, response.getStamp(),
+                                           [&](TeleopSettingsSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
     }
     return kj::READY_NOW;
   }
@@ -382,6 +559,25 @@ constexpr CommandInfo kTeleoperationCommands[] = {
      .column = 1,
      .acceptsResult = checkSlot<FollowAnchorsSlot, isValid>,
      .shiftResult = shiftSlot<FollowAnchorsSlot>},
+    {.name = "set_scale",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<TeleoperationSetScaleArguments>,
+     .depth = 16,
+     .accepts = checkSlot<TeleoperationSetScaleArguments, acceptsTeleoperationSetScale>},
+    {.name = "lock_rotation",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<TeleoperationLockRotationArguments>,
+     .depth = 16},
+    {.name = "lock_translation",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<TeleoperationLockTranslationArguments>,
+     .depth = 16},
+    {.name = "settings",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<TeleopSettingsSlot>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<TeleopSettingsSlot, isValid>},
 };
 
 constexpr EventInfo kTeleoperationEvents[] = {
@@ -396,39 +592,70 @@ constexpr EventInfo kTeleoperationEvents[] = {
      .latched = true,
      .accepts = checkSlot<FollowAnchorsSlot, isValid>,
      .shiftPayload = shiftSlot<FollowAnchorsSlot>},
+    {.name = "settings",
+     .payloadSize = slotSize<TeleopSettingsSlot>,
+     .depth = 16,
+     .latched = true,
+     .accepts = checkSlot<TeleopSettingsSlot, isValid>},
 };
 
 // The self-description, as in teleop/teleoperation.suture.json.
 constexpr char kTeleoperationDescription[] = R"json(
-{"name": "robots::Teleoperation", "hash": "393a877d8e6228f4888818f28ef2cb8a", "commands": [{
-"name": "enable", "kind": "void", "ordinal": 1,
-"doc": "Enables and homes arms that are not, then follows.", "queue": 16}, {"name": "disable",
-"kind": "void", "ordinal": 2, "doc": "Stops following; the slave holds.", "queue": 16}, {
-"name": "teleop_state", "kind": "read", "ordinal": 3, "wire": "teleopState", "result": {"type": {
-"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read",
-"ordinal": 4, "doc": "Of the present or last time of following.", "result": {"type": {
-"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}], "events": [{
+{"name": "robots::Teleoperation",
+"doc": "Commands run in the teleoperation's own thread before its next cycle. A change of the settings\nwhile it follows does not move the slave: it follows from where it is.",
+"hash": "d5669079036420a78a75a89ca58f658e", "commands": [{"name": "enable", "kind": "void",
+"ordinal": 1, "doc": "Enables and homes arms that are not, then follows.", "queue": 16}, {
+"name": "disable", "kind": "void", "ordinal": 2, "doc": "Stops following; the slave holds.",
+"queue": 16}, {"name": "teleop_state", "kind": "read", "ordinal": 3, "wire": "teleopState",
+"result": {"type": {"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16}, {
+"name": "anchors", "kind": "read", "ordinal": 4, "doc": "Of the present or last time of following.",
+"result": {"type": {"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}, {
+"name": "set_scale", "kind": "write", "ordinal": 5, "wire": "setScale", "parameters": [{
+"name": "scale", "type": {"kind": "Float64"}, "range": [0.01, 10.0]}], "queue": 16}, {
+"name": "lock_rotation", "kind": "write", "ordinal": 6, "wire": "lockRotation",
+"doc": "The slave keeps its orientation. Unlocked, the master is aligned anew before following.",
+"parameters": [{"name": "lock", "type": {"kind": "Bool"}}], "queue": 16}, {
+"name": "lock_translation", "kind": "write", "ordinal": 7, "wire": "lockTranslation",
+"doc": "The slave keeps its position.", "parameters": [{"name": "lock", "type": {"kind": "Bool"}}],
+"queue": 16}, {"name": "settings", "kind": "read", "ordinal": 8, "result": {"type": {
+"kind": "struct", "name": "robots::TeleopSettings"}}, "queue": 16}], "events": [{
 "name": "teleop_state", "kind": "write", "ordinal": 1, "wire": "teleopState", "payload": {"type": {
 "kind": "enum", "name": "robots::TeleopState"}}, "queue": 16, "latched": true}, {
-"name": "followed", "kind": "write", "ordinal": 2, "doc": "Following begins.", "payload": {
-"type": {"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}],
-"enums": [{"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{
-"name": "Disabled", "value": 0, "wire": "disabled", "doc": "until enable()"}, {"name": "Preparing",
-"value": 1, "wire": "preparing",
+"name": "followed", "kind": "write", "ordinal": 2,
+"doc": "Following begins, or goes on by other settings.", "payload": {"type": {"kind": "struct",
+"name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}, {"name": "settings",
+"kind": "write", "ordinal": 3, "doc": "Each change, and the last one to whoever connects.",
+"payload": {"type": {"kind": "struct", "name": "robots::TeleopSettings"}}, "queue": 16,
+"latched": true}], "enums": [{"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [
+{"name": "Disabled", "value": 0, "wire": "disabled", "doc": "until enable()"}, {
+"name": "Preparing", "value": 1, "wire": "preparing",
 "doc": "waits for both arms: connected, enabled, homed, and fresh data of both"}, {
-"name": "Following", "value": 2, "wire": "following"}]}], "structs": [{
-"name": "robots::FollowAnchors",
+"name": "Following", "value": 2, "wire": "following"}, {"name": "Aligning", "value": 3,
+"wire": "aligning", "doc": "turns the master to the orientation that the slave has in the view"}, {
+"name": "Clutched", "value": 4, "wire": "clutched",
+"doc": "the clutch is pressed, or nobody is at the console: the slave holds, the master is\nthe surgeon's to move"
+}]}], "structs": [{"name": "robots::FollowAnchors",
 "doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
 "fields": [{"name": "master_stamp", "wire": "masterStamp",
 "doc": "Stamp of the first master pose that was followed.", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "master",
-"doc": "The master's measured pose at that stamp, in the master's base frame.", "type": {
+"doc": "The master's measured pose at that stamp, in the master's reference frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "slave_setpoint",
-"wire": "slaveSetpoint", "doc": "The slave's set-point at entry, in the slave's base frame.",
+"wire": "slaveSetpoint", "doc": "The slave's set-point at entry, in the slave's reference frame.",
 "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "scale",
 "doc": "Slave metres a master metre.", "type": {"kind": "Float64"}, "default": 0.0}, {
-"name": "entry", "doc": "How many times following began, this one included; 0: never.", "type": {
-"kind": "UInt64"}, "default": 0}]}], "wire": [{"id": "@0x9c2044876661808e", "kind": "interface",
+"name": "entry",
+"doc": "How many times following began, this one included; 0: never. A change of what it follows by\ncounts too, and does not move the slave.",
+"type": {"kind": "UInt64"}, "default": 0}, {"name": "view",
+"doc": "From directions of the master's reference frame to those of the slave's that look the same to\nthe surgeon.",
+"type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {
+"name": "rotation_locked", "wire": "rotationLocked", "type": {"kind": "Bool"}, "default": false}, {
+"name": "translation_locked", "wire": "translationLocked", "type": {"kind": "Bool"},
+"default": false}]}, {"name": "robots::TeleopSettings", "doc": "What the slave follows by.",
+"fields": [{"name": "scale", "doc": "Slave metres a master metre.", "type": {"kind": "Float64"},
+"default": 0.0}, {"name": "rotation_locked", "wire": "rotationLocked", "type": {"kind": "Bool"},
+"default": false}, {"name": "translation_locked", "wire": "translationLocked", "type": {
+"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x9c2044876661808e", "kind": "interface",
 "name": "Teleoperation", "cxx": "robots::Teleoperation", "members": [{"at": 0, "name": "subscribe",
 "parameters": [{"at": 0, "name": "events", "is": "@0xe8de6e374cc63239"}, {"at": 1,
 "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
@@ -439,22 +666,37 @@ constexpr char kTeleoperationDescription[] = R"json(
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "anchors", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0x8cdd0eb841f978ce"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xe8de6e374cc63239", "kind": "interface", "name": "TeleoperationEvents", "members": [{
-"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xbc0e291de17cadad"}]}, {
-"at": 1, "name": "teleopState", "parameters": [{"at": 0, "name": "value",
-"is": "@0x82c72c556eb58a10"}]}, {"at": 2, "name": "followed", "parameters": [{"at": 0,
-"name": "value", "is": "@0x8cdd0eb841f978ce"}]}]}, {"id": "@0xbc0e291de17cadad", "kind": "struct",
-"name": "TeleoperationStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "teleopState", "is": "@0x82c72c556eb58a10"
-}, {"at": 3, "name": "anchors", "is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge",
-"is": "UInt64"}]}, {"id": "@0x82c72c556eb58a10", "kind": "enum", "name": "TeleopState", "members": [
-{"at": 0, "name": "disabled"}, {"at": 1, "name": "preparing"}, {"at": 2, "name": "following"}]}, {
+"name": "value", "is": "@0x8cdd0eb841f978ce"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 5, "name": "setScale", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "scale",
+"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 6,
+"name": "lockRotation", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "lock",
+"is": "Bool"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 7,
+"name": "lockTranslation", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "lock",
+"is": "Bool"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 8,
+"name": "settings", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe1eab6cf5390e93b"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8de6e374cc63239", "kind": "interface",
+"name": "TeleoperationEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xbc0e291de17cadad"}]}, {"at": 1, "name": "teleopState", "parameters": [{
+"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"}]}, {"at": 2, "name": "followed",
+"parameters": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"}]}, {"at": 3,
+"name": "settings", "parameters": [{"at": 0, "name": "value", "is": "@0xe1eab6cf5390e93b"}]}]}, {
+"id": "@0xbc0e291de17cadad", "kind": "struct", "name": "TeleoperationStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "teleopState", "is": "@0x82c72c556eb58a10"}, {"at": 3, "name": "anchors",
+"is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge", "is": "UInt64"}, {"at": 5,
+"name": "settings", "is": "@0xe1eab6cf5390e93b"}]}, {"id": "@0x82c72c556eb58a10", "kind": "enum",
+"name": "TeleopState", "members": [{"at": 0, "name": "disabled"}, {"at": 1, "name": "preparing"}, {
+"at": 2, "name": "following"}, {"at": 3, "name": "aligning"}, {"at": 4, "name": "clutched"}]}, {
 "id": "@0x8cdd0eb841f978ce", "kind": "struct", "name": "FollowAnchors", "members": [{"at": 0,
 "name": "masterStamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "master",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 2, "name": "slaveSetpoint",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "scale", "is": "Float64"}, {
-"at": 4, "name": "entry", "is": "UInt64"}]}]})json";
+"at": 4, "name": "entry", "is": "UInt64"}, {"at": 5, "name": "view",
+"is": "/suture/types.capnp:Mat3"}, {"at": 6, "name": "rotationLocked", "is": "Bool"}, {"at": 7,
+"name": "translationLocked", "is": "Bool"}]}, {"id": "@0xe1eab6cf5390e93b", "kind": "struct",
+"name": "TeleopSettings", "members": [{"at": 0, "name": "scale", "is": "Float64"}, {"at": 1,
+"name": "rotationLocked", "is": "Bool"}, {"at": 2, "name": "translationLocked", "is": "Bool"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -465,7 +707,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Teleoperation>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Teleoperation",
-      .hash = "393a877d8e6228f4888818f28ef2cb8a",
+      .hash = "d5669079036420a78a75a89ca58f658e",
       .description = robots::kTeleoperationDescription,
       .commands = robots::kTeleoperationCommands,
       .events = robots::kTeleoperationEvents,
@@ -474,7 +716,7 @@ const InterfaceInfo& interfaceInfo<robots::Teleoperation>() {
   return kInfo;
 }
 
-Errc Provided<robots::Teleoperation>::execute(std::uint16_t command, const std::byte* /*arguments*/,
+Errc Provided<robots::Teleoperation>::execute(std::uint16_t command, const std::byte* arguments,
                                               std::byte* result) {
   using ::robots::TeleoperationCommand;
   switch (static_cast<TeleoperationCommand>(command)) {
@@ -493,6 +735,28 @@ Errc Provided<robots::Teleoperation>::execute(std::uint16_t command, const std::
     case TeleoperationCommand::anchors: {
       auto& slot = newSlot<robots::FollowAnchorsSlot>(result);
       return store(implementation_.anchors(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case TeleoperationCommand::set_scale: {
+      const auto& slot = slotIn<robots::TeleoperationSetScaleArguments>(arguments);
+      load(slot.scale, scratch_.set_scale_scale);
+      implementation_.set_scale(scratch_.set_scale_scale);
+      return Errc{};
+    }
+    case TeleoperationCommand::lock_rotation: {
+      const auto& slot = slotIn<robots::TeleoperationLockRotationArguments>(arguments);
+      load(slot.lock, scratch_.lock_rotation_lock);
+      implementation_.lock_rotation(scratch_.lock_rotation_lock);
+      return Errc{};
+    }
+    case TeleoperationCommand::lock_translation: {
+      const auto& slot = slotIn<robots::TeleoperationLockTranslationArguments>(arguments);
+      load(slot.lock, scratch_.lock_translation_lock);
+      implementation_.lock_translation(scratch_.lock_translation_lock);
+      return Errc{};
+    }
+    case TeleoperationCommand::settings: {
+      auto& slot = newSlot<robots::TeleopSettingsSlot>(result);
+      return store(implementation_.settings(), slot) ? Errc{} : Errc::TooLarge;
     }
   }
   return Errc::Invalid;

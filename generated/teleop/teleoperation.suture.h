@@ -19,11 +19,44 @@ struct FollowAnchorsSlot {
   std::array<double, 12> slave_setpoint;  // Eigen::Isometry3d, m
   double scale;
   std::uint64_t entry;
+  std::array<double, 9> view;       // Eigen::Matrix3d
+  std::uint8_t rotation_locked;     // bool
+  std::uint8_t translation_locked;  // bool
 };
 
 bool store(const FollowAnchors& value, FollowAnchorsSlot& slot);
 void load(const FollowAnchorsSlot& slot, FollowAnchors& value);
 void shiftStamps(FollowAnchorsSlot& slot, suture::Duration shift);
+
+/// What the slave follows by.
+struct TeleopSettingsSlot {
+  double scale;
+  std::uint8_t rotation_locked;     // bool
+  std::uint8_t translation_locked;  // bool
+};
+
+bool store(const TeleopSettings& value, TeleopSettingsSlot& slot);
+void load(const TeleopSettingsSlot& slot, TeleopSettings& value);
+
+// --- Teleoperation: the arguments of its commands ---
+
+struct TeleoperationSetScaleArguments {
+  double scale;
+};
+
+bool store(const double& scale, TeleoperationSetScaleArguments& slot);
+
+struct TeleoperationLockRotationArguments {
+  std::uint8_t lock;
+};
+
+bool store(const bool& lock, TeleoperationLockRotationArguments& slot);
+
+struct TeleoperationLockTranslationArguments {
+  std::uint8_t lock;
+};
+
+bool store(const bool& lock, TeleoperationLockTranslationArguments& slot);
 
 /// The numbers of Teleoperation's commands in every table and record.
 enum class TeleoperationCommand : std::uint16_t {
@@ -31,12 +64,17 @@ enum class TeleoperationCommand : std::uint16_t {
   disable,
   teleop_state,
   anchors,
+  set_scale,
+  lock_rotation,
+  lock_translation,
+  settings,
 };
 
 /// The numbers of Teleoperation's events.
 enum class TeleoperationEvent : std::uint16_t {
   teleop_state,
   followed,
+  settings,
 };
 
 }  // namespace robots
@@ -66,16 +104,30 @@ class Required<robots::Teleoperation> : public RequiredBase {
   /// Of the present or last time of following.
   ReadCommand<&Contract::anchors, robots::FollowAnchorsSlot> anchors{
       *this, static_cast<std::uint16_t>(Id::anchors)};
+  Command<&Contract::set_scale, robots::TeleoperationSetScaleArguments> set_scale{
+      *this, static_cast<std::uint16_t>(Id::set_scale)};
+  /// The slave keeps its orientation. Unlocked, the master is aligned anew before following.
+  Command<&Contract::lock_rotation, robots::TeleoperationLockRotationArguments> lock_rotation{
+      *this, static_cast<std::uint16_t>(Id::lock_rotation)};
+  /// The slave keeps its position.
+  Command<&Contract::lock_translation,
+          robots::TeleoperationLockTranslationArguments> lock_translation{
+      *this, static_cast<std::uint16_t>(Id::lock_translation)};
+  ReadCommand<&Contract::settings, robots::TeleopSettingsSlot> settings{
+      *this, static_cast<std::uint16_t>(Id::settings)};
 
   /// The events of robots::Teleoperation, to subscribe to.
   struct Events {
     explicit Events(RequiredBase& required)
         : teleop_state{required, static_cast<std::uint16_t>(EventId::teleop_state)},
-          followed{required, static_cast<std::uint16_t>(EventId::followed)} {}
+          followed{required, static_cast<std::uint16_t>(EventId::followed)},
+          settings{required, static_cast<std::uint16_t>(EventId::settings)} {}
 
     Subscription<std::uint8_t, robots::TeleopState> teleop_state;
-    /// Following begins.
+    /// Following begins, or goes on by other settings.
     Subscription<robots::FollowAnchorsSlot, robots::FollowAnchors> followed;
+    /// Each change, and the last one to whoever connects.
+    Subscription<robots::TeleopSettingsSlot, robots::TeleopSettings> settings;
   };
   Events& on() { return events_; }
 
@@ -102,11 +154,14 @@ class Provided<robots::Teleoperation> : public ProvidedBase {
   struct Events {
     explicit Events(ProvidedBase& provided)
         : teleop_state{provided, static_cast<std::uint16_t>(EventId::teleop_state)},
-          followed{provided, static_cast<std::uint16_t>(EventId::followed)} {}
+          followed{provided, static_cast<std::uint16_t>(EventId::followed)},
+          settings{provided, static_cast<std::uint16_t>(EventId::settings)} {}
 
     Emitter<std::uint8_t, robots::TeleopState> teleop_state;
-    /// Following begins.
+    /// Following begins, or goes on by other settings.
     Emitter<robots::FollowAnchorsSlot, robots::FollowAnchors> followed;
+    /// Each change, and the last one to whoever connects.
+    Emitter<robots::TeleopSettingsSlot, robots::TeleopSettings> settings;
   };
   Events& emit() { return events_; }
 
@@ -120,8 +175,16 @@ class Provided<robots::Teleoperation> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    double set_scale_scale;
+    bool lock_rotation_lock;
+    bool lock_translation_lock;
+  };
+
   Contract& implementation_;
   Events events_{*this};
+  Scratch scratch_{};
 };
 
 }  // namespace suture

@@ -3,6 +3,7 @@
 
 using Cxx = import "/capnp/c++.capnp";
 using Meta = import "/suture/meta.capnp";
+using Side = import "/robot_types/side.capnp";
 $Cxx.namespace("robots::wire");
 $Meta.header("teleop/teleop.h");
 
@@ -15,4 +16,19 @@ struct TeleopParameters @0xd4e01364c600f6cf $Meta.cxx("robots::TeleopParameters"
   # again.
   enableAtStart @3 :Bool = true $Meta.cxx("enable_at_start");
   # Prepare and follow without waiting for enable().
+  align @4 :Bool = true;
+  # Turn the master to the orientation of the slave before that follows. Without, what is between
+  # them stays.
+  alignmentTolerance @5 :Float64 = 0.087 $Meta.cxx("alignment_tolerance")
+      $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("rad");
+  # A difference so small counts as none: it stays.
+  preparationLimit @6 :Int64 = 60000000000 $Meta.cxx("preparation_limit")
+      $Meta.period("1/1000000000");
+  # Arms that are not ready, or a master that is not aligned, after so long: the teleoperation
+  # is disabled. 0: it waits for ever.
+  operatorAge @7 :Int64 = 200000000 $Meta.cxx("operator_age") $Meta.period("1/1000000000");
+  # Pedals and presence that are older are not known, which ends following.
+  masterSide @8 :Side.Side $Meta.cxx("master_side");
+  # Which arms of the registration these are.
+  slaveSide @9 :Side.Side $Meta.cxx("slave_side");
 }

@@ -14,6 +14,11 @@ enum TeleopState @0x82c72c556eb58a10 $Meta.cxx("robots::TeleopState") $Meta.unde
   preparing @1 $Meta.cxx("Preparing") $Meta.value(1);
   # waits for both arms: connected, enabled, homed, and fresh data of both
   following @2 $Meta.cxx("Following") $Meta.value(2);
+  aligning @3 $Meta.cxx("Aligning") $Meta.value(3);
+  # turns the master to the orientation that the slave has in the view
+  clutched @4 $Meta.cxx("Clutched") $Meta.value(4);
+  # the clutch is pressed, or nobody is at the console: the slave holds, the master is
+  # the surgeon's to move
 }
 
 struct FollowAnchors @0x8cdd0eb841f978ce $Meta.cxx("robots::FollowAnchors") {
@@ -23,16 +28,25 @@ struct FollowAnchors @0x8cdd0eb841f978ce $Meta.cxx("robots::FollowAnchors") {
   masterStamp @0 :Int64 $Meta.clock("steady") $Meta.cxx("master_stamp");
   # Stamp of the first master pose that was followed.
   master @1 :Types.Pose $Meta.unit("m");
-  # The master's measured pose at that stamp, in the master's base frame.
+  # The master's measured pose at that stamp, in the master's reference frame.
   slaveSetpoint @2 :Types.Pose $Meta.cxx("slave_setpoint") $Meta.unit("m");
-  # The slave's set-point at entry, in the slave's base frame.
+  # The slave's set-point at entry, in the slave's reference frame.
   scale @3 :Float64;
   # Slave metres a master metre.
   entry @4 :UInt64;
-  # How many times following began, this one included; 0: never.
+  # How many times following began, this one included; 0: never. A change of what it follows by
+  # counts too, and does not move the slave.
+  view @5 :Types.Mat3;
+  # From directions of the master's reference frame to those of the slave's that look the same to
+  # the surgeon.
+  rotationLocked @6 :Bool $Meta.cxx("rotation_locked");
+  translationLocked @7 :Bool $Meta.cxx("translation_locked");
 }
 
 interface Teleoperation @0x9c2044876661808e $Meta.cxx("robots::Teleoperation") {
+  # Commands run in the teleoperation's own thread before its next cycle. A change of the settings
+  # while it follows does not move the slave: it follows from where it is.
+
   subscribe @0 (events :TeleoperationEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   enable @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
@@ -43,6 +57,15 @@ interface Teleoperation @0x9c2044876661808e $Meta.cxx("robots::Teleoperation") {
       $Meta.kind("read");
   anchors @4 (sent :Rpc.Sent) -> (value :FollowAnchors, stamp :Int64) $Meta.kind("read");
   # Of the present or last time of following.
+  setScale @5 (scale :Float64 $Meta.range(lowest = 0.01, highest = 10), sent :Rpc.Sent) -> ()
+      $Meta.cxx("set_scale") $Meta.kind("write") $Meta.queue(16);
+  lockRotation @6 (lock :Bool, sent :Rpc.Sent) -> () $Meta.cxx("lock_rotation") $Meta.kind("write")
+      $Meta.queue(16);
+  # The slave keeps its orientation. Unlocked, the master is aligned anew before following.
+  lockTranslation @7 (lock :Bool, sent :Rpc.Sent) -> () $Meta.cxx("lock_translation")
+      $Meta.kind("write") $Meta.queue(16);
+  # The slave keeps its position.
+  settings @8 (sent :Rpc.Sent) -> (value :TeleopSettings, stamp :Int64) $Meta.kind("read");
 }
 
 interface TeleoperationEvents @0xe8de6e374cc63239 $Meta.eventsOf("robots::Teleoperation") {
@@ -52,7 +75,9 @@ interface TeleoperationEvents @0xe8de6e374cc63239 $Meta.eventsOf("robots::Teleop
   # A new row of the columns asked for.
   teleopState @1 (value :TeleopState) -> () $Meta.cxx("teleop_state") $Meta.latched $Meta.queue(16);
   followed @2 (value :FollowAnchors) -> () $Meta.latched $Meta.queue(16);
-  # Following begins.
+  # Following begins, or goes on by other settings.
+  settings @3 (value :TeleopSettings) -> () $Meta.latched $Meta.queue(16);
+  # Each change, and the last one to whoever connects.
 }
 
 struct TeleoperationStateRow @0xbc0e291de17cadad $Meta.stateOf("robots::Teleoperation") {
@@ -66,4 +91,14 @@ struct TeleoperationStateRow @0xbc0e291de17cadad $Meta.stateOf("robots::Teleoper
   anchors @3 :FollowAnchors;
   tooLarge @4 :UInt64;
   # Bit i: column i did not fit its declared capacity.
+  settings @5 :TeleopSettings;
+}
+
+struct TeleopSettings @0xe1eab6cf5390e93b $Meta.cxx("robots::TeleopSettings") {
+  # What the slave follows by.
+
+  scale @0 :Float64;
+  # Slave metres a master metre.
+  rotationLocked @1 :Bool $Meta.cxx("rotation_locked");
+  translationLocked @2 :Bool $Meta.cxx("translation_locked");
 }

@@ -56,7 +56,7 @@ struct Scene {
   }
 
   ScriptedArm master, slave;
-  Teleop teleop{{.scale = 0.5}};
+  Teleop teleop{{.scale = 0.5, .align = false}};
 };
 
 class OldData : public testing::Test {

@@ -54,7 +54,21 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     lowest_ = z;
   }
-  /// Those that it has obeyed.
+  /// Does not move by itself: it ignores move_cp.
+  void refuseMoves(bool refuse) {
+    const std::lock_guard lock(mutex_);
+    refusesMoves_ = refuse;
+  }
+  /// How often it was told to move by itself, and to hold.
+  std::size_t moves() const {
+    const std::lock_guard lock(mutex_);
+    return moves_;
+  }
+  std::size_t holds() const {
+    const std::lock_guard lock(mutex_);
+    return holds_;
+  }
+  /// Those of servo_cp that it has obeyed.
   std::vector<PoseStamped> goals() const {
     const std::lock_guard lock(mutex_);
     return goals_;
@@ -75,6 +89,16 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     goals_.push_back(goal);
     pose_ = goal.pose;
     pose_.translation().z() = std::max(pose_.translation().z(), lowest_);
+  }
+  /// It is there in no time.
+  void move_cp(const PoseStamped& goal) override {
+    const std::lock_guard lock(mutex_);
+    ++moves_;
+    if (!refusesMoves_) pose_ = goal.pose;
+  }
+  void hold() override {
+    const std::lock_guard lock(mutex_);
+    ++holds_;
   }
   PoseStamped measured_cp() const override { return {pose(), stamp_, true}; }
   PoseStamped setpoint_cp() const override { return {pose(), stamp_, true}; }
@@ -100,7 +124,8 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   std::vector<PoseStamped> goals_;
   double longestStep_ = std::numeric_limits<double>::infinity();
   double lowest_ = -std::numeric_limits<double>::infinity();
-  bool silent_ = false, stuck_ = false;
+  std::size_t moves_ = 0, holds_ = 0;
+  bool silent_ = false, stuck_ = false, refusesMoves_ = false;
   suture::Time stamp_;
   OperatingState state_;
   suture::Provided<Arm> port_{*this, "Arm", *this};

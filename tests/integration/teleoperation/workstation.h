@@ -37,6 +37,7 @@ struct Workstation {
     manager.connect("Teleop/Master", "MTM/Arm");
     manager.connect("Teleop/Slave", "PSM/Arm");
     manager.connect("Surgeon/Master", "MTM/Arm");
+    manager.connect("Surgeon/Teleoperation", "Teleop/Teleoperation");
     manager.connect("Client/Master", "MTM/Arm");
     manager.connect("Client/Slave", "PSM/Arm");
     manager.connect("Client/Teleoperation", "Teleop/Teleoperation");

@@ -37,8 +37,14 @@ TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
   constexpr std::int64_t kRows = 1000;
   {
     RecordingWriter<Record> writer(file_, kRecords);
-    ASSERT_TRUE(writer.push(
-        FollowAnchors{suture::fromNanoseconds(5), somePose(), somePose().inverse(), 0.2, 3}));
+    ASSERT_TRUE(writer.push(FollowAnchors{.master_stamp = suture::fromNanoseconds(5),
+                                          .master = somePose(),
+                                          .slave_setpoint = somePose().inverse(),
+                                          .scale = 0.2,
+                                          .entry = 3,
+                                          .view = somePose().linear(),
+                                          .rotation_locked = false,
+                                          .translation_locked = true}));
     ASSERT_TRUE(writer.push(StopNews{true, suture::fromNanoseconds(6)}));
     ASSERT_TRUE(writer.push(StopNews{false, suture::fromNanoseconds(7)}));
     for (std::int64_t i = 0; i < kRows; ++i) {
@@ -64,6 +70,9 @@ TEST_F(RecordingTest, ReadsBackWhatWasPushed) {
   EXPECT_EQ(recording.followed[0].scale, 0.2);
   EXPECT_EQ(recording.followed[0].entry, 3u);
   EXPECT_TRUE(recording.followed[0].slave_setpoint.isApprox(somePose().inverse(), 1e-15));
+  EXPECT_TRUE(recording.followed[0].view.isApprox(somePose().linear(), 1e-15));
+  EXPECT_FALSE(recording.followed[0].rotation_locked);
+  EXPECT_TRUE(recording.followed[0].translation_locked);
 }
 
 TEST_F(RecordingTest, IsReadWhileItIsWritten) {

@@ -25,7 +25,7 @@ Isometry3d randomPose(std::mt19937& random) {
 
 TEST(FollowLaw, SlaveCopiesTheMasterFromIdentityAnchorsAtScaleOne) {
   std::mt19937 random(4);
-  const FollowLaw law(Isometry3d::Identity(), Isometry3d::Identity(), 1.0);
+  const FollowLaw law(Isometry3d::Identity(), Isometry3d::Identity(), {});
   for (int i = 0; i < 100; ++i) {
     const Isometry3d master = randomPose(random);
     EXPECT_TRUE(law.follow(master).isApprox(master, 1e-14));
@@ -36,13 +36,13 @@ TEST(FollowLaw, DoesNotJumpAtEntry) {
   std::mt19937 random(5);
   for (int i = 0; i < 1000; ++i) {
     const Isometry3d master = randomPose(random), slave = randomPose(random);
-    EXPECT_TRUE(FollowLaw(master, slave, 0.2).follow(master).isApprox(slave, 1e-14));
+    EXPECT_TRUE(FollowLaw(master, slave, {.scale = 0.2}).follow(master).isApprox(slave, 1e-14));
   }
 }
 
 TEST(FollowLaw, ScalesTranslationAndNotRotation) {
   Isometry3d master = Isometry3d::Identity();
-  const FollowLaw law(master, Isometry3d::Identity(), 0.2);
+  const FollowLaw law(master, Isometry3d::Identity(), {.scale = 0.2});
   master.translate(Vector3d(0.1, -0.2, 0.3));
   master.rotate(Eigen::AngleAxisd(0.5, Vector3d::UnitY()));
   const Isometry3d slave = law.follow(master);
@@ -54,7 +54,7 @@ TEST(FollowLaw, MovesTheSlaveTheSameWayWhateverTheAnchors) {
   std::mt19937 random(6);
   for (int i = 0; i < 1000; ++i) {
     const double scale = std::uniform_real_distribution(0.05, 2.0)(random);
-    const FollowLaw law(randomPose(random), randomPose(random), scale);
+    const FollowLaw law(randomPose(random), randomPose(random), {.scale = scale});
     const Isometry3d before = randomPose(random), after = randomPose(random);
     const Isometry3d from = law.follow(before), to = law.follow(after);
     const Vector3d moved = scale * (after.translation() - before.translation());

@@ -1,0 +1,32 @@
+#include "pedals/scripted_pedals.h"
+
+namespace robots {
+namespace {
+
+/// Whether what happens `after` a start and lasts `length` happens `since` it.
+bool isNow(suture::Duration since, suture::Duration after, suture::Duration length) {
+  return after > suture::Duration{0} && since >= after && since < after + length;
+}
+
+}  // namespace
+
+void ScriptedPedals::onStart() {
+  start_ = suture::now();
+  pedalPort_.emit().clutch(pedals_.clutch);
+  pedalPort_.emit().camera(pedals_.camera);
+  pedalPort_.emit().coagulation(pedals_.coagulation);
+  presencePort_.emit().operator_present(presence_.present);
+}
+
+void ScriptedPedals::run() {
+  const suture::Time now = suture::now();
+  const bool pressed = isNow(now - start_, parameters_.clutch_after, parameters_.clutch_for);
+  const bool there = !isNow(now - start_, parameters_.leave_after, parameters_.leave_for);
+  if (pressed != pedals_.clutch) pedalPort_.emit().clutch(pressed);
+  if (there != presence_.present) presencePort_.emit().operator_present(there);
+  pedals_.clutch = pressed;
+  presence_.present = there;
+  pedals_.stamp = presence_.stamp = now;
+}
+
+}  // namespace robots

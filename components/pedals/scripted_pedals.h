@@ -1,0 +1,50 @@
+#pragma once
+// A surgeon's feet and head by a script.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/provided.h>
+
+#include <chrono>
+
+#include "pedals/foot_pedals.suture.h"
+#include "pedals/operator_presence.suture.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() ScriptedPedalsParameters {
+  suture::Duration period = std::chrono::milliseconds(5);
+  /// Presses the clutch so long after the start, and releases it so much later; 0: never.
+  suture::Duration clutch_after{};
+  suture::Duration clutch_for = std::chrono::seconds(1);
+  /// Leaves the viewer so long after the start, and is back so much later; 0: never.
+  suture::Duration leave_after{};
+  suture::Duration leave_for = std::chrono::seconds(1);
+};
+
+/// Stands for the pedals of a console and the sensor in its viewer. Nobody presses the other two
+/// pedals.
+class SUTURE_COMPONENT() ScriptedPedals final : public suture::PeriodicTask,
+                                                public FootPedals,
+                                                public OperatorPresence {
+ public:
+  explicit ScriptedPedals(const ScriptedPedalsParameters& parameters)
+      : PeriodicTask({.period = parameters.period}), parameters_(parameters) {}
+
+  PedalState pedals() const override { return pedals_; }
+  Presence presence() const override { return presence_; }
+
+  void run() override;
+  void onStart() override;
+
+ private:
+  const ScriptedPedalsParameters parameters_;
+  suture::Provided<FootPedals> pedalPort_{*this, "Pedals", *this};
+  suture::Provided<OperatorPresence> presencePort_{*this, "Presence", *this};
+  suture::Time start_;
+  PedalState pedals_;
+  Presence presence_{.present = true, .stamp = {}};
+};
+
+}  // namespace robots

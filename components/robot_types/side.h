@@ -1,0 +1,12 @@
+#pragma once
+
+#include <suture/annotate.h>
+
+#include <cstdint>
+
+namespace robots {
+
+/// Which of two, as the surgeon at the console sees them.
+enum class SUTURE_TYPE() Side : std::uint8_t { Left, Right };
+
+}  // namespace robots

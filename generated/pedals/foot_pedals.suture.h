@@ -1,0 +1,121 @@
+// Written by suturec from pedals/foot_pedals.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "pedals/foot_pedals.h"
+
+namespace robots {
+
+/// What the feet do. It counts for as long as it is fresh: whoever does not hear of the pedals any
+/// more must take them for pressed.
+struct PedalStateSlot {
+  std::uint8_t clutch;       // bool
+  std::uint8_t camera;       // bool
+  std::uint8_t coagulation;  // bool
+  std::int64_t stamp;        // suture::Time, ns
+};
+
+bool store(const PedalState& value, PedalStateSlot& slot);
+void load(const PedalStateSlot& slot, PedalState& value);
+void shiftStamps(PedalStateSlot& slot, suture::Duration shift);
+
+/// The numbers of FootPedals's commands in every table and record.
+enum class FootPedalsCommand : std::uint16_t {
+  pedals,
+};
+
+/// The numbers of FootPedals's events.
+enum class FootPedalsEvent : std::uint16_t {
+  clutch,
+  camera,
+  coagulation,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::FootPedals>();
+
+/// What a client of robots::FootPedals calls.
+template <>
+class Required<robots::FootPedals> : public RequiredBase {
+  using Contract = robots::FootPedals;
+  using Id = robots::FootPedalsCommand;
+  using EventId = robots::FootPedalsEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  ReadCommand<&Contract::pedals, robots::PedalStateSlot> pedals{
+      *this, static_cast<std::uint16_t>(Id::pedals)};
+
+  /// The events of robots::FootPedals, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : clutch{required, static_cast<std::uint16_t>(EventId::clutch)},
+          camera{required, static_cast<std::uint16_t>(EventId::camera)},
+          coagulation{required, static_cast<std::uint16_t>(EventId::coagulation)} {}
+
+    /// Pressed or released, and as it is now to whoever connects.
+    Subscription<std::uint8_t, bool> clutch;
+    Subscription<std::uint8_t, bool> camera;
+    Subscription<std::uint8_t, bool> coagulation;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::FootPedals from a component.
+template <>
+class Provided<robots::FootPedals> : public ProvidedBase {
+  using Contract = robots::FootPedals;
+  using EventId = robots::FootPedalsEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of robots::FootPedals, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : clutch{provided, static_cast<std::uint16_t>(EventId::clutch)},
+          camera{provided, static_cast<std::uint16_t>(EventId::camera)},
+          coagulation{provided, static_cast<std::uint16_t>(EventId::coagulation)} {}
+
+    /// Pressed or released, and as it is now to whoever connects.
+    Emitter<std::uint8_t, bool> clutch;
+    Emitter<std::uint8_t, bool> camera;
+    Emitter<std::uint8_t, bool> coagulation;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+  Events events_{*this};
+};
+
+}  // namespace suture

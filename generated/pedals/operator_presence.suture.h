@@ -1,0 +1,108 @@
+// Written by suturec from pedals/operator_presence.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "pedals/operator_presence.h"
+
+namespace robots {
+
+/// A head in the viewer. It counts for as long as it is fresh.
+struct PresenceSlot {
+  std::uint8_t present;  // bool
+  std::int64_t stamp;    // suture::Time, ns
+};
+
+bool store(const Presence& value, PresenceSlot& slot);
+void load(const PresenceSlot& slot, Presence& value);
+void shiftStamps(PresenceSlot& slot, suture::Duration shift);
+
+/// The numbers of OperatorPresence's commands in every table and record.
+enum class OperatorPresenceCommand : std::uint16_t {
+  presence,
+};
+
+/// The numbers of OperatorPresence's events.
+enum class OperatorPresenceEvent : std::uint16_t {
+  operator_present,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::OperatorPresence>();
+
+/// What a client of robots::OperatorPresence calls.
+template <>
+class Required<robots::OperatorPresence> : public RequiredBase {
+  using Contract = robots::OperatorPresence;
+  using Id = robots::OperatorPresenceCommand;
+  using EventId = robots::OperatorPresenceEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  ReadCommand<&Contract::presence, robots::PresenceSlot> presence{
+      *this, static_cast<std::uint16_t>(Id::presence)};
+
+  /// The events of robots::OperatorPresence, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : operator_present{required, static_cast<std::uint16_t>(EventId::operator_present)} {}
+
+    /// Each change, and as it is now to whoever connects.
+    Subscription<std::uint8_t, bool> operator_present;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::OperatorPresence from a component.
+template <>
+class Provided<robots::OperatorPresence> : public ProvidedBase {
+  using Contract = robots::OperatorPresence;
+  using EventId = robots::OperatorPresenceEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of robots::OperatorPresence, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : operator_present{provided, static_cast<std::uint16_t>(EventId::operator_present)} {}
+
+    /// Each change, and as it is now to whoever connects.
+    Emitter<std::uint8_t, bool> operator_present;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+  Events events_{*this};
+};
+
+}  // namespace suture

@@ -1,0 +1,38 @@
+// Written by suturec from pedals/scripted_pedals.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "pedals/scripted_pedals.h"
+#include "pedals/foot_pedals.suture.h"
+#include "pedals/operator_presence.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct ScriptedPedalsParametersSlot {
+  std::int64_t period;        // std::chrono::nanoseconds, ns
+  std::int64_t clutch_after;  // std::chrono::nanoseconds, ns
+  std::int64_t clutch_for;    // std::chrono::nanoseconds, ns
+  std::int64_t leave_after;   // std::chrono::nanoseconds, ns
+  std::int64_t leave_for;     // std::chrono::nanoseconds, ns
+};
+
+bool store(const ScriptedPedalsParameters& value, ScriptedPedalsParametersSlot& slot);
+void load(const ScriptedPedalsParametersSlot& slot, ScriptedPedalsParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, ScriptedPedalsParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::ScriptedPedals>();
+
+}  // namespace suture

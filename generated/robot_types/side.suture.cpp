@@ -1,0 +1,62 @@
+// Written by suturec from robot_types/side.h. Do not edit.
+#include "robot_types/side.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "robot_types/side.capnp.h"
+
+namespace robots {
+
+using suture::Errc;
+using suture::rpc::fromWire;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<Side>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(Side::Left) == 0);
+static_assert(static_cast<std::uint8_t>(Side::Right) == 1);
+
+}  // namespace
+
+// --- between slots and Cap'n Proto
+
+wire::Side wireSide(std::uint8_t slot) {
+  switch (static_cast<Side>(slot)) {
+    case Side::Left: return wire::Side::LEFT;
+    case Side::Right: return wire::Side::RIGHT;
+  }
+  return wire::Side{};
+}
+
+bool isKnownSide(std::uint8_t slot) {
+  switch (static_cast<Side>(slot)) {
+    case Side::Left:
+    case Side::Right:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::Side in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::Side::LEFT: return slot = static_cast<std::uint8_t>(Side::Left), Errc{};
+    case wire::Side::RIGHT: return slot = static_cast<std::uint8_t>(Side::Right), Errc{};
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, Side& value) {
+  static constexpr Side kValues[] = {Side::Left, Side::Right};
+  const int index = suture::enumeratorFromJson(in, {"Left", "Right"});
+  if (index >= 0) value = kValues[index];
+}
+
+}  // namespace robots

@@ -1,0 +1,306 @@
+// The states of a teleoperation: alignment, clutch and presence, locks, scale and view.
+
+#include <gtest/gtest.h>
+#include <suture/component/device.h>
+#include <suture/manager/manager.h>
+#include <suture/standard/messages.suture.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "integration/teleoperation/scripted_arm.h"
+#include "pedals/foot_pedals.suture.h"
+#include "pedals/operator_presence.suture.h"
+#include "registration/registration_table.h"
+#include "support/pass.h"
+#include "support/stepped.h"
+#include "teleop/teleop.h"
+
+namespace robots::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+using suture::pass;
+
+Isometry3d at(const Vector3d& position, double angle) {
+  Isometry3d pose = Isometry3d::Identity();
+  pose.translation() = position;
+  pose.rotate(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
+  return pose;
+}
+
+/// Pedals and viewer in the hands of the test. Its members are any thread's.
+class TestConsole final : public suture::PeriodicTask, public FootPedals, public OperatorPresence {
+ public:
+  TestConsole() : PeriodicTask({.period = 5ms}) {}
+  ~TestConsole() override { stop(); }
+
+  PedalState pedals() const override { return {clutch, camera, false, stamp_}; }
+  Presence presence() const override { return {present, stamp_}; }
+  void run() override {
+    if (!stuck) stamp_ = suture::now();
+  }
+
+  std::atomic<bool> clutch = false, camera = false, present = true, stuck = false;
+
+ private:
+  suture::Time stamp_;
+  suture::Provided<FootPedals> pedalPort_{*this, "Pedals", *this};
+  suture::Provided<OperatorPresence> presencePort_{*this, "Presence", *this};
+};
+
+/// Stands for whoever sets the teleoperation, and keeps what that tells.
+class Operator final : public suture::Device {
+ public:
+  Operator() {
+    teleop.on().teleop_state([this](const TeleopState& state) { states.push_back(state); });
+    messages.on().error([this](const suture::Message& message) { error = message.text; });
+  }
+
+  /// As far as they have been told by now.
+  std::vector<TeleopState> told() {
+    EXPECT_TRUE(processEvents());
+    return states;
+  }
+  TeleopState state() { return told().empty() ? TeleopState::Disabled : states.back(); }
+
+  suture::Required<Teleoperation> teleop{*this, "Teleoperation"};
+  suture::Required<suture::Messages> messages{*this, "Messages"};
+  suture::Required<Registration> registration{*this, "Registration"};
+  std::vector<TeleopState> states;
+  std::string error;
+};
+
+/// The arms stand still but for what the test has them do.
+class TeleopStates : public testing::Test {
+ protected:
+  TeleopStates() {
+    master_.place(at({0.1, 0, 0}, 0.2));
+    slave_.place(at({0.3, 0, 0}, -0.4));
+  }
+  ~TeleopStates() override { manager_.stop(); }
+
+  void start(const TeleopParameters& parameters = {.scale = 0.5}) {
+    teleop_ = std::make_unique<Teleop>(parameters);
+    manager_.add("MTM", master_);
+    manager_.add("PSM", slave_);
+    manager_.add("Console", console_);
+    manager_.add("Registration", registration_);
+    manager_.add("Teleop", *teleop_);
+    manager_.add("Operator", operator_);
+    manager_.connect("Operator/Teleoperation", "Teleop/Teleoperation");
+    manager_.connect("Operator/Messages", "Teleop/Messages");
+    manager_.connect("Operator/Registration", "Registration/Registration");
+    manager_.connect("Teleop/Registration", "Registration/Registration");
+    manager_.connect("Teleop/Pedals", "Console/Pedals");
+    manager_.connect("Teleop/Presence", "Console/Presence");
+    manager_.connect("Teleop/Master", "MTM/Arm");
+    manager_.connect("Teleop/Slave", "PSM/Arm");
+    manager_.start();
+  }
+  bool reaches(TeleopState state) {
+    return suture::clockOfTest().until([&] { return operator_.state() == state; });
+  }
+  void startFollowing() {
+    start();
+    ASSERT_TRUE(reaches(TeleopState::Following));
+    pass(5ms);
+  }
+  /// The way of the slave while the master goes so far, in the base frames of each.
+  Vector3d wayOfSlave(const Vector3d& wayOfMaster) {
+    const Vector3d before = slave_.pose().translation();
+    Isometry3d pose = master_.pose();
+    pose.translation() += wayOfMaster;
+    master_.place(pose);
+    pass(10ms);
+    return slave_.pose().translation() - before;
+  }
+  void turnMaster(double angle) {
+    master_.place(master_.pose() * Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
+    pass(10ms);
+  }
+  /// The slave holds, and the master moves without it, until `resume()`; then it follows from
+  /// where it is.
+  template <class Resume>
+  void expectClutchedUntil(const Resume& resume) {
+    ASSERT_TRUE(reaches(TeleopState::Clutched));
+    pass(5ms);
+    EXPECT_EQ(slave_.holds(), 1u);
+    EXPECT_EQ(wayOfSlave({0.2, 0.1, 0}), Vector3d::Zero());
+    resume();
+    ASSERT_TRUE(reaches(TeleopState::Following));
+    pass(5ms);
+    EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.4), 1e-9)) << "it jumped";
+    EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+  }
+
+  ScriptedArm master_, slave_;
+  TestConsole console_;
+  RegistrationTable registration_{frames()};
+  std::unique_ptr<Teleop> teleop_;
+  Operator operator_;
+  suture::Manager manager_{"console"};
+
+ private:
+  /// As all frames are one, the surgeon sees what is there.
+  static SceneFrames frames() { return {}; }
+};
+
+TEST_F(TeleopStates, TheMasterIsAlignedBeforeTheSlaveFollows) {
+  startFollowing();
+  using enum TeleopState;
+  const std::vector<TeleopState> told = operator_.told();
+  ASSERT_GE(told.size(), 3u);
+  EXPECT_EQ(std::vector(told.end() - 2, told.end()), (std::vector{Aligning, Following}));
+  EXPECT_EQ(master_.moves(), 1u);
+  EXPECT_TRUE(master_.pose().isApprox(at({0.1, 0, 0}, -0.4), 1e-9)) << "it turns about its tip";
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.4), 1e-9)) << "only the master is moved";
+  turnMaster(0.3);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.1), 1e-9));
+}
+
+TEST_F(TeleopStates, ASmallDifferenceOfOrientationStays) {
+  master_.place(at({0.1, 0, 0}, -0.45));
+  startFollowing();
+  EXPECT_EQ(master_.moves(), 0u);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.4), 1e-9));
+}
+
+TEST_F(TeleopStates, AMasterThatDoesNotTurnDisablesInTimeAndSaysWhy) {
+  master_.refuseMoves(true);
+  start({.preparation_limit = 5s});
+  ASSERT_TRUE(reaches(TeleopState::Aligning));
+  pass(4s);
+  EXPECT_EQ(operator_.state(), TeleopState::Aligning);
+  EXPECT_EQ(master_.moves(), 4u) << "it is asked again each second";
+  ASSERT_TRUE(reaches(TeleopState::Disabled));
+  pass(5ms);
+  EXPECT_NE(operator_.error.find("has not turned"), std::string::npos) << operator_.error;
+  EXPECT_EQ(slave_.goals().size(), 0u);
+  EXPECT_EQ(master_.holds(), 1u) << "it may still be on its way";
+}
+
+TEST_F(TeleopStates, ArmsThatDoNotBecomeReadyDisableInTime) {
+  slave_.beSilent(true);
+  start({.preparation_limit = 5s});
+  ASSERT_TRUE(reaches(TeleopState::Preparing));
+  ASSERT_TRUE(reaches(TeleopState::Disabled));
+  EXPECT_NE(operator_.error.find("not become ready"), std::string::npos) << operator_.error;
+}
+
+TEST_F(TeleopStates, TheClutchLeavesTheSlaveWhereItIs) {
+  startFollowing();
+  console_.clutch = true;
+  expectClutchedUntil([&] { console_.clutch = false; });
+}
+
+TEST_F(TeleopStates, SoDoesTheCameraPedal) {
+  startFollowing();
+  console_.camera = true;
+  expectClutchedUntil([&] { console_.camera = false; });
+}
+
+TEST_F(TeleopStates, SoDoesASurgeonWhoLooksAway) {
+  startFollowing();
+  console_.present = false;
+  expectClutchedUntil([&] { console_.present = true; });
+}
+
+// A cable may be cut, or the task of the pedals may hang.
+TEST_F(TeleopStates, SoDoPedalsThatFallSilent) {
+  startFollowing();
+  console_.stuck = true;
+  expectClutchedUntil([&] { console_.stuck = false; });
+}
+
+TEST_F(TeleopStates, AMasterThatWasTurnedWithTheClutchIsAlignedAnew) {
+  startFollowing();
+  console_.clutch = true;
+  ASSERT_TRUE(reaches(TeleopState::Clutched));
+  turnMaster(1.0);
+  EXPECT_EQ(master_.moves(), 1u);
+  console_.clutch = false;
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  EXPECT_EQ(master_.moves(), 2u);
+  EXPECT_TRUE(master_.pose().linear().isApprox(slave_.pose().linear(), 1e-9));
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.4), 1e-9));
+}
+
+TEST_F(TeleopStates, AnotherScaleDoesNotMoveTheSlave) {
+  startFollowing();
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+  ASSERT_TRUE(operator_.teleop.set_scale(2));
+  pass(5ms);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.35, 0, 0}, -0.4), 1e-9)) << "it jumped";
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.2, 0, 0), 1e-9));
+  EXPECT_EQ(operator_.state(), TeleopState::Following);
+}
+
+TEST_F(TeleopStates, AScaleOutOfRangeIsRefusedWhereItIsSent) {
+  startFollowing();
+  EXPECT_EQ(operator_.teleop.set_scale(0).error(), suture::Errc::Invalid);
+}
+
+TEST_F(TeleopStates, ALockedPositionStays) {
+  startFollowing();
+  ASSERT_TRUE(operator_.teleop.lock_translation(true));
+  pass(5ms);
+  EXPECT_EQ(wayOfSlave({0.1, 0.2, 0.3}), Vector3d::Zero());
+  turnMaster(0.3);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.1), 1e-9)) << "it still turns";
+  ASSERT_TRUE(operator_.teleop.lock_translation(false));
+  pass(5ms);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.1), 1e-9)) << "it jumped";
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+}
+
+TEST_F(TeleopStates, ALockedOrientationStaysAndUnlockedTheMasterIsAligned) {
+  startFollowing();
+  ASSERT_TRUE(operator_.teleop.lock_rotation(true));
+  pass(5ms);
+  turnMaster(0.7);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.4), 1e-9));
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9)) << "it still moves";
+  EXPECT_EQ(master_.moves(), 1u);
+  ASSERT_TRUE(operator_.teleop.lock_rotation(false));
+  pass(20ms);
+  EXPECT_EQ(operator_.state(), TeleopState::Following);
+  EXPECT_EQ(master_.moves(), 2u);
+  EXPECT_TRUE(master_.pose().linear().isApprox(slave_.pose().linear(), 1e-9));
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.35, 0, 0}, -0.4), 1e-9));
+}
+
+// The camera stands on its side: what goes to the right at the console goes upward in the scene.
+TEST_F(TeleopStates, DirectionsAreThoseThatTheSurgeonSees) {
+  startFollowing();
+  ASSERT_TRUE(operator_.registration.set_camera(at({0, 0, 0.1}, EIGEN_PI / 2)));
+  pass(50ms);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.4), 1e-9)) << "the camera moved, no arm";
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0, 0.05, 0), 1e-9));
+  turnMaster(0.2);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0.05, 0}, -0.2), 1e-9)) << "about the line of sight";
+
+  console_.clutch = true;
+  ASSERT_TRUE(reaches(TeleopState::Clutched));
+  console_.clutch = false;
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  const Isometry3d seen = at(Vector3d::Zero(), -EIGEN_PI / 2) * slave_.pose();
+  EXPECT_TRUE(master_.pose().linear().isApprox(seen.linear(), 1e-9)) << "aligned in the picture";
+}
+
+TEST_F(TeleopStates, ARotationThatIsNoneIsNotRegistered) {
+  startFollowing();
+  Isometry3d mirrored = Isometry3d::Identity();
+  mirrored.linear().col(0) *= -1;
+  ASSERT_TRUE(operator_.registration.set_camera(mirrored));
+  pass(50ms);
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+}
+
+}  // namespace
+}  // namespace robots::test
