@@ -66,6 +66,7 @@ const std::map<std::string_view, Meaning>& words() {
       {"trajectory_j_ratio_v", {Role::Query, Payload::Any}},
       {"trajectory_j_ratio_a", {Role::Query, Payload::Any}},
       {"goal_reached", {Role::Other, Payload::Flag}},
+      {"closed", {Role::Other, Payload::Flag}},
       {"base_frame", {Role::Query, Payload::Pose}},
       {"set_base_frame", {Role::Motion, Payload::Pose}},
       {"configuration_js", {Role::Query, Payload::Any}},

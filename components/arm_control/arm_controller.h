@@ -96,11 +96,11 @@ class ArmController {
   }
   const Joints& setpoint() const { return setpoint_; }
 
- private:
-  friend class CrtkArm<N>;  // the contract of the same arm
-
   /// The client whose command is being executed; null if it cannot be gone before the arm is.
   virtual const suture::ConnectedClient* asking() const { return nullptr; }
+
+ private:
+  friend class CrtkArm<N>;  // the contract of the same arm
 
   void refuse(StateCommand command);
   void unhome();

@@ -126,7 +126,9 @@ class CrtkArm final : public Arm {
   using Stream = MotionStream<N>;
   using SpatialVector = kinematics::SpatialVector;
 
-  std::string_view textOf(ArmWarning reason) const;
+  std::string_view textOf(ArmWarning reason) const {
+    return reason == ArmWarning::WrongState ? arm_.refusal_ : robots::textOf(reason);
+  }
   static bool isError(ArmWarning reason) {
     return reason == ArmWarning::WrongState || reason == ArmWarning::FollowingError ||
            reason == ArmWarning::PowerLost || reason == ArmWarning::DrivesSilent;

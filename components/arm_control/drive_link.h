@@ -5,6 +5,7 @@
 #include <suture/component/required.h>
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 
 #include "arm_control/drive_reading.h"
@@ -20,7 +21,9 @@ class DriveLink {
  public:
   using Joints = typename DriveReading<N>::Joints;
 
-  explicit DriveLink(suture::Required<Drives>& drives) : drives_(drives) { goal_.joints = N; }
+  explicit DriveLink(suture::Required<Drives>& drives) : drives_(drives) {
+    goal_.joints = kChannels;
+  }
   DriveLink(const DriveLink&) = delete;
   DriveLink& operator=(const DriveLink&) = delete;
 
@@ -30,10 +33,14 @@ class DriveLink {
     const auto sample = drives_.feedback();
     const suture::Time now = suture::now();
     if (cycles_.missed(kSilence)) heard_ = now;
-    if (sample && sample->joints == N && sample->stamp != last_.stamp) {
+    if (sample && sample->joints == kChannels && sample->stamp != last_.stamp) {
       heard_ = now;
-      last_ = {Joints::Map(sample->position.data()), Joints::Map(sample->velocity.data()),
-               sample->power, sample->permitted, sample->stamp};
+      last_ = {Joints::Map(sample->position.data()),
+               Joints::Map(sample->velocity.data()),
+               sample->power,
+               sample->permitted,
+               sample->stamp,
+               {.position = sample->position[N], .velocity = sample->velocity[N]}};
     }
     isHeard_ = last_.stamp != suture::Time{} && now - heard_ <= kSilence;
     return isHeard_ ? std::optional(last_) : std::nullopt;
@@ -41,15 +48,19 @@ class DriveLink {
 
   /// Once a cycle, after read(). Asks for power again until it is there, as a command may be lost.
   /// Drives that are silent get no goals: the arm does not know where their joints are.
-  void command(bool powered, const Joints& setpoint) {
+  /// `tool`: where that shall be, rad.
+  void command(bool powered, const Joints& setpoint, double tool) {
     if (powered && last_.power == DrivePower::Off) (void)drives_.power_on(last_.permitted);
     if (!powered && last_.power == DrivePower::On) (void)drives_.power_off();
     if (!powered || !isHeard_) return;
     Joints::Map(goal_.position.data()) = setpoint;
+    goal_.position[N] = tool;
     (void)drives_.servo_jp(goal_);
   }
 
  private:
+  static constexpr std::uint32_t kChannels = N + 1;  // the last is that of the tool
+  static_assert(kChannels <= kMaxJoints);
   static constexpr suture::Duration kSilence = std::chrono::milliseconds(250);
 
   suture::Required<Drives>& drives_;

@@ -9,6 +9,12 @@
 
 namespace robots {
 
+/// The jaw of a slave or the gripper of a master.
+struct ToolReading {
+  double position = 0;  ///< rad
+  double velocity = 0;  ///< rad/s
+};
+
 /// Joints in chain order: rad and rad/s, or m and m/s for a prismatic one.
 template <int N>
 struct DriveReading {
@@ -18,6 +24,7 @@ struct DriveReading {
   DrivePower power = DrivePower::NotReady;
   suture::Time permitted;  ///< when they were last permitted to have power
   suture::Time stamp;      ///< the drives' cycle
+  ToolReading tool = {};
 };
 
 }  // namespace robots

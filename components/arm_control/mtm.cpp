@@ -1,5 +1,6 @@
 #include "arm_control/mtm.h"
 
+#include "arm_control/arm_cycle.h"
 #include "kinematics/davinci.h"
 #include "kinematics/mtm_inverse.h"
 
@@ -20,10 +21,19 @@ ArmModel<7> model(const MtmParameters& parameters) {
   return model;
 }
 
+GripperModel gripperModel(const MtmParameters& parameters) {
+  return {.lower = kinematics::kMtmGripper.lower,
+          .upper = kinematics::kMtmGripper.upper,
+          .closed = parameters.gripper_closed,
+          .debounce = parameters.gripper_debounce};
+}
+
 }  // namespace
 
 Mtm::Mtm(const MtmParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), ArmController(model(parameters)) {}
+    : PeriodicTask({.period = parameters.period}),
+      ArmController(model(parameters)),
+      gripper_(gripperModel(parameters)) {}
 
 void Mtm::onClient(const suture::ProvidedBase& /*interface*/, const suture::ConnectedClient& client,
                    suture::ClientNews news) {
@@ -31,12 +41,9 @@ void Mtm::onClient(const suture::ProvidedBase& /*interface*/, const suture::Conn
 }
 
 void Mtm::run() {
-  const suture::Time now = suture::now();
-  contract_.advance(now);
-  step(now, link_.read());
-  link_.command(powered(), setpoint());
-  contract_.publish(now);
+  cycleOf(*this, contract_, link_, gripper_);
   contract_.announce(arm_.emit());
+  gripper_.announce(gripperPort_.emit());
 }
 
 }  // namespace robots

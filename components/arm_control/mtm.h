@@ -11,9 +11,11 @@
 #include <cstdint>
 
 #include "arm/arm.suture.h"
+#include "arm/gripper.suture.h"
 #include "arm_control/arm_controller.h"
 #include "arm_control/crtk_arm.h"
 #include "arm_control/drive_link.h"
+#include "arm_control/gripper_reading.h"
 
 namespace robots {
 
@@ -30,10 +32,14 @@ struct SUTURE_TYPE() MtmParameters {
   /// rate limits; one that lies farther is refused. By default as long as a stream may be silent:
   /// what the master does in 0.1 s is far below the rates of the slave.
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
+  /// The gripper is closed at this angle or less.
+  SUTURE_FIELD(unit("rad"), range(-0.2, 1.05)) double gripper_closed = 0;
+  /// It has to be closed, or open, for so long until that is told.
+  SUTURE_FIELD(unit("s"), range(0, 1)) double gripper_debounce = 0.02;
 };
 
-/// A master tool manipulator (kinematics/davinci.h). There is no hand on it: a surgeon
-/// component drives it through servo_cp.
+/// A master tool manipulator (kinematics/davinci.h). There is no hand on it: a surgeon component
+/// drives it through servo_cp, and squeezes its gripper through its drives (drives/gripper_hand.h).
 class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmController<7> {
  public:
   explicit Mtm(const MtmParameters& parameters);
@@ -51,6 +57,8 @@ class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmCont
   suture::Required<Drives> drives_{*this, "Drives"};
   DriveLink<7> link_{drives_};
   suture::Provided<Arm> arm_{*this, "Arm", contract_};
+  GripperReading gripper_;
+  suture::Provided<Gripper> gripperPort_{*this, "Gripper", gripper_};
 };
 
 }  // namespace robots

@@ -1,5 +1,6 @@
 #include "arm_control/psm.h"
 
+#include "arm_control/arm_cycle.h"
 #include "kinematics/davinci.h"
 #include "kinematics/psm_inverse.h"
 
@@ -24,23 +25,32 @@ ArmModel<6> model(const PsmParameters& parameters) {
   return model;
 }
 
+JawModel jawModel(const PsmParameters& parameters) {
+  constexpr double kEffortLimit = 0.16;  // LARGE_NEEDLE_DRIVER_400006.json: jaw, ftmax
+  return {.lower = kinematics::kPsmJaw.lower,
+          .upper = kinematics::kPsmJaw.upper,
+          .rate_limit = parameters.jaw_rate,
+          .effort_limit = kEffortLimit};
+}
+
 }  // namespace
 
 Psm::Psm(const PsmParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), ArmController(model(parameters)) {}
+    : PeriodicTask({.period = parameters.period}),
+      ArmController(model(parameters)),
+      jaw_(jawModel(parameters), *this) {}
 
 void Psm::onClient(const suture::ProvidedBase& /*interface*/, const suture::ConnectedClient& client,
                    suture::ClientNews news) {
-  if (news != suture::ClientNews::Connected) clientGone(client);
+  if (news == suture::ClientNews::Connected) return;
+  clientGone(client);
+  jaw_.clientGone(client);
 }
 
 void Psm::run() {
-  const suture::Time now = suture::now();
-  contract_.advance(now);
-  step(now, link_.read());
-  link_.command(powered(), setpoint());
-  contract_.publish(now);
+  cycleOf(*this, contract_, link_, jaw_);
   contract_.announce(arm_.emit());
+  jaw_.announce(jawPort_.emit());
 }
 
 }  // namespace robots

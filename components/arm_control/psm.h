@@ -10,9 +10,11 @@
 #include <chrono>
 
 #include "arm/arm.suture.h"
+#include "arm/jaw.suture.h"
 #include "arm_control/arm_controller.h"
 #include "arm_control/crtk_arm.h"
 #include "arm_control/drive_link.h"
+#include "arm_control/jaw_controller.h"
 
 namespace robots {
 
@@ -27,6 +29,8 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
   /// The same bound for the insertion.
   SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
+  /// Rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
   /// A servo goal may lie so far from the set-point as the joints can move in this time at their
   /// rate limits; one that lies farther is refused. By default as long as a stream may be silent:
   /// what the master does in 0.1 s is far below the rates of the slave.
@@ -34,7 +38,8 @@ struct SUTURE_TYPE() PsmParameters {
 };
 
 /// A patient side manipulator with large needle driver (kinematics/davinci.h). Its base frame
-/// has its origin at the remote centre of motion.
+/// has its origin at the remote centre of motion. The jaw of the instrument is an interface of its
+/// own, in the same cycle.
 class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmController<6> {
  public:
   explicit Psm(const PsmParameters& parameters);
@@ -52,6 +57,8 @@ class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmCont
   suture::Required<Drives> drives_{*this, "Drives"};
   DriveLink<6> link_{drives_};
   suture::Provided<Arm> arm_{*this, "Arm", contract_};
+  JawController jaw_;
+  suture::Provided<Jaw> jawPort_{*this, "Jaw", jaw_};
 };
 
 }  // namespace robots

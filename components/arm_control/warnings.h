@@ -2,10 +2,14 @@
 // An arm keeps its warnings here until it tells them at the end of a cycle.
 
 #include <cstdint>
+#include <string_view>
 
 #include "arm/arm_warning.h"
 
 namespace robots {
+
+/// What an arm says of it, for people.
+std::string_view textOf(ArmWarning reason);
 
 /// Collects what is to be told at the end of a cycle. Confined to one thread; never allocates.
 class Warnings {

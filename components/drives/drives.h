@@ -19,8 +19,9 @@ enum class SUTURE_TYPE() DrivePower : std::uint8_t {
   On,        ///< the joints follow their goals
 };
 
-/// The drives measure this in each of their cycles. Joints are in chain order; a prismatic one has
-/// m and m/s.
+/// The drives measure this in each of their cycles. Joints are in chain order, and behind them is
+/// the one of the tool: a slave's jaw, or a master's gripper, which nothing drives. A prismatic one
+/// has m and m/s.
 struct SUTURE_TYPE() DriveFeedback {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
@@ -34,7 +35,7 @@ struct SUTURE_TYPE() DriveFeedback {
   suture::Time stamp;
 };
 
-/// Where the joints shall be.
+/// Where the joints shall be, in the same order. What is there for a gripper counts for nothing.
 struct SUTURE_TYPE() DriveGoal {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};

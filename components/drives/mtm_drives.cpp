@@ -1,9 +1,11 @@
 #include "drives/mtm_drives.h"
 
 #include <memory>
+#include <utility>
 
 #include "drives/davinci_joints.h"
 #include "drives/joint_dynamics.h"
+#include "drives/joints_and_tool.h"
 #include "kinematics/davinci.h"
 
 namespace robots {
@@ -27,8 +29,12 @@ std::unique_ptr<SimulatedJoints<7>> joints(const MtmDrivesParameters& parameters
 }  // namespace
 
 MtmDrives::MtmDrives(const MtmDrivesParameters& parameters)
+    : MtmDrives(parameters, std::make_shared<HeldGripper>(parameters.time_constant)) {}
+
+MtmDrives::MtmDrives(const MtmDrivesParameters& parameters, std::shared_ptr<HeldGripper> gripper)
     : PeriodicTask({.period = parameters.period}),
-      SimulatedDrives(joints(parameters)),
+      SimulatedDrives(std::make_unique<JointsAndTool<7>>(joints(parameters), gripper)),
+      gripper_(std::move(gripper)),
       permit_(stop_, parameters.permit) {}
 
 void MtmDrives::run() {

@@ -9,10 +9,13 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
 
 #include "coordinator/emergency_stop.suture.h"
 #include "drives/drive_dynamics.suture.h"
 #include "drives/drives.suture.h"
+#include "drives/gripper_hand.suture.h"
+#include "drives/held_gripper.h"
 #include "drives/permit_watch.h"
 #include "drives/simulated_drives.h"
 
@@ -38,8 +41,8 @@ struct SUTURE_TYPE() MtmDrivesParameters {
   RigidBodyOptions rigid_body{};
 };
 
-/// The drives of a master tool manipulator.
-class SUTURE_COMPONENT() MtmDrives final : public suture::PeriodicTask, public SimulatedDrives<7> {
+/// The drives of a master tool manipulator, and the surgeon's hand on its gripper.
+class SUTURE_COMPONENT() MtmDrives final : public suture::PeriodicTask, public SimulatedDrives<8> {
  public:
   explicit MtmDrives(const MtmDrivesParameters& parameters);
 
@@ -47,9 +50,13 @@ class SUTURE_COMPONENT() MtmDrives final : public suture::PeriodicTask, public S
   void onFault() override { brake(); }
 
  private:
+  MtmDrives(const MtmDrivesParameters& parameters, std::shared_ptr<HeldGripper> gripper);
+
+  std::shared_ptr<HeldGripper> gripper_;
   SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};
   PermitWatch permit_;
   suture::Provided<Drives> drives_{*this, "Drives", *this};
+  suture::Provided<GripperHand> hand_{*this, "Hand", *gripper_};
 };
 
 }  // namespace robots

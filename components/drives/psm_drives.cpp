@@ -4,6 +4,7 @@
 
 #include "drives/davinci_joints.h"
 #include "drives/joint_dynamics.h"
+#include "drives/joints_and_tool.h"
 #include "kinematics/davinci.h"
 
 namespace robots {
@@ -23,11 +24,19 @@ std::unique_ptr<SimulatedJoints<6>> joints(const PsmDrivesParameters& parameters
                                             chain.upper(), parked);
 }
 
+/// It has no mass, whatever simulates the joints.
+std::shared_ptr<SimulatedJoints<1>> jaw(const PsmDrivesParameters& parameters) {
+  using Joint = SimulatedJoints<1>::Joints;
+  return std::make_shared<JointDynamics<1>>(parameters.time_constant, Joint(parameters.jaw_rate),
+                                            Joint(kinematics::kPsmJaw.lower),
+                                            Joint(kinematics::kPsmJaw.upper), Joint(0));
+}
+
 }  // namespace
 
 PsmDrives::PsmDrives(const PsmDrivesParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      SimulatedDrives(joints(parameters)),
+      SimulatedDrives(std::make_unique<JointsAndTool<6>>(joints(parameters), jaw(parameters))),
       permit_(stop_, parameters.permit) {}
 
 void PsmDrives::run() {

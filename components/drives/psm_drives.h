@@ -25,6 +25,8 @@ struct SUTURE_TYPE() PsmDrivesParameters {
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
   /// How fast the insertion can be.
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
+  /// How fast the jaw can be; that of the da Vinci Research Kit's teleoperation.
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
   /// How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
   /// nobody can be hurt.
   suture::Duration permit = std::chrono::milliseconds(30);
@@ -37,7 +39,7 @@ struct SUTURE_TYPE() PsmDrivesParameters {
 
 /// The drives of a patient side manipulator. The instrument is in the patient from the start, as
 /// the cannula is not simulated.
-class SUTURE_COMPONENT() PsmDrives final : public suture::PeriodicTask, public SimulatedDrives<6> {
+class SUTURE_COMPONENT() PsmDrives final : public suture::PeriodicTask, public SimulatedDrives<7> {
  public:
   explicit PsmDrives(const PsmDrivesParameters& parameters);
 

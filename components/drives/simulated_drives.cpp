@@ -83,5 +83,6 @@ void SimulatedDrives<N>::enter(DrivePower power) {
 
 template class SimulatedDrives<6>;
 template class SimulatedDrives<7>;
+template class SimulatedDrives<8>;
 
 }  // namespace robots

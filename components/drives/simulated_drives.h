@@ -72,5 +72,6 @@ class SimulatedDrives : public Drives {
 
 extern template class SimulatedDrives<6>;
 extern template class SimulatedDrives<7>;
+extern template class SimulatedDrives<8>;
 
 }  // namespace robots

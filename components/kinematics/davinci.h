@@ -24,4 +24,17 @@ Chain<7> mtmRight();
 /// limit.
 Chain<7>::Joints mtmHome();
 
+/// One joint's range, rad.
+struct AngleRange {
+  double lower, upper;
+};
+
+/// The jaw of the large needle driver: the angle between its blades, which press on each other
+/// below 0.
+constexpr AngleRange kPsmJaw{-0.698132, 1.39626};
+
+/// The gripper of a master: the angle between its handles. Its range is an estimate of our own, as
+/// none is published: real ones are calibrated one by one.
+constexpr AngleRange kMtmGripper{-0.2, 1.05};
+
 }  // namespace robots::kinematics

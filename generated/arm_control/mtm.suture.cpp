@@ -32,6 +32,8 @@ static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanos
 static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::servo_horizon), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::gripper_closed), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::gripper_debounce), double>);
 
 }  // namespace
 
@@ -42,6 +44,8 @@ bool store(const MtmParameters& value, MtmParametersSlot& slot) {
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.following_error, slot.following_error);
   fits &= store(value.servo_horizon, slot.servo_horizon);
+  fits &= store(value.gripper_closed, slot.gripper_closed);
+  fits &= store(value.gripper_debounce, slot.gripper_debounce);
   return fits;
 }
 
@@ -51,6 +55,8 @@ void load(const MtmParametersSlot& slot, MtmParameters& value) {
   load(slot.angular_rate, value.angular_rate);
   load(slot.following_error, value.following_error);
   load(slot.servo_horizon, value.servo_horizon);
+  load(slot.gripper_closed, value.gripper_closed);
+  load(slot.gripper_debounce, value.gripper_debounce);
 }
 
 // --- between slots and Cap'n Proto
@@ -86,6 +92,8 @@ void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
   out.setAngularRate(slot.angular_rate);
   out.setFollowingError(slot.following_error);
   out.setServoHorizon(slot.servo_horizon);
+  out.setGripperClosed(slot.gripper_closed);
+  out.setGripperDebounce(slot.gripper_debounce);
 }
 
 Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration) {
@@ -93,6 +101,8 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
   slot.angular_rate = in.getAngularRate();
   slot.following_error = in.getFollowingError();
   slot.servo_horizon = in.getServoHorizon();
+  slot.gripper_closed = in.getGripperClosed();
+  slot.gripper_debounce = in.getGripperDebounce();
   return fromWire(in.getSide(), slot.side);
 }
 
@@ -100,7 +110,9 @@ bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
   if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
-  return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
+  if (!inRange(slot.servo_horizon, 0.001, 10)) return refusedAt(path, "servo_horizon");
+  if (!inRange(slot.gripper_closed, -0.2, 1.05)) return refusedAt(path, "gripper_closed");
+  return inRange(slot.gripper_debounce, 0, 1) || refusedAt(path, "gripper_debounce");
 }
 
 }  // namespace robots
@@ -120,6 +132,8 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value) {
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
+  reader.field("gripper_closed", value.gripper_closed, -0.2, 1.05);
+  reader.field("gripper_debounce", value.gripper_debounce, 0, 1);
   reader.finish();
 }
 

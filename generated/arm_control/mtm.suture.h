@@ -6,6 +6,7 @@
 
 #include "arm_control/mtm.h"
 #include "arm/arm.suture.h"
+#include "arm/gripper.suture.h"
 #include "drives/drives.suture.h"
 
 namespace suture {
@@ -15,11 +16,13 @@ class JsonReader;
 namespace robots {
 
 struct MtmParametersSlot {
-  std::uint8_t side;       // MtmSide
-  std::int64_t period;     // std::chrono::nanoseconds, ns
-  double angular_rate;     // rad/s
-  double following_error;  // rad
-  double servo_horizon;    // s
+  std::uint8_t side;        // MtmSide
+  std::int64_t period;      // std::chrono::nanoseconds, ns
+  double angular_rate;      // rad/s
+  double following_error;   // rad
+  double servo_horizon;     // s
+  double gripper_closed;    // rad
+  double gripper_debounce;  // s
 };
 
 bool store(const MtmParameters& value, MtmParametersSlot& slot);

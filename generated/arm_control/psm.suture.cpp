@@ -29,6 +29,7 @@ static_assert(std::is_same_v<decltype(PsmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_following_error), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::jaw_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::servo_horizon), double>);
 
 }  // namespace
@@ -40,6 +41,7 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
   fits &= store(value.following_error, slot.following_error);
   fits &= store(value.insertion_rate, slot.insertion_rate);
   fits &= store(value.insertion_following_error, slot.insertion_following_error);
+  fits &= store(value.jaw_rate, slot.jaw_rate);
   fits &= store(value.servo_horizon, slot.servo_horizon);
   return fits;
 }
@@ -50,6 +52,7 @@ void load(const PsmParametersSlot& slot, PsmParameters& value) {
   load(slot.following_error, value.following_error);
   load(slot.insertion_rate, value.insertion_rate);
   load(slot.insertion_following_error, value.insertion_following_error);
+  load(slot.jaw_rate, value.jaw_rate);
   load(slot.servo_horizon, value.servo_horizon);
 }
 
@@ -61,6 +64,7 @@ void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
   out.setFollowingError(slot.following_error);
   out.setInsertionRate(slot.insertion_rate);
   out.setInsertionFollowingError(slot.insertion_following_error);
+  out.setJawRate(slot.jaw_rate);
   out.setServoHorizon(slot.servo_horizon);
 }
 
@@ -70,6 +74,7 @@ Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration)
   slot.following_error = in.getFollowingError();
   slot.insertion_rate = in.getInsertionRate();
   slot.insertion_following_error = in.getInsertionFollowingError();
+  slot.jaw_rate = in.getJawRate();
   slot.servo_horizon = in.getServoHorizon();
   return Errc{};
 }
@@ -81,6 +86,7 @@ bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.insertion_following_error, 0.0001, 1)) {
     return refusedAt(path, "insertion_following_error");
   }
+  if (!inRange(slot.jaw_rate, 0.01, 50)) return refusedAt(path, "jaw_rate");
   return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
 }
 
@@ -95,6 +101,7 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value) {
   reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
   reader.field("insertion_following_error", value.insertion_following_error, 0.0001, 1);
+  reader.field("jaw_rate", value.jaw_rate, 0.01, 50);
   reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
   reader.finish();
 }

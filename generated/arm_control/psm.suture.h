@@ -6,6 +6,7 @@
 
 #include "arm_control/psm.h"
 #include "arm/arm.suture.h"
+#include "arm/jaw.suture.h"
 #include "drives/drives.suture.h"
 
 namespace suture {
@@ -20,6 +21,7 @@ struct PsmParametersSlot {
   double following_error;            // rad
   double insertion_rate;             // m/s
   double insertion_following_error;  // m
+  double jaw_rate;                   // rad/s
   double servo_horizon;              // s
 };
 

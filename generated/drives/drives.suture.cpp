@@ -443,11 +443,12 @@ constexpr char kDrivesDescription[] = R"json(
 "value": 2, "wire": "off",
 "doc": "without power, as they are permitted to have: the brakes hold the joints"}, {"name": "On",
 "value": 3, "wire": "on", "doc": "the joints follow their goals"}]}], "structs": [{
-"name": "robots::DriveGoal", "doc": "Where the joints shall be.", "fields": [{"name": "position",
-"doc": "The first `joints` entries count.", "type": {"kind": "array", "element": {"kind": "Float64"
-}, "length": 8}, "unit": "rad"}, {"name": "joints", "type": {"kind": "UInt32"}, "default": 0}]}, {
-"name": "robots::DriveFeedback",
-"doc": "The drives measure this in each of their cycles. Joints are in chain order; a prismatic one has\nm and m/s.",
+"name": "robots::DriveGoal",
+"doc": "Where the joints shall be, in the same order. What is there for a gripper counts for nothing.",
+"fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
+"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
+"type": {"kind": "UInt32"}, "default": 0}]}, {"name": "robots::DriveFeedback",
+"doc": "The drives measure this in each of their cycles. Joints are in chain order, and behind them is\nthe one of the tool: a slave's jaw, or a master's gripper, which nothing drives. A prismatic one\nhas m and m/s.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "velocity",
 "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad/s"}, {

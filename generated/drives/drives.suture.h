@@ -11,8 +11,9 @@
 
 namespace robots {
 
-/// The drives measure this in each of their cycles. Joints are in chain order; a prismatic one has
-/// m and m/s.
+/// The drives measure this in each of their cycles. Joints are in chain order, and behind them is
+/// the one of the tool: a slave's jaw, or a master's gripper, which nothing drives. A prismatic one
+/// has m and m/s.
 struct DriveFeedbackSlot {
   std::array<double, 8> position;  // rad
   std::array<double, 8> velocity;  // rad/s
@@ -26,7 +27,7 @@ bool store(const DriveFeedback& value, DriveFeedbackSlot& slot);
 void load(const DriveFeedbackSlot& slot, DriveFeedback& value);
 void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift);
 
-/// Where the joints shall be.
+/// Where the joints shall be, in the same order. What is there for a gripper counts for nothing.
 struct DriveGoalSlot {
   std::array<double, 8> position;  // rad
   std::uint32_t joints;

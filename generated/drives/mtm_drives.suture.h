@@ -8,6 +8,7 @@
 #include "coordinator/emergency_stop.suture.h"
 #include "drives/drive_dynamics.suture.h"
 #include "drives/drives.suture.h"
+#include "drives/gripper_hand.suture.h"
 
 namespace suture {
 class JsonReader;

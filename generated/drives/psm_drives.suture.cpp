@@ -40,6 +40,7 @@ static_assert(std::is_same_v<decltype(PsmDrivesParameters::period), std::chrono:
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::insertion_rate), double>);
+static_assert(std::is_same_v<decltype(PsmDrivesParameters::jaw_rate), double>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::permit), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::dynamics), DriveDynamics>);
 static_assert(std::is_same_v<decltype(PsmDrivesParameters::rigid_body), RigidBodyOptions>);
@@ -52,6 +53,7 @@ bool store(const PsmDrivesParameters& value, PsmDrivesParametersSlot& slot) {
   fits &= store(value.time_constant, slot.time_constant);
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.insertion_rate, slot.insertion_rate);
+  fits &= store(value.jaw_rate, slot.jaw_rate);
   fits &= store(value.permit, slot.permit);
   fits &= store(value.dynamics, slot.dynamics);
   fits &= store(value.rigid_body, slot.rigid_body);
@@ -63,6 +65,7 @@ void load(const PsmDrivesParametersSlot& slot, PsmDrivesParameters& value) {
   load(slot.time_constant, value.time_constant);
   load(slot.angular_rate, value.angular_rate);
   load(slot.insertion_rate, value.insertion_rate);
+  load(slot.jaw_rate, value.jaw_rate);
   load(slot.permit, value.permit);
   load(slot.dynamics, value.dynamics);
   load(slot.rigid_body, value.rigid_body);
@@ -75,6 +78,7 @@ void toWire(const PsmDrivesParametersSlot& slot, wire::PsmDrivesParameters::Buil
   out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
   out.setInsertionRate(slot.insertion_rate);
+  out.setJawRate(slot.jaw_rate);
   out.setPermit(slot.permit);
   out.setDynamics(wireDriveDynamics(slot.dynamics));
   toWire(slot.rigid_body, out.initRigidBody());
@@ -85,6 +89,7 @@ Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersSlot& slo
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.insertion_rate = in.getInsertionRate();
+  slot.jaw_rate = in.getJawRate();
   slot.permit = in.getPermit();
   return firstError({
       fromWire(in.getDynamics(), slot.dynamics),
@@ -96,6 +101,7 @@ bool isValid(const PsmDrivesParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
+  if (!inRange(slot.jaw_rate, 0.01, 50)) return refusedAt(path, "jaw_rate");
   if (!isKnownDriveDynamics(slot.dynamics)) return refusedAt(path, "dynamics");
   return isValid(slot.rigid_body, path) || refusedAt(path, "rigid_body");
 }
@@ -116,6 +122,7 @@ void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value) {
   reader.field("time_constant", value.time_constant, 0.0001, 10);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
+  reader.field("jaw_rate", value.jaw_rate, 0.01, 50);
   reader.field("permit", value.permit);
   reader.field("dynamics", value.dynamics);
   reader.field("rigid_body", value.rigid_body);

@@ -20,6 +20,7 @@ struct PsmDrivesParametersSlot {
   double time_constant;   // s
   double angular_rate;    // rad/s
   double insertion_rate;  // m/s
+  double jaw_rate;        // rad/s
   std::int64_t permit;    // std::chrono::nanoseconds, ns
   std::uint8_t dynamics;  // DriveDynamics
   RigidBodyOptionsSlot rigid_body;

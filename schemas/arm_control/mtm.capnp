@@ -25,4 +25,10 @@ struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
   # A servo goal may lie so far from the set-point as the joints can move in this time at their
   # rate limits; one that lies farther is refused. By default as long as a stream may be silent:
   # what the master does in 0.1 s is far below the rates of the slave.
+  gripperClosed @5 :Float64 $Meta.cxx("gripper_closed") $Meta.range(lowest = -0.2, highest = 1.05)
+      $Meta.unit("rad");
+  # The gripper is closed at this angle or less.
+  gripperDebounce @6 :Float64 = 0.02 $Meta.cxx("gripper_debounce")
+      $Meta.range(lowest = 0, highest = 1) $Meta.unit("s");
+  # It has to be closed, or open, for so long until that is told.
 }

@@ -26,4 +26,7 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   # A servo goal may lie so far from the set-point as the joints can move in this time at their
   # rate limits; one that lies farther is refused. By default as long as a stream may be silent:
   # what the master does in 0.1 s is far below the rates of the slave.
+  jawRate @6 :Float64 = 12.566 $Meta.cxx("jaw_rate") $Meta.range(lowest = 0.01, highest = 50)
+      $Meta.unit("rad/s");
+  # Rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
 }

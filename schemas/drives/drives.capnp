@@ -19,8 +19,9 @@ enum DrivePower @0xd2f9073be1a76833 $Meta.cxx("robots::DrivePower") $Meta.underl
 }
 
 struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
-  # The drives measure this in each of their cycles. Joints are in chain order; a prismatic one has
-  # m and m/s.
+  # The drives measure this in each of their cycles. Joints are in chain order, and behind them is
+  # the one of the tool: a slave's jaw, or a master's gripper, which nothing drives. A prismatic one
+  # has m and m/s.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
@@ -35,7 +36,7 @@ struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
 }
 
 struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {
-  # Where the joints shall be.
+  # Where the joints shall be, in the same order. What is there for a gripper counts for nothing.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.

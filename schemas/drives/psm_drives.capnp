@@ -26,4 +26,7 @@ struct PsmDrivesParameters @0x85a1d19046bdb4e7 $Meta.cxx("robots::PsmDrivesParam
   # `time_constant` does not count.
   rigidBody @6 :DriveDynamics.RigidBodyOptions $Meta.cxx("rigid_body");
   # They count with RigidBody.
+  jawRate @7 :Float64 = 12.566 $Meta.cxx("jaw_rate") $Meta.range(lowest = 0.01, highest = 50)
+      $Meta.unit("rad/s");
+  # How fast the jaw can be; that of the da Vinci Research Kit's teleoperation.
 }

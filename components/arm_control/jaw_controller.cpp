@@ -1,0 +1,137 @@
+#include "arm_control/jaw_controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "arm_control/goals.h"
+#include "timing/seconds.h"
+
+namespace robots {
+
+JawController::JawController(const JawModel& model, const ArmController<6>& arm)
+    : model_(model),
+      arm_(arm),
+      configuration_(toolConfiguration("jaw", model.lower, model.upper)),
+      measuredJs_(blankToolState("jaw")),
+      setpointJs_(measuredJs_) {
+  configuration_.velocity_min.assign(1, -model.rate_limit);
+  configuration_.velocity_max.assign(1, model.rate_limit);
+  configuration_.effort_min.assign(1, -model.effort_limit);
+  configuration_.effort_max.assign(1, model.effort_limit);
+  measuredJs_.velocity.assign(1, 0);
+  setpointJs_.effort.assign(1, 0);
+}
+
+bool JawController::mayMove() {
+  if (isEnabled()) return true;
+  warnings_.warn(ArmWarning::NotEnabled);
+  return false;
+}
+
+void JawController::servo_jp(const JointGoal& goal) {
+  if (!mayMove()) return;
+  const auto q = toJoints<1>(goal.position);
+  if (!q) return warnings_.warn(ArmWarning::Malformed);
+  const double within = std::clamp(q->value(), model_.lower, model_.upper);
+  const bool wasLimited = limited_;
+  begin(Activity::Following);
+  goal_ = within;
+  limited_ = within != q->value();
+  if (limited_ && !wasLimited) warnings_.tell(ArmWarning::AtLimit);
+}
+
+void JawController::servo_jf(const JointEffortGoal& goal) {
+  if (!mayMove()) return;
+  const auto effort = toJoints<1>(goal.effort);
+  if (!effort || goal.mask.size() > 1) return warnings_.warn(ArmWarning::Malformed);
+  begin(Activity::Pushing);
+  const bool counts = goal.mask.empty() || goal.mask.front();
+  effort_ = counts ? std::clamp(effort->value(), -model_.effort_limit, model_.effort_limit) : 0;
+}
+
+void JawController::move_jp(const JointGoal& goal) {
+  if (!mayMove()) return;
+  const auto q = toJoints<1>(goal.position);
+  if (!q) return warnings_.warn(ArmWarning::Malformed);
+  if (q->value() < model_.lower || q->value() > model_.upper) {
+    return warnings_.warn(ArmWarning::OutOfReach);
+  }
+  begin(Activity::Moving);
+  move_.emplace(Joint(setpoint_), *q, Joint(model_.rate_limit));
+  moveStart_ = {};
+}
+
+void JawController::begin(Activity activity) {
+  endMove(false);
+  stream_.end();
+  effort_ = 0;
+  limited_ = false;
+  activity_ = activity;
+  const bool streams = activity == Activity::Following || activity == Activity::Pushing;
+  if (streams) stream_.ask();
+  streamer_ = streams ? arm_.asking() : nullptr;
+  if (activity != Activity::Holding) warnings_.obey();
+}
+
+void JawController::endMove(bool reached) {
+  if (!move_) return;
+  move_.reset();
+  moveEnded_ = reached;
+}
+
+void JawController::clientGone(const suture::ConnectedClient& client) {
+  if (&client != streamer_) return;
+  hold();
+  warnings_.tell(ArmWarning::ClientGone);
+}
+
+void JawController::step(suture::Time now, const std::optional<DriveReading<6>>& drives) {
+  const suture::Time last = std::exchange(lastStep_, now);
+  const double dt = last == suture::Time{} ? 0 : secondsBetween(last, now);
+  // After such a pause the drives have let go of the last goal, so the jaw does not go on with it.
+  const bool paused = dt > inSeconds(StreamWatch::kSilence);
+  const bool stops = !isEnabled() || paused || stream_.hasFallenSilent(now);
+  if (activity_ != Activity::Holding && stops) hold();
+  const bool wasHeard = std::exchange(measuredJs_.valid, drives.has_value());
+  if (drives) {
+    measuredJs_.position[0] = drives->tool.position;
+    measuredJs_.velocity[0] = drives->tool.velocity;
+    measuredJs_.stamp = drives->stamp;
+    if (!isEnabled() || paused || !wasHeard) setpoint_ = drives->tool.position;
+  }
+  advance(now, dt);
+  publish(now);
+}
+
+void JawController::advance(suture::Time now, double dt) {
+  const double most = model_.rate_limit * dt;
+  switch (activity_) {
+    case Activity::Holding: break;
+    case Activity::Following: approach(goal_, most); break;
+    case Activity::Pushing:
+      approach(effort_ < 0 ? model_.lower : model_.upper,
+               most * std::abs(effort_) / model_.effort_limit);
+      break;
+    case Activity::Moving:
+      if (moveStart_ == suture::Time{}) moveStart_ = now;
+      const double t = secondsBetween(moveStart_, now);
+      setpoint_ = move_->at(t).value();
+      if (t < move_->duration()) break;
+      endMove(true);
+      hold();
+  }
+}
+
+void JawController::approach(double goal, double most) {
+  setpoint_ += std::clamp(goal - setpoint_, -most, most);
+}
+
+void JawController::publish(suture::Time now) {
+  setpointJs_.position[0] = setpoint_;
+  setpointJs_.effort[0] = effort_;
+  setpointJs_.stamp = now;
+  setpointJs_.valid = measuredJs_.stamp != suture::Time{};
+}
+
+}  // namespace robots

@@ -1,0 +1,28 @@
+#include "arm_control/warnings.h"
+
+namespace robots {
+
+std::string_view textOf(ArmWarning reason) {
+  switch (reason) {
+    case ArmWarning::NotEnabled: return "motion needs an enabled arm";
+    case ArmWarning::OutOfReach: return "no joint vector reaches the goal";
+    case ArmWarning::Malformed: return "the goal has the wrong length or is not finite or no pose";
+    case ArmWarning::ClientGone: return "the client whose stream the arm followed is gone";
+    case ArmWarning::AtLimit: return "the goal leads beyond a joint limit; the arm slides along it";
+    case ArmWarning::StepTooFar:
+      return "the goal lies farther from the set-point than the rates allow in one step";
+    case ArmWarning::WrongState: return "the operating state does not admit the command";
+    case ArmWarning::FollowingError:
+      return "a joint trailed its set-point by more than its bound; enable or disable the arm";
+    case ArmWarning::PowerLost:
+      return "the drives have no power, or may not have it; enable the arm when they may";
+    case ArmWarning::DrivesSilent:
+      return "the drives have been silent for too long; enable or disable the arm";
+    case ArmWarning::WrongFrame:
+      return "the base is given in another frame than the arm's poses are";
+    case ArmWarning::InMotion: return "the base of an arm that moves stays as it is; hold it first";
+  }
+  return "";
+}
+
+}  // namespace robots

@@ -1,0 +1,51 @@
+#pragma once
+// The joints of an arm with that of its tool behind them, as one set of joints.
+
+#include <memory>
+#include <utility>
+
+#include "drives/simulated_joints.h"
+
+namespace robots {
+
+/// Confined to one thread; only the constructor allocates.
+template <int N>
+class JointsAndTool final : public SimulatedJoints<N + 1> {
+ public:
+  using Joints = typename SimulatedJoints<N + 1>::Joints;
+
+  /// The tool's joint is shared with whatever else acts on it, in the same thread.
+  JointsAndTool(std::unique_ptr<SimulatedJoints<N>> joints,
+                std::shared_ptr<SimulatedJoints<1>> tool)
+      : joints_(std::move(joints)), tool_(std::move(tool)) {
+    measure();
+  }
+
+  void advance(double dt) override {
+    joints_->advance(dt);
+    tool_->advance(dt);
+    measure();
+  }
+  void command(const Joints& setpoint) override {
+    joints_->command(setpoint.template head<N>());
+    tool_->command(setpoint.template tail<1>());
+  }
+  void brake() override {
+    joints_->brake();
+    tool_->brake();
+  }
+
+  const Joints& measured() const override { return measured_; }
+  Joints velocity() const override {
+    return (Joints() << joints_->velocity(), tool_->velocity()).finished();
+  }
+
+ private:
+  void measure() { measured_ << joints_->measured(), tool_->measured(); }
+
+  std::unique_ptr<SimulatedJoints<N>> joints_;
+  std::shared_ptr<SimulatedJoints<1>> tool_;
+  Joints measured_;
+};
+
+}  // namespace robots

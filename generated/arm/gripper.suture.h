@@ -1,0 +1,107 @@
+// Written by suturec from arm/gripper.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "arm/gripper.h"
+#include "robot_types/joint_commands.suture.h"
+#include "robot_types/joints.suture.h"
+
+namespace robots {
+
+/// The numbers of Gripper's commands in every table and record.
+enum class GripperCommand : std::uint16_t {
+  configuration_js,
+  measured_js,
+};
+
+/// The numbers of Gripper's events.
+enum class GripperEvent : std::uint16_t {
+  closed,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Gripper>();
+
+/// What a client of robots::Gripper calls.
+template <>
+class Required<robots::Gripper> : public RequiredBase {
+  using Contract = robots::Gripper;
+  using Id = robots::GripperCommand;
+  using EventId = robots::GripperEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// What the joint is and may do.
+  ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
+      *this, static_cast<std::uint16_t>(Id::configuration_js)};
+  /// Where it is. Stamp: the drives' cycle that measured it. Not valid before there was one.
+  ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
+      *this, static_cast<std::uint16_t>(Id::measured_js)};
+
+  /// The events of robots::Gripper, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : closed{required, static_cast<std::uint16_t>(EventId::closed)} {}
+
+    /// Whether it is closed, each time that changes, and the last one to whoever connects: dVRK's
+    /// gripper/closed.
+    Subscription<std::uint8_t, bool> closed;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::Gripper from a component.
+template <>
+class Provided<robots::Gripper> : public ProvidedBase {
+  using Contract = robots::Gripper;
+  using EventId = robots::GripperEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of robots::Gripper, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : closed{provided, static_cast<std::uint16_t>(EventId::closed)} {}
+
+    /// Whether it is closed, each time that changes, and the last one to whoever connects: dVRK's
+    /// gripper/closed.
+    Emitter<std::uint8_t, bool> closed;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+  Events events_{*this};
+};
+
+}  // namespace suture

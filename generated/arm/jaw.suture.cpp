@@ -1,0 +1,681 @@
+// Written by suturec from arm/jaw.h. Do not edit.
+#include "arm/jaw.suture.h"
+
+#include <suture/transport/rpc/binding.h>
+#include <suture/transport/rpc/proxy_port.h>
+#include <suture/transport/rpc/servant_port.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "arm/jaw.capnp.h"
+
+// Defined in robot_types/joint_commands.suture.cpp.
+namespace robots {
+void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out);
+suture::Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
+                      suture::Duration shift);
+bool isValid(const JointConfigurationSlot& slot, suture::FieldPath* path);
+void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out);
+suture::Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot,
+                      suture::Duration shift);
+bool isValid(const JointEffortGoalSlot& slot, suture::FieldPath* path);
+}  // namespace robots
+
+// Defined in robot_types/joints.suture.cpp.
+namespace robots {
+void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out);
+suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift);
+bool isValid(const JointGoalSlot& slot, suture::FieldPath* path);
+void toWire(const JointStateSlot& slot, wire::JointState::Builder out);
+suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift);
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
+}  // namespace robots
+
+// Defined in suture/standard/messages.suture.cpp.
+namespace suture {
+void toWire(const MessageSlot& slot, wire::Message::Builder out);
+suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift);
+bool isValid(const MessageSlot& slot, suture::FieldPath* path);
+}  // namespace suture
+
+namespace robots {
+
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::FieldPath;
+using suture::checkSlot;
+using suture::newSlot;
+using suture::refusedAt;
+using suture::rpc::ProxyPort;
+using suture::rpc::ServantPort;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::numberOf;
+using suture::rpc::toWire;
+using suture::shiftSlot;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+bool store(const JointGoal& goal, JawServoJpArguments& slot) { return store(goal, slot.goal); }
+
+void shiftStamps(JawServoJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+
+bool store(const JointEffortGoal& goal, JawServoJfArguments& slot) {
+  return store(goal, slot.goal);
+}
+
+void shiftStamps(JawServoJfArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+
+bool store(const JointGoal& goal, JawMoveJpArguments& slot) { return store(goal, slot.goal); }
+
+void shiftStamps(JawMoveJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+
+namespace {
+
+bool acceptsJawServoJp(const JawServoJpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsJawServoJf(const JawServoJfArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+bool acceptsJawMoveJp(const JawMoveJpArguments& slot, FieldPath* path) {
+  return isValid(slot.goal, path) || refusedAt(path, "goal");
+}
+
+// --- Jaw over Cap'n Proto RPC: the provider's side
+
+/// Makes remote calls of a subscriber's events and rows.
+class JawSink final : public suture::rpc::EventSink {
+ public:
+  explicit JawSink(wire::JawEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+
+  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
+    switch (event) {
+      case numberOf(suture::MessagesEvent::status): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.statusRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(suture::MessagesEvent::warning): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.warningRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(suture::MessagesEvent::error): {
+        const auto& slot = slotIn<suture::MessageSlot>(payload);
+        auto request = subscriber_.errorRequest();
+        toWire(slot, request.initValue());
+        return request.send().ignoreResult();
+      }
+      case numberOf(JawEvent::goal_reached): {
+        const auto& slot = slotIn<std::uint8_t>(payload);
+        auto request = subscriber_.goalReachedRequest();
+        request.setValue(slot != 0);
+        return request.send().ignoreResult();
+      }
+    }
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
+                        std::span<const std::byte* const> columns) override {
+    auto request = subscriber_.stateRequest();
+    auto out = request.initRow();
+    out.setStamp(suture::toNanoseconds(row.stamp));
+    out.setEvaluated(row.valid | row.invalid);
+    out.setTooLarge(row.tooLarge | row.invalid);
+    if (row.hasValue(0)) {
+      const auto& slot = slotIn<JointConfigurationSlot>(columns[0]);
+      toWire(slot, out.initConfigurationJs());
+    }
+    if (row.hasValue(1)) {
+      const auto& slot = slotIn<JointStateSlot>(columns[1]);
+      toWire(slot, out.initMeasuredJs());
+    }
+    if (row.hasValue(2)) {
+      const auto& slot = slotIn<JointStateSlot>(columns[2]);
+      toWire(slot, out.initSetpointJs());
+    }
+    return request.send().ignoreResult();
+  }
+
+ private:
+  wire::JawEvents::Client subscriber_;
+};
+
+/// Puts remote calls into the provider's mailbox.
+class JawServant final : public wire::Jaw::Server {
+ public:
+  explicit JawServant(kj::Own<ServantPort> port)
+      : base_(suture::interfaceInfo<suture::Messages>().binding().makeServant(kj::addRef(*port))),
+        port_(kj::mv(port)) {}
+
+  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
+                                  suture::rpc::AnyCall call) override {
+    if (contract != capnp::typeId<wire::Jaw>()) {
+      return base_->dispatchCall(contract, method, call);
+    }
+    return wire::Jaw::Server::dispatchCall(contract, method, call);
+  }
+
+ protected:
+  kj::Promise<void> subscribe(SubscribeContext context) override {
+    auto in = context.getParams();
+    port_->subscribe(kj::heap<JawSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> configurationJs(ConfigurationJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<JointConfigurationSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(JawCommand::configuration_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> measuredJs(MeasuredJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<JointStateSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(JawCommand::measured_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> setpointJs(SetpointJsContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<JointStateSlot>(result);
+      auto out = context.getResults();
+      toWire(slot, out.initValue());
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(JawCommand::setpoint_js), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
+  kj::Promise<void> servoJp(ServoJpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<JawServoJpArguments>(memory);
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+    };
+    return port_->command(numberOf(JawCommand::servo_jp), in.getSent(), fill);
+  }
+
+  kj::Promise<void> servoJf(ServoJfContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<JawServoJfArguments>(memory);
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+    };
+    return port_->command(numberOf(JawCommand::servo_jf), in.getSent(), fill);
+  }
+
+  kj::Promise<void> moveJp(MoveJpContext context) override {
+    auto in = context.getParams();
+    const auto fill = [&](std::byte* memory) {
+      auto& slot = newSlot<JawMoveJpArguments>(memory);
+      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
+    };
+    return port_->command(numberOf(JawCommand::move_jp), in.getSent(), fill);
+  }
+
+ private:
+  kj::Own<capnp::Capability::Server> base_;
+  kj::Own<ServantPort> port_;
+};
+
+// --- Jaw over Cap'n Proto RPC: the client's side
+
+/// Receives events and rows.
+class JawReceiver final : public wire::JawEvents::Server {
+ public:
+  explicit JawReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> state(StateContext context) override {
+    auto in = context.getParams().getRow();
+    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
+    if (columns.hasValue(0)) {
+      auto& slot = port_->column<JointConfigurationSlot>(0);
+      const Errc error =
+          in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, port_->shift()) : Errc::Invalid;
+      columns.enter(0, error);
+    }
+    if (columns.hasValue(1)) {
+      auto& slot = port_->column<JointStateSlot>(1);
+      const Errc error =
+          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
+      columns.enter(1, error);
+    }
+    if (columns.hasValue(2)) {
+      auto& slot = port_->column<JointStateSlot>(2);
+      const Errc error =
+          in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
+      columns.enter(2, error);
+    }
+    port_->publish(in.getStamp(), columns);
+    return kj::READY_NOW;
+  }
+
+  kj::Promise<void> status(StatusContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::status),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> warning(WarningContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::warning),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> error(ErrorContext context) override {
+    auto in = context.getParams();
+    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::error),
+                                             [&](suture::MessageSlot& slot) {
+      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
+    });
+  }
+
+  kj::Promise<void> goalReached(GoalReachedContext context) override {
+    auto in = context.getParams();
+    return port_->event<std::uint8_t>(numberOf(JawEvent::goal_reached), [&](std::uint8_t& slot) {
+      slot = in.getValue();
+      return Errc{};
+    });
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// Makes remote calls of commands.
+class JawProxy final : public suture::rpc::Proxy {
+ public:
+  JawProxy(wire::Jaw::Client provider, ProxyPort& port)
+      : base_(suture::interfaceInfo<suture::Messages>().binding().makeProxy(provider, port)),
+        provider_(kj::mv(provider)),
+        port_(port) {}
+
+  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
+    auto request = provider_.subscribeRequest();
+    request.setEvents(kj::heap<JawReceiver>(kj::addRef(port_)));
+    request.setEventMask(events);
+    request.setStateMask(columns);
+    return request.send().ignoreResult();
+  }
+
+  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
+    switch (static_cast<JawCommand>(record.command)) {
+      case JawCommand::configuration_js: {
+        auto request = provider_.configurationJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointConfigurationSlot>(call, response.getStamp(),
+                                               [&](JointConfigurationSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case JawCommand::measured_js: {
+        auto request = provider_.measuredJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case JawCommand::setpoint_js: {
+        auto request = provider_.setpointJsRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
+            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
+                : Errc::Invalid;
+          });
+        });
+      }
+      case JawCommand::servo_jp: {
+        const auto& slot = slotIn<JawServoJpArguments>(record.arguments());
+        auto request = provider_.servoJpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case JawCommand::servo_jf: {
+        const auto& slot = slotIn<JawServoJfArguments>(record.arguments());
+        auto request = provider_.servoJfRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+      case JawCommand::move_jp: {
+        const auto& slot = slotIn<JawMoveJpArguments>(record.arguments());
+        auto request = provider_.moveJpRequest();
+        toWire(slot.goal, request.initGoal());
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
+      }
+    }
+    return base_->send(record);
+  }
+
+ private:
+  kj::Own<suture::rpc::Proxy> base_;
+  wire::Jaw::Client provider_;
+  ProxyPort& port_;
+};
+
+class JawBinding final : public suture::rpc::Binding {
+ public:
+  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
+    return kj::heap<JawServant>(kj::mv(port));
+  }
+  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
+                                        ProxyPort& port) const override {
+    return kj::heap<JawProxy>(contract.castAs<wire::Jaw>(), port);
+  }
+  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
+    return kj::heap<JawSink>(subscriber.castAs<wire::JawEvents>());
+  }
+  capnp::InterfaceSchema schema() const override {
+    return capnp::Schema::from<wire::Jaw>();
+  }
+};
+
+const suture::rpc::Binding& jawBinding() {
+  static const JawBinding kBinding;
+  return kBinding;
+}
+
+constexpr CommandInfo kJawCommands[] = {
+    {.name = "configuration_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointConfigurationSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<JointConfigurationSlot, isValid>},
+    {.name = "measured_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointStateSlot>,
+     .depth = 16,
+     .column = 1,
+     .acceptsResult = checkSlot<JointStateSlot, isValid>,
+     .shiftResult = shiftSlot<JointStateSlot>},
+    {.name = "setpoint_js",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<JointStateSlot>,
+     .depth = 16,
+     .column = 2,
+     .acceptsResult = checkSlot<JointStateSlot, isValid>,
+     .shiftResult = shiftSlot<JointStateSlot>},
+    {.name = "servo_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<JawServoJpArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<JawServoJpArguments, acceptsJawServoJp>,
+     .shiftArguments = shiftSlot<JawServoJpArguments>},
+    {.name = "servo_jf",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<JawServoJfArguments>,
+     .depth = 16,
+     .latest = true,
+     .ttl = Duration(20'000'000),
+     .accepts = checkSlot<JawServoJfArguments, acceptsJawServoJf>,
+     .shiftArguments = shiftSlot<JawServoJfArguments>},
+    {.name = "move_jp",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<JawMoveJpArguments>,
+     .depth = 16,
+     .accepts = checkSlot<JawMoveJpArguments, acceptsJawMoveJp>,
+     .shiftArguments = shiftSlot<JawMoveJpArguments>},
+};
+
+constexpr EventInfo kJawEvents[] = {
+    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
+};
+
+// The self-description, as in arm/jaw.suture.json.
+constexpr char kJawDescription[] = R"json(
+{"name": "robots::Jaw",
+"doc": "The arm that holds the instrument provides it as an interface of its own, \"Jaw\". Commands run in\nthe arm's thread before its next cycle; reads are from the end of its last one. Joint vectors\nhave one entry, the angle between the blades in rad: 0 is closed, and less presses them\ntogether. It may be -0.698 to 1.396 rad (-40 to 80 degrees) on the large needle driver of a da\nVinci.\n\nThe jaw has the power of its arm, and needs one that is enabled: otherwise it ignores commands\nof motion and says so in a warning, once until it obeys again. When its arm stops being enabled,\nit stops where it is. Homing the arm leaves it as it is.\n\nA command replaces the one before it. A servo stream that falls silent for 0.1 s, or whose\nclient is gone, leaves the set-point where it is.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h).",
+"hash": "dcf774a8ad86ab07aff148b6608f7e9d", "base": "suture::Messages", "crtk": true, "commands": [
+{"name": "configuration_js", "kind": "read", "ordinal": 1, "wire": "configurationJs",
+"doc": "What the joint is and may do.", "result": {"type": {"kind": "struct",
+"name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "measured_js", "kind": "read",
+"ordinal": 2, "wire": "measuredJs",
+"doc": "Where it is. Stamp: the drives' cycle that measured it.", "result": {"type": {
+"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js",
+"kind": "read", "ordinal": 3, "wire": "setpointJs",
+"doc": "Where it shall be. The effort is that of servo_jf, else 0.", "result": {"type": {
+"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "servo_jp",
+"kind": "write", "ordinal": 4, "wire": "servoJp",
+"doc": "Streams goals, newest wins. The set-point goes there no faster than the joint can; a goal\nbeyond a limit leads as far as that.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jf", "kind": "write", "ordinal": 5,
+"wire": "servoJf",
+"doc": "Streams efforts, newest wins; a negative one closes. The simulated jaw has no mass: an effort\nmoves the set-point at a speed proportional to it.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 6,
+"wire": "moveJp",
+"doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
+"queue": 16}], "events": [{"name": "status", "kind": "write", "ordinal": 1,
+"doc": "All is well; something has been done.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
+"name": "warning", "kind": "write", "ordinal": 2,
+"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
+"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
+"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
+"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
+"name": "goal_reached", "kind": "write", "ordinal": 4, "wire": "goalReached",
+"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
+"type": {"kind": "Bool"}}, "queue": 16}], "enums": [{"name": "robots::JointType",
+"underlying": "UInt8", "enumerators": [{"name": "Undefined", "value": 0, "wire": "undefined"}, {
+"name": "Prismatic", "value": 1, "wire": "prismatic"}, {"name": "Revolute", "value": 2,
+"wire": "revolute"}, {"name": "Universal", "value": 3, "wire": "universal"}, {"name": "BallSocket",
+"value": 4, "wire": "ballSocket"}, {"name": "Inactive", "value": 5, "wire": "inactive"}]}],
+"structs": [{"name": "robots::JointConfiguration",
+"doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
+"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
+"capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
+"name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {
+"name": "position_max", "wire": "positionMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "velocity_min", "wire": "velocityMin",
+"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {
+"name": "velocity_max", "wire": "velocityMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "acceleration_min",
+"wire": "accelerationMin", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "rad/s2"}, {"name": "acceleration_max", "wire": "accelerationMax", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "effort_min",
+"wire": "effortMin", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
+"default": false}]}, {"name": "robots::JointState",
+"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+"fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
+"capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
+"capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::JointGoal",
+"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
+"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
+}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
+}, {"name": "robots::JointEffortGoal", "doc": "CRTK's servo_jf: prmForceTorqueJointSet.",
+"fields": [{"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8
+}, "unit": "N.m"}, {"name": "mask", "doc": "Optional: which joints count; empty: all.", "type": {
+"kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "suture::Message", "fields": [{"name": "text",
+"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
+"type": {"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}]}], "wire": [{"id": "@0xf5776c4cb1ab9076", "kind": "interface", "name": "Jaw",
+"cxx": "robots::Jaw", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xd6c2953fc4455ac0"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "configurationJs",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0xf723b5ed0dc2d63c"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 2, "name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
+"name": "setpointJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "servoJp", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 5, "name": "servoJf", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0xd704fc0995280ce6"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 6, "name": "moveJp", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0x8943f2eac122865a"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}]}, {"id": "@0xb16d80f0d2b50980", "kind": "interface",
+"name": "Messages", "cxx": "suture::Messages", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xa02813b154cdd1d8"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
+"id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
+"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
+}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
+}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
+"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
+"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0xd6c2953fc4455ac0", "kind": "interface",
+"name": "JawEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
+"is": "@0xa03ee03faaaeccdd"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
+"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
+{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 4, "name": "goalReached",
+"parameters": [{"at": 0, "name": "value", "is": "Bool"}]}]}, {"id": "@0xa03ee03faaaeccdd",
+"kind": "struct", "name": "JawStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {
+"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
+"at": 3, "name": "configurationJs", "is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "measuredJs",
+"is": "@0xac24dfe518a4963f"}, {"at": 5, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}]}, {
+"id": "@0xf723b5ed0dc2d63c", "kind": "struct", "name": "JointConfiguration", "members": [{"at": 0,
+"name": "name", "is": "List(Text)"}, {"at": 1, "name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {
+"at": 2, "name": "positionMin", "is": "List(Float64) unit \"rad\""}, {"at": 3,
+"name": "positionMax", "is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 5, "name": "velocityMax",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 6, "name": "accelerationMin",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 7, "name": "accelerationMax",
+"is": "List(Float64) unit \"rad/s2\""}, {"at": 8, "name": "effortMin",
+"is": "List(Float64) unit \"N.m\""}, {"at": 9, "name": "effortMax",
+"is": "List(Float64) unit \"N.m\""}, {"at": 10, "name": "valid", "is": "Bool"}]}, {
+"id": "@0x9f3bef15df1181c0", "kind": "enum", "name": "JointType", "members": [{"at": 0,
+"name": "undefined"}, {"at": 1, "name": "prismatic"}, {"at": 2, "name": "revolute"}, {"at": 3,
+"name": "universal"}, {"at": 4, "name": "ballSocket"}, {"at": 5, "name": "inactive"}]}, {
+"id": "@0xac24dfe518a4963f", "kind": "struct", "name": "JointState", "members": [{"at": 0,
+"name": "name", "is": "List(Text)"}, {"at": 1, "name": "position",
+"is": "List(Float64) unit \"rad\""}, {"at": 2, "name": "velocity",
+"is": "List(Float64) unit \"rad/s\""}, {"at": 3, "name": "effort",
+"is": "List(Float64) unit \"N.m\""}, {"at": 4, "name": "stamp", "is": "Int64 clock \"steady\""}, {
+"at": 5, "name": "valid", "is": "Bool"}]}, {"id": "@0x8943f2eac122865a", "kind": "struct",
+"name": "JointGoal", "members": [{"at": 0, "name": "position", "is": "List(Float64) unit \"rad\""},
+{"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xd704fc0995280ce6",
+"kind": "struct", "name": "JointEffortGoal", "members": [{"at": 0, "name": "effort",
+"is": "List(Float64) unit \"N.m\""}, {"at": 1, "name": "mask", "is": "List(Bool)"}, {"at": 2,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+
+}  // namespace
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Jaw>() {
+  static const auto kEvents = extended<4>(interfaceInfo<suture::Messages>().events,
+                                          robots::kJawEvents);
+  static const InterfaceInfo kInfo{
+      .name = "robots::Jaw",
+      .hash = "dcf774a8ad86ab07aff148b6608f7e9d",
+      .description = robots::kJawDescription,
+      .commands = robots::kJawCommands,
+      .events = kEvents,
+      .binding = &robots::jawBinding,
+      .base = &interfaceInfo<suture::Messages>,
+      .toBase = &castToBase<robots::Jaw, suture::Messages>,
+  };
+  return kInfo;
+}
+
+auto Provided<robots::Jaw>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(robots::JawServoJpArguments::goal)>(scratch.servo_jp_goal);
+  reserveFor<decltype(robots::JawServoJfArguments::goal)>(scratch.servo_jf_goal);
+  reserveFor<decltype(robots::JawMoveJpArguments::goal)>(scratch.move_jp_goal);
+  return scratch;
+}
+
+Errc Provided<robots::Jaw>::execute(std::uint16_t command, const std::byte* arguments,
+                                    std::byte* result) {
+  using ::robots::JawCommand;
+  switch (static_cast<JawCommand>(command)) {
+    case JawCommand::configuration_js: {
+      auto& slot = newSlot<robots::JointConfigurationSlot>(result);
+      return store(implementation_.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case JawCommand::measured_js: {
+      auto& slot = newSlot<robots::JointStateSlot>(result);
+      return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case JawCommand::setpoint_js: {
+      auto& slot = newSlot<robots::JointStateSlot>(result);
+      return store(implementation_.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case JawCommand::servo_jp: {
+      const auto& slot = slotIn<robots::JawServoJpArguments>(arguments);
+      load(slot.goal, scratch_.servo_jp_goal);
+      implementation_.servo_jp(scratch_.servo_jp_goal);
+      return Errc{};
+    }
+    case JawCommand::servo_jf: {
+      const auto& slot = slotIn<robots::JawServoJfArguments>(arguments);
+      load(slot.goal, scratch_.servo_jf_goal);
+      implementation_.servo_jf(scratch_.servo_jf_goal);
+      return Errc{};
+    }
+    case JawCommand::move_jp: {
+      const auto& slot = slotIn<robots::JawMoveJpArguments>(arguments);
+      load(slot.goal, scratch_.move_jp_goal);
+      implementation_.move_jp(scratch_.move_jp_goal);
+      return Errc{};
+    }
+  }
+  return Provided<suture::Messages>::execute(command, arguments, result);
+}
+
+}  // namespace suture

@@ -1,0 +1,159 @@
+// Written by suturec from arm/jaw.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "arm/jaw.h"
+#include "robot_types/joint_commands.suture.h"
+#include "robot_types/joints.suture.h"
+#include "suture/standard/messages.suture.h"
+
+namespace robots {
+
+// --- Jaw: the arguments of its commands ---
+
+struct JawServoJpArguments {
+  JointGoalSlot goal;
+};
+
+bool store(const JointGoal& goal, JawServoJpArguments& slot);
+void shiftStamps(JawServoJpArguments& slot, suture::Duration shift);
+
+struct JawServoJfArguments {
+  JointEffortGoalSlot goal;
+};
+
+bool store(const JointEffortGoal& goal, JawServoJfArguments& slot);
+void shiftStamps(JawServoJfArguments& slot, suture::Duration shift);
+
+struct JawMoveJpArguments {
+  JointGoalSlot goal;
+};
+
+bool store(const JointGoal& goal, JawMoveJpArguments& slot);
+void shiftStamps(JawMoveJpArguments& slot, suture::Duration shift);
+
+/// The numbers of Jaw's commands in every table and record.
+enum class JawCommand : std::uint16_t {
+  configuration_js,
+  measured_js,
+  setpoint_js,
+  servo_jp,
+  servo_jf,
+  move_jp,
+};
+
+/// The numbers of Jaw's own events.
+enum class JawEvent : std::uint16_t {
+  goal_reached = 3,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::Jaw>();
+
+/// What a client of robots::Jaw calls.
+template <>
+class Required<robots::Jaw> : public Required<suture::Messages> {
+  using Contract = robots::Jaw;
+  using Id = robots::JawCommand;
+  using EventId = robots::JawEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// What the joint is and may do.
+  ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
+      *this, static_cast<std::uint16_t>(Id::configuration_js)};
+  /// Where it is. Stamp: the drives' cycle that measured it.
+  ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
+      *this, static_cast<std::uint16_t>(Id::measured_js)};
+  /// Where it shall be. The effort is that of servo_jf, else 0.
+  ReadCommand<&Contract::setpoint_js, robots::JointStateSlot> setpoint_js{
+      *this, static_cast<std::uint16_t>(Id::setpoint_js)};
+  /// Streams goals, newest wins. The set-point goes there no faster than the joint can; a goal
+  /// beyond a limit leads as far as that.
+  Command<&Contract::servo_jp, robots::JawServoJpArguments> servo_jp{
+      *this, static_cast<std::uint16_t>(Id::servo_jp)};
+  /// Streams efforts, newest wins; a negative one closes. The simulated jaw has no mass: an effort
+  /// moves the set-point at a speed proportional to it.
+  Command<&Contract::servo_jf, robots::JawServoJfArguments> servo_jf{
+      *this, static_cast<std::uint16_t>(Id::servo_jf)};
+  /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.
+  Command<&Contract::move_jp, robots::JawMoveJpArguments> move_jp{
+      *this, static_cast<std::uint16_t>(Id::move_jp)};
+
+  /// The events of robots::Jaw, to subscribe to.
+  struct Events : Required<suture::Messages>::Events {
+    explicit Events(RequiredBase& required)
+        : Required<suture::Messages>::Events(required),
+          goal_reached{required, static_cast<std::uint16_t>(EventId::goal_reached)} {}
+
+    /// A move ended: true at its goal, false when something else replaced it.
+    Subscription<std::uint8_t, bool> goal_reached;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : Required<suture::Messages>(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves robots::Jaw from a component.
+template <>
+class Provided<robots::Jaw> : public Provided<suture::Messages> {
+  using Contract = robots::Jaw;
+  using EventId = robots::JawEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of robots::Jaw, to emit.
+  struct Events : Provided<suture::Messages>::Events {
+    explicit Events(ProvidedBase& provided)
+        : Provided<suture::Messages>::Events(provided),
+          goal_reached{provided, static_cast<std::uint16_t>(EventId::goal_reached)} {}
+
+    /// A move ended: true at its goal, false when something else replaced it.
+    Emitter<std::uint8_t, bool> goal_reached;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : Provided<suture::Messages>(owner, name, info, whole, implementation),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once: by reserved().
+  struct Scratch {
+    robots::JointGoal servo_jp_goal;
+    robots::JointEffortGoal servo_jf_goal;
+    robots::JointGoal move_jp_goal;
+
+    static Scratch reserved();
+  };
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_ = Scratch::reserved();
+};
+
+}  // namespace suture

@@ -1,0 +1,83 @@
+// Written by suturec from drives/gripper_hand.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "drives/gripper_hand.h"
+
+namespace robots {
+
+// --- GripperHand: the arguments of its commands ---
+
+struct GripperHandSqueezeArguments {
+  double angle;  // rad
+};
+
+bool store(const double& angle, GripperHandSqueezeArguments& slot);
+
+/// The numbers of GripperHand's commands in every table and record.
+enum class GripperHandCommand : std::uint16_t {
+  squeeze,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::GripperHand>();
+
+/// What a client of robots::GripperHand calls.
+template <>
+class Required<robots::GripperHand> : public RequiredBase {
+  using Contract = robots::GripperHand;
+  using Id = robots::GripperHandCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// The fingers press the handles to this angle, newest wins: there it stays until another one.
+  /// The gripper follows with the lag of the drives, and no further than its stops.
+  Command<&Contract::squeeze, robots::GripperHandSqueezeArguments> squeeze{
+      *this, static_cast<std::uint16_t>(Id::squeeze)};
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves robots::GripperHand from a component.
+template <>
+class Provided<robots::GripperHand> : public ProvidedBase {
+  using Contract = robots::GripperHand;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once.
+  struct Scratch {
+    double squeeze_angle;
+  };
+
+  Contract& implementation_;
+  Scratch scratch_{};
+};
+
+}  // namespace suture
