@@ -1,6 +1,7 @@
 #include "arm_control/arm_controller.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "arm_control/goals.h"
@@ -31,15 +32,29 @@ void place(JointState& state, const Eigen::Matrix<double, N, 1>& position, sutur
   state.valid = valid;
 }
 
+template <int N>
+typename DriveWatch<N>::Bounds boundsOf(const ArmModel<N>& model) {
+  typename DriveWatch<N>::Bounds bounds;
+  for (int i = 0; i < N; ++i) {
+    bounds[static_cast<std::size_t>(i)] = {.rate_limit = model.rate_limit[i],
+                                           .effort_limit = model.effort_limit[i],
+                                           .encoder_step = model.encoder_step[i]};
+  }
+  bounds.back() = model.tool;
+  return bounds;
+}
+
 }  // namespace
 
 template <int N>
 ArmController<N>::ArmController(const ArmModel<N>& model)
     : model_(model),
+      watch_(boundsOf(model), model.watch),
       setpoint_(Joints::Zero()),
       measuredJs_(blank<N>(model.joint_names)),
       setpointJs_(measuredJs_) {
   measuredJs_.velocity.resize(N);
+  measuredJs_.effort.resize(N);
 }
 
 template <int N>
@@ -81,6 +96,7 @@ void ArmController<N>::restIn(ArmState state, const char* activity) {
   endMove(false);
   setpoint_ = reading_.position;
   setpointStamp_ = {};
+  watch_.forgive();
   enter(state, activity);
 }
 
@@ -163,9 +179,8 @@ void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N
   // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
   const bool paused = now - std::exchange(lastStep_, now) > StreamWatch::kSilence;
   if (paused && state_.state == ArmState::Enabled) restIn(ArmState::Enabled, "holding");
-  if (trails()) {
-    restIn(ArmState::Fault, "following error");
-    warnings_.tell(ArmWarning::FollowingError);
+  if (const auto joint = trailing()) {
+    fail({ArmWarning::FollowingError, *joint}, "following error");
   }
   if (servoing_.hasFallenSilent(now)) hold();
   if (line_) setpoint_ = line_->at(now);
@@ -183,7 +198,11 @@ void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
   const bool wasHeard = std::exchange(heard_, drives.has_value());
   if (drives) {
     reading_ = *drives;
+    const auto fault = watch_.look(reading_);
     obeyPower();
+    if (fault && powered() && state_.state != ArmState::Fault) {
+      fail(*fault, fault->reason == ArmWarning::EncoderJump ? "encoder jump" : "over-current");
+    }
     // Without power the brakes hold the joints; after a silence they may be anywhere.
     if (!powered() || !wasHeard) setpoint_ = reading_.position;
   } else if (powered() && state_.state != ArmState::Fault) {
@@ -205,10 +224,20 @@ void ArmController<N>::obeyPower() {
 }
 
 template <int N>
-bool ArmController<N>::trails() const {
+std::optional<int> ArmController<N>::trailing() const {
+  if (state_.state != ArmState::Enabled) return std::nullopt;
   const Joints error = model_.chain.clamp(setpoint_) - reading_.position;
-  return state_.state == ArmState::Enabled &&
-         (error.cwiseAbs().array() > model_.following_error.array()).any();
+  for (int i = 0; i < N; ++i) {
+    if (std::abs(error[i]) > model_.following_error[i]) return i;
+  }
+  return std::nullopt;
+}
+
+template <int N>
+void ArmController<N>::fail(const DriveFault& fault, const char* activity) {
+  restIn(ArmState::Fault, activity);
+  culprit_ = fault.joint < N ? model_.joint_names[static_cast<std::size_t>(fault.joint)] : "jaw";
+  warnings_.tell(fault.reason);
 }
 
 template <int N>
@@ -329,6 +358,7 @@ void ArmController<N>::publish(suture::Time now) {
   const bool known = reading_.stamp != suture::Time{};
   place<N>(measuredJs_, reading_.position, reading_.stamp, heard_ && known);
   Joints::Map(measuredJs_.velocity.data()) = reading_.velocity;
+  Joints::Map(measuredJs_.effort.data()) = reading_.effort;
   place<N>(setpointJs_, setpoint_, now, known);
   measuredCp_ = {model_.chain.forward(reading_.position), reading_.stamp, measuredJs_.valid};
   const suture::Time stamp = setpointStamp_ == suture::Time{} ? now : setpointStamp_;

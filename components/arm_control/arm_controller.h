@@ -12,6 +12,7 @@
 
 #include "arm/arm_warning.h"
 #include "arm_control/drive_reading.h"
+#include "arm_control/drive_watch.h"
 #include "arm_control/joint_line.h"
 #include "arm_control/joint_move.h"
 #include "arm_control/operating_states.h"
@@ -35,6 +36,11 @@ struct ArmModel {
   Joints rate_limit;  ///< rad/s or m/s
   /// A joint that trails its set-point by more faults the arm.
   Joints following_error = Joints::Constant(std::numeric_limits<double>::infinity());
+  /// What the drives may measure of the joints; the rates are those above.
+  Joints effort_limit = Joints::Constant(std::numeric_limits<double>::infinity());  ///< N.m or N
+  Joints encoder_step = Joints::Zero();  ///< rad or m: what one count is of the joint
+  DriveBounds tool = {};
+  DriveWatchOptions watch = {};
   /// s: a servo goal may lie so far from the set-point as the joints can move in this time.
   double servo_horizon = 0.1;
   /// The arm's own closed form, if it has one.
@@ -109,8 +115,9 @@ class ArmController {
   /// Takes what the drives measured, and goes where they lead: they stop, or fall silent.
   void take(const std::optional<DriveReading<N>>& drives);
   void obeyPower();
-  /// A joint trails its set-point by too much.
-  bool trails() const;
+  /// The joint that trails its set-point by too much, if one does.
+  std::optional<int> trailing() const;
+  void fail(const DriveFault& fault, const char* activity);
   bool mayMove();
   void warn(ArmWarning reason) { warnings_.warn(reason); }
   std::nullopt_t refused(ArmWarning reason) {
@@ -145,6 +152,7 @@ class ArmController {
   void publish(suture::Time now);
 
   const ArmModel<N> model_;
+  DriveWatch<N> watch_;
   DriveReading<N> reading_;  // what the drives measured last
   bool heard_ = false;       // in this cycle there is a reading
   suture::Time permitted_;   // by which permit of power the arm was enabled
@@ -169,6 +177,7 @@ class ArmController {
   std::optional<ArmState> desired_;  // what a command asked for, until it is told
   Warnings warnings_;
   std::string_view refusal_;  // why the last state command was refused
+  std::string_view culprit_;  // the joint that has put it in FAULT
 };
 
 extern template class ArmController<6>;

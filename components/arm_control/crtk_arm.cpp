@@ -76,6 +76,7 @@ CrtkArm<N>::CrtkArm(ArmController<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js(
   blank(bodyJacobian_, N);
   blank(spatialJacobian_, N);
   moveGoal_.position.reserve(kMaxJoints);
+  ofJoint_.reserve(255);
 }
 
 // --- the state machine
@@ -357,6 +358,15 @@ void CrtkArm<N>::publishGoal(suture::Time now) {
   goalJs_.stamp = now;
   goalJs_.valid = arm_.setpoint_js().valid;
   goalCp_ = {arm_.model_.chain.forward(goal), now, goalJs_.valid};
+}
+
+template <int N>
+std::string_view CrtkArm<N>::textOf(ArmWarning reason) {
+  if (reason == ArmWarning::WrongState) return arm_.refusal_;
+  if (!isOfJoint(reason)) return robots::textOf(reason);
+  ofJoint_ = arm_.culprit_;
+  ofJoint_ += ": ";
+  return ofJoint_ += robots::textOf(reason);
 }
 
 template class CrtkArm<6>;

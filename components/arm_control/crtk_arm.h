@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "arm/arm.h"
@@ -126,11 +127,9 @@ class CrtkArm final : public Arm {
   using Stream = MotionStream<N>;
   using SpatialVector = kinematics::SpatialVector;
 
-  std::string_view textOf(ArmWarning reason) const {
-    return reason == ArmWarning::WrongState ? arm_.refusal_ : robots::textOf(reason);
-  }
+  std::string_view textOf(ArmWarning reason);
   static bool isError(ArmWarning reason) {
-    return reason == ArmWarning::WrongState || reason == ArmWarning::FollowingError ||
+    return isOfJoint(reason) || reason == ArmWarning::WrongState ||
            reason == ArmWarning::PowerLost || reason == ArmWarning::DrivesSilent;
   }
   const suture::Message& message(std::string_view text, std::uint32_t code = 0) {
@@ -175,6 +174,7 @@ class CrtkArm final : public Arm {
 
   bool ratiosChanged_ = true, gravityChanged_ = true;
   std::string_view error_;  // of static storage
+  std::string ofJoint_;     // keeps its memory
   suture::MessageDraft draft_;
   std::uint32_t messages_ = 0;  // so many have been told
 };

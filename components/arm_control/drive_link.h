@@ -40,7 +40,10 @@ class DriveLink {
                sample->power,
                sample->permitted,
                sample->stamp,
-               {.position = sample->position[N], .velocity = sample->velocity[N]}};
+               {.position = sample->position[N],
+                .velocity = sample->velocity[N],
+                .effort = sample->effort[N]},
+               Joints::Map(sample->effort.data())};
     }
     isHeard_ = last_.stamp != suture::Time{} && now - heard_ <= kSilence;
     return isHeard_ ? std::optional(last_) : std::nullopt;

@@ -13,6 +13,7 @@ namespace robots {
 struct ToolReading {
   double position = 0;  ///< rad
   double velocity = 0;  ///< rad/s
+  double effort = 0;    ///< N.m
 };
 
 /// Joints in chain order: rad and rad/s, or m and m/s for a prismatic one.
@@ -25,6 +26,7 @@ struct DriveReading {
   suture::Time permitted;  ///< when they were last permitted to have power
   suture::Time stamp;      ///< the drives' cycle
   ToolReading tool = {};
+  Joints effort = Joints::Zero();  ///< N.m, or N for a prismatic one
 };
 
 }  // namespace robots

@@ -20,6 +20,7 @@ JawController::JawController(const JawModel& model, const ArmController<6>& arm)
   configuration_.effort_min.assign(1, -model.effort_limit);
   configuration_.effort_max.assign(1, model.effort_limit);
   measuredJs_.velocity.assign(1, 0);
+  measuredJs_.effort.assign(1, 0);
   setpointJs_.effort.assign(1, 0);
 }
 
@@ -97,6 +98,7 @@ void JawController::step(suture::Time now, const std::optional<DriveReading<6>>&
   if (drives) {
     measuredJs_.position[0] = drives->tool.position;
     measuredJs_.velocity[0] = drives->tool.velocity;
+    measuredJs_.effort[0] = drives->tool.effort;
     measuredJs_.stamp = drives->stamp;
     if (!isEnabled() || paused || !wasHeard) setpoint_ = drives->tool.position;
   }

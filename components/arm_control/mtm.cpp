@@ -1,6 +1,7 @@
 #include "arm_control/mtm.h"
 
 #include "arm_control/arm_cycle.h"
+#include "dynamics/davinci_inertia.h"
 #include "kinematics/davinci.h"
 #include "kinematics/mtm_inverse.h"
 
@@ -15,6 +16,9 @@ ArmModel<7> model(const MtmParameters& parameters) {
       .home = kinematics::mtmHome(),
       .rate_limit = ArmModel<7>::Joints::Constant(parameters.angular_rate),
       .following_error = ArmModel<7>::Joints::Constant(parameters.following_error),
+      .effort_limit = dynamics::mtmMechanics().effort_limit,
+      .encoder_step = dynamics::mtmMechanics().encoder_step,
+      .watch = {.jump_factor = parameters.jump_factor, .overload_time = parameters.overload_time},
       .servo_horizon = parameters.servo_horizon,
       .inverse = kinematics::mtmInverse,
   };

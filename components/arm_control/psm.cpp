@@ -1,11 +1,14 @@
 #include "arm_control/psm.h"
 
 #include "arm_control/arm_cycle.h"
+#include "dynamics/davinci_inertia.h"
 #include "kinematics/davinci.h"
 #include "kinematics/psm_inverse.h"
 
 namespace robots {
 namespace {
+
+constexpr double kJawEffort = 0.16;  // N.m; LARGE_NEEDLE_DRIVER_400006.json: jaw, ftmax
 
 ArmModel<6> model(const PsmParameters& parameters) {
   constexpr int kInsertion = 2;
@@ -15,6 +18,10 @@ ArmModel<6> model(const PsmParameters& parameters) {
       .home = ArmModel<6>::Joints::Zero(),
       .rate_limit = ArmModel<6>::Joints::Constant(parameters.angular_rate),
       .following_error = ArmModel<6>::Joints::Constant(parameters.following_error),
+      .effort_limit = dynamics::psmMechanics().effort_limit,
+      .encoder_step = dynamics::psmMechanics().encoder_step,
+      .tool = {.rate_limit = parameters.jaw_rate, .effort_limit = kJawEffort},
+      .watch = {.jump_factor = parameters.jump_factor, .overload_time = parameters.overload_time},
       .servo_horizon = parameters.servo_horizon,
       .inverse = kinematics::psmInverse,
   };
@@ -26,11 +33,10 @@ ArmModel<6> model(const PsmParameters& parameters) {
 }
 
 JawModel jawModel(const PsmParameters& parameters) {
-  constexpr double kEffortLimit = 0.16;  // LARGE_NEEDLE_DRIVER_400006.json: jaw, ftmax
   return {.lower = kinematics::kPsmJaw.lower,
           .upper = kinematics::kPsmJaw.upper,
           .rate_limit = parameters.jaw_rate,
-          .effort_limit = kEffortLimit};
+          .effort_limit = kJawEffort};
 }
 
 }  // namespace

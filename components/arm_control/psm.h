@@ -31,6 +31,10 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
   /// Rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
+  /// A joint whose encoder tells more than this many times what the joint can move faults the arm.
+  SUTURE_FIELD(range(1, 1000)) double jump_factor = 5;
+  /// So does an effort that is above what the joint may take for longer than this.
+  SUTURE_FIELD(unit("s"), range(0.001, 10)) double overload_time = 0.1;
   /// A servo goal may lie so far from the set-point as the joints can move in this time at their
   /// rate limits; one that lies farther is refused. By default as long as a stream may be silent:
   /// what the master does in 0.1 s is far below the rates of the slave.

@@ -13,13 +13,17 @@ std::string_view textOf(ArmWarning reason) {
       return "the goal lies farther from the set-point than the rates allow in one step";
     case ArmWarning::WrongState: return "the operating state does not admit the command";
     case ArmWarning::FollowingError:
-      return "a joint trailed its set-point by more than its bound; enable or disable the arm";
+      return "it trailed its set-point by more than its bound; enable or disable the arm";
     case ArmWarning::PowerLost:
       return "the drives have no power, or may not have it; enable the arm when they may";
     case ArmWarning::DrivesSilent:
       return "the drives have been silent for too long; enable or disable the arm";
     case ArmWarning::WrongFrame:
       return "the base is given in another frame than the arm's poses are";
+    case ArmWarning::EncoderJump:
+      return "its encoder jumped farther than it can move; enable or disable the arm";
+    case ArmWarning::OverCurrent:
+      return "its effort was above its limit for too long; enable or disable the arm";
     case ArmWarning::InMotion: return "the base of an arm that moves stays as it is; hold it first";
   }
   return "";

@@ -11,6 +11,12 @@ namespace robots {
 /// What an arm says of it, for people.
 std::string_view textOf(ArmWarning reason);
 
+/// It has befallen one joint, whose name stands before the text.
+constexpr bool isOfJoint(ArmWarning reason) {
+  return reason == ArmWarning::FollowingError || reason == ArmWarning::EncoderJump ||
+         reason == ArmWarning::OverCurrent;
+}
+
 /// Collects what is to be told at the end of a cycle. Confined to one thread; never allocates.
 class Warnings {
  public:

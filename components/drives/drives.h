@@ -33,6 +33,9 @@ struct SUTURE_TYPE() DriveFeedback {
   suture::Time permitted;
   /// The drives' cycle.
   suture::Time stamp;
+  /// What the motors give, as their currents tell; N for a prismatic joint. 0 of joints that are
+  /// simulated without mass.
+  SUTURE_FIELD(unit("N.m")) std::array<double, kMaxJoints> effort{};
 };
 
 /// Where the joints shall be, in the same order. What is there for a gripper counts for nothing.

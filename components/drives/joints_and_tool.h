@@ -36,12 +36,17 @@ class JointsAndTool final : public SimulatedJoints<N + 1> {
   }
 
   const Joints& measured() const override { return measured_; }
-  Joints velocity() const override {
-    return (Joints() << joints_->velocity(), tool_->velocity()).finished();
-  }
+  Joints velocity() const override { return together(joints_->velocity(), tool_->velocity()); }
+  Joints effort() const override { return together(joints_->effort(), tool_->effort()); }
 
  private:
-  void measure() { measured_ << joints_->measured(), tool_->measured(); }
+  static Joints together(const typename SimulatedJoints<N>::Joints& joints,
+                         const SimulatedJoints<1>::Joints& tool) {
+    Joints all;
+    all << joints, tool;
+    return all;
+  }
+  void measure() { measured_ = together(joints_->measured(), tool_->measured()); }
 
   std::unique_ptr<SimulatedJoints<N>> joints_;
   std::shared_ptr<SimulatedJoints<1>> tool_;

@@ -46,11 +46,11 @@ class RigidBodyJoints final : public SimulatedJoints<N> {
   void brake() override;
   const Joints& measured() const override { return encoders_.measured(); }
   Joints velocity() const override { return encoders_.velocity(); }
+  /// Until the next command.
+  Joints effort() const override { return effort_; }
 
   /// Where the joints are, which only a simulation knows.
   const Joints& position() const { return motion_.position(); }
-  /// What the motors give until the next command.
-  const Joints& effort() const { return effort_; }
 
  private:
   Joints controlled() const;

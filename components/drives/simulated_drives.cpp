@@ -71,6 +71,7 @@ void SimulatedDrives<N>::step(suture::Time now) {
   }
   Joints::Map(feedback_.position.data()) = joints_->measured();
   Joints::Map(feedback_.velocity.data()) = joints_->velocity();
+  Joints::Map(feedback_.effort.data()) = joints_->effort();
   feedback_.stamp = now;
 }
 

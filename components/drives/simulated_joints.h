@@ -23,6 +23,8 @@ class SimulatedJoints {
 
   virtual const Joints& measured() const = 0;
   virtual Joints velocity() const = 0;
+  /// What the motors give, N.m, or N of a prismatic joint; 0 of joints without mass.
+  virtual Joints effort() const { return Joints::Zero(); }
 };
 
 }  // namespace robots

@@ -31,6 +31,8 @@ static_assert(std::is_same_v<decltype(MtmParameters::side), MtmSide>);
 static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::following_error), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::jump_factor), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::overload_time), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::servo_horizon), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::gripper_closed), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::gripper_debounce), double>);
@@ -43,6 +45,8 @@ bool store(const MtmParameters& value, MtmParametersSlot& slot) {
   fits &= store(value.period, slot.period);
   fits &= store(value.angular_rate, slot.angular_rate);
   fits &= store(value.following_error, slot.following_error);
+  fits &= store(value.jump_factor, slot.jump_factor);
+  fits &= store(value.overload_time, slot.overload_time);
   fits &= store(value.servo_horizon, slot.servo_horizon);
   fits &= store(value.gripper_closed, slot.gripper_closed);
   fits &= store(value.gripper_debounce, slot.gripper_debounce);
@@ -54,6 +58,8 @@ void load(const MtmParametersSlot& slot, MtmParameters& value) {
   load(slot.period, value.period);
   load(slot.angular_rate, value.angular_rate);
   load(slot.following_error, value.following_error);
+  load(slot.jump_factor, value.jump_factor);
+  load(slot.overload_time, value.overload_time);
   load(slot.servo_horizon, value.servo_horizon);
   load(slot.gripper_closed, value.gripper_closed);
   load(slot.gripper_debounce, value.gripper_debounce);
@@ -91,6 +97,8 @@ void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
   out.setPeriod(slot.period);
   out.setAngularRate(slot.angular_rate);
   out.setFollowingError(slot.following_error);
+  out.setJumpFactor(slot.jump_factor);
+  out.setOverloadTime(slot.overload_time);
   out.setServoHorizon(slot.servo_horizon);
   out.setGripperClosed(slot.gripper_closed);
   out.setGripperDebounce(slot.gripper_debounce);
@@ -100,6 +108,8 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
   slot.period = in.getPeriod();
   slot.angular_rate = in.getAngularRate();
   slot.following_error = in.getFollowingError();
+  slot.jump_factor = in.getJumpFactor();
+  slot.overload_time = in.getOverloadTime();
   slot.servo_horizon = in.getServoHorizon();
   slot.gripper_closed = in.getGripperClosed();
   slot.gripper_debounce = in.getGripperDebounce();
@@ -110,6 +120,8 @@ bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
   if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
+  if (!inRange(slot.jump_factor, 1, 1000)) return refusedAt(path, "jump_factor");
+  if (!inRange(slot.overload_time, 0.001, 10)) return refusedAt(path, "overload_time");
   if (!inRange(slot.servo_horizon, 0.001, 10)) return refusedAt(path, "servo_horizon");
   if (!inRange(slot.gripper_closed, -0.2, 1.05)) return refusedAt(path, "gripper_closed");
   return inRange(slot.gripper_debounce, 0, 1) || refusedAt(path, "gripper_debounce");
@@ -131,6 +143,8 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value) {
   reader.field("period", value.period);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
   reader.field("following_error", value.following_error, 0.001, 10);
+  reader.field("jump_factor", value.jump_factor, 1, 1000);
+  reader.field("overload_time", value.overload_time, 0.001, 10);
   reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
   reader.field("gripper_closed", value.gripper_closed, -0.2, 1.05);
   reader.field("gripper_debounce", value.gripper_debounce, 0, 1);

@@ -30,6 +30,8 @@ static_assert(std::is_same_v<decltype(PsmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_following_error), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::jaw_rate), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::jump_factor), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::overload_time), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::servo_horizon), double>);
 
 }  // namespace
@@ -42,6 +44,8 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
   fits &= store(value.insertion_rate, slot.insertion_rate);
   fits &= store(value.insertion_following_error, slot.insertion_following_error);
   fits &= store(value.jaw_rate, slot.jaw_rate);
+  fits &= store(value.jump_factor, slot.jump_factor);
+  fits &= store(value.overload_time, slot.overload_time);
   fits &= store(value.servo_horizon, slot.servo_horizon);
   return fits;
 }
@@ -53,6 +57,8 @@ void load(const PsmParametersSlot& slot, PsmParameters& value) {
   load(slot.insertion_rate, value.insertion_rate);
   load(slot.insertion_following_error, value.insertion_following_error);
   load(slot.jaw_rate, value.jaw_rate);
+  load(slot.jump_factor, value.jump_factor);
+  load(slot.overload_time, value.overload_time);
   load(slot.servo_horizon, value.servo_horizon);
 }
 
@@ -65,6 +71,8 @@ void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
   out.setInsertionRate(slot.insertion_rate);
   out.setInsertionFollowingError(slot.insertion_following_error);
   out.setJawRate(slot.jaw_rate);
+  out.setJumpFactor(slot.jump_factor);
+  out.setOverloadTime(slot.overload_time);
   out.setServoHorizon(slot.servo_horizon);
 }
 
@@ -75,6 +83,8 @@ Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration)
   slot.insertion_rate = in.getInsertionRate();
   slot.insertion_following_error = in.getInsertionFollowingError();
   slot.jaw_rate = in.getJawRate();
+  slot.jump_factor = in.getJumpFactor();
+  slot.overload_time = in.getOverloadTime();
   slot.servo_horizon = in.getServoHorizon();
   return Errc{};
 }
@@ -87,6 +97,8 @@ bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
     return refusedAt(path, "insertion_following_error");
   }
   if (!inRange(slot.jaw_rate, 0.01, 50)) return refusedAt(path, "jaw_rate");
+  if (!inRange(slot.jump_factor, 1, 1000)) return refusedAt(path, "jump_factor");
+  if (!inRange(slot.overload_time, 0.001, 10)) return refusedAt(path, "overload_time");
   return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
 }
 
@@ -102,6 +114,8 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value) {
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
   reader.field("insertion_following_error", value.insertion_following_error, 0.0001, 1);
   reader.field("jaw_rate", value.jaw_rate, 0.01, 50);
+  reader.field("jump_factor", value.jump_factor, 1, 1000);
+  reader.field("overload_time", value.overload_time, 0.001, 10);
   reader.field("servo_horizon", value.servo_horizon, 0.001, 10);
   reader.finish();
 }

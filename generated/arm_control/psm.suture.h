@@ -22,7 +22,9 @@ struct PsmParametersSlot {
   double insertion_rate;             // m/s
   double insertion_following_error;  // m
   double jaw_rate;                   // rad/s
-  double servo_horizon;              // s
+  double jump_factor;
+  double overload_time;  // s
+  double servo_horizon;  // s
 };
 
 bool store(const PsmParameters& value, PsmParametersSlot& slot);

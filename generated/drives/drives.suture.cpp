@@ -51,6 +51,7 @@ static_assert(std::is_same_v<decltype(DriveFeedback::permitted),
                              std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(DriveFeedback::stamp),
                              std::chrono::steady_clock::time_point>);
+static_assert(std::is_same_v<decltype(DriveFeedback::effort), std::array<double, 8>>);
 static_assert(std::is_same_v<decltype(DriveGoal::position), std::array<double, 8>>);
 static_assert(std::is_same_v<decltype(DriveGoal::joints), std::uint32_t>);
 
@@ -64,6 +65,7 @@ bool store(const DriveFeedback& value, DriveFeedbackSlot& slot) {
   fits &= store(value.power, slot.power);
   fits &= store(value.permitted, slot.permitted);
   fits &= store(value.stamp, slot.stamp);
+  fits &= store(value.effort, slot.effort);
   return fits;
 }
 
@@ -74,6 +76,7 @@ void load(const DriveFeedbackSlot& slot, DriveFeedback& value) {
   load(slot.power, value.power);
   load(slot.permitted, value.permitted);
   load(slot.stamp, value.stamp);
+  load(slot.effort, value.effort);
 }
 
 void shiftStamps(DriveFeedbackSlot& slot, Duration shift) {
@@ -145,6 +148,7 @@ void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
   out.setPower(wireDrivePower(slot.power));
   out.setPermitted(slot.permitted);
   out.setStamp(slot.stamp);
+  toWire(slot.effort, out.initEffort(8));
 }
 
 Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot, Duration shift) {
@@ -155,13 +159,15 @@ Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot, Duration 
       fromWire(in.getPosition(), slot.position),
       fromWire(in.getVelocity(), slot.velocity),
       fromWire(in.getPower(), slot.power),
+      fromWire(in.getEffort(), slot.effort),
   });
 }
 
 bool isValid(const DriveFeedbackSlot& slot, FieldPath* path) {
   if (!isValid(slot.position, path)) return refusedAt(path, "position");
   if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
-  return isKnownDrivePower(slot.power) || refusedAt(path, "power");
+  if (!isKnownDrivePower(slot.power)) return refusedAt(path, "power");
+  return isValid(slot.effort, path) || refusedAt(path, "effort");
 }
 
 void toWire(const DriveGoalSlot& slot, wire::DriveGoal::Builder out) {
@@ -422,7 +428,7 @@ constexpr EventInfo kDrivesEvents[] = {
 constexpr char kDrivesDescription[] = R"json(
 {"name": "robots::Drives",
 "doc": "Commands run in the drives' own thread before its next cycle; the read is from the end of its\nlast one.",
-"hash": "becb0bbc9b212fd29e42d4f0e70968d2", "commands": [{"name": "power_on", "kind": "write",
+"hash": "9ec83e2547ab750b4fcbf0f318532c3b", "commands": [{"name": "power_on", "kind": "write",
 "ordinal": 1, "wire": "powerOn",
 "doc": "Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that\nthis answers: drives that have stopped since then, or may not have power, stay as they are.",
 "parameters": [{"name": "permitted", "type": {"kind": "time", "clock": "steady"}}], "queue": 16}, {
@@ -456,29 +462,33 @@ constexpr char kDrivesDescription[] = R"json(
 "kind": "enum", "name": "robots::DrivePower"}, "default": "NotReady"}, {"name": "permitted",
 "doc": "When they were last permitted to have power. Another moment than before: they have stopped\nmeanwhile, or are others, which an arm may not have seen.",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "stamp", "doc": "The drives' cycle.",
-"type": {"kind": "time", "clock": "steady"}}]}], "wire": [{"id": "@0x91efda82df1adc01",
-"kind": "interface", "name": "Drives", "cxx": "robots::Drives", "members": [{"at": 0,
-"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe59a5d931070aa84"}, {
-"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
-"at": 1, "name": "powerOn", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "permitted",
-"is": "Int64 clock \"steady\""}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 2, "name": "powerOff", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "servoJp", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "goal", "is": "@0xe3033c33c5a1f822"}, {"at": 1, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "feedback", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xc6e6797127c781ed"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xe59a5d931070aa84", "kind": "interface", "name": "DrivesEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf51328c4223872e4"}]}, {"at": 1,
-"name": "power", "parameters": [{"at": 0, "name": "value", "is": "@0xd2f9073be1a76833"}]}]}, {
-"id": "@0xf51328c4223872e4", "kind": "struct", "name": "DrivesStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "feedback", "is": "@0xc6e6797127c781ed"}]}, {
-"id": "@0xc6e6797127c781ed", "kind": "struct", "name": "DriveFeedback", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "velocity",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "effort",
+"doc": "What the motors give, as their currents tell; N for a prismatic joint. 0 of joints that are\nsimulated without mass.",
+"type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "N.m"}]}], "wire": [
+{"id": "@0x91efda82df1adc01", "kind": "interface", "name": "Drives", "cxx": "robots::Drives",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xe59a5d931070aa84"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "powerOn", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "permitted", "is": "Int64 clock \"steady\""}, {"at": 1,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "powerOff",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 3, "name": "servoJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
+"is": "@0xe3033c33c5a1f822"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 4, "name": "feedback", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc6e6797127c781ed"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe59a5d931070aa84", "kind": "interface",
+"name": "DrivesEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xf51328c4223872e4"}]}, {"at": 1, "name": "power", "parameters": [{"at": 0,
+"name": "value", "is": "@0xd2f9073be1a76833"}]}]}, {"id": "@0xf51328c4223872e4", "kind": "struct",
+"name": "DrivesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "feedback", "is": "@0xc6e6797127c781ed"}]}, {"id": "@0xc6e6797127c781ed", "kind": "struct",
+"name": "DriveFeedback", "members": [{"at": 0, "name": "position",
+"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "velocity",
 "is": "List(Float64) unit \"rad/s\" shape \"8\""}, {"at": 2, "name": "joints", "is": "UInt32"}, {
 "at": 3, "name": "power", "is": "@0xd2f9073be1a76833"}, {"at": 4, "name": "permitted",
-"is": "Int64 clock \"steady\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"is": "Int64 clock \"steady\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}, {
+"at": 6, "name": "effort", "is": "List(Float64) unit \"N.m\" shape \"8\""}]}, {
 "id": "@0xd2f9073be1a76833", "kind": "enum", "name": "DrivePower", "members": [{"at": 0,
 "name": "notReady"}, {"at": 1, "name": "stopped"}, {"at": 2, "name": "off"}, {"at": 3, "name": "on"
 }]}, {"id": "@0xe3033c33c5a1f822", "kind": "struct", "name": "DriveGoal", "members": [{"at": 0,
@@ -494,7 +504,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Drives>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Drives",
-      .hash = "becb0bbc9b212fd29e42d4f0e70968d2",
+      .hash = "9ec83e2547ab750b4fcbf0f318532c3b",
       .description = robots::kDrivesDescription,
       .commands = robots::kDrivesCommands,
       .events = robots::kDrivesEvents,

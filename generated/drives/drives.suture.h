@@ -18,9 +18,10 @@ struct DriveFeedbackSlot {
   std::array<double, 8> position;  // rad
   std::array<double, 8> velocity;  // rad/s
   std::uint32_t joints;
-  std::uint8_t power;      // DrivePower
-  std::int64_t permitted;  // suture::Time, ns
-  std::int64_t stamp;      // suture::Time, ns
+  std::uint8_t power;            // DrivePower
+  std::int64_t permitted;        // suture::Time, ns
+  std::int64_t stamp;            // suture::Time, ns
+  std::array<double, 8> effort;  // N.m
 };
 
 bool store(const DriveFeedback& value, DriveFeedbackSlot& slot);

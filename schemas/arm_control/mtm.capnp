@@ -31,4 +31,9 @@ struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
   gripperDebounce @6 :Float64 = 0.02 $Meta.cxx("gripper_debounce")
       $Meta.range(lowest = 0, highest = 1) $Meta.unit("s");
   # It has to be closed, or open, for so long until that is told.
+  jumpFactor @7 :Float64 = 5.0 $Meta.cxx("jump_factor") $Meta.range(lowest = 1, highest = 1000);
+  # A joint whose encoder tells more than this many times what the joint can move faults the arm.
+  overloadTime @8 :Float64 = 0.1 $Meta.cxx("overload_time")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
+  # So does an effort that is above what the joint may take for longer than this.
 }

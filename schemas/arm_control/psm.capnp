@@ -29,4 +29,9 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   jawRate @6 :Float64 = 12.566 $Meta.cxx("jaw_rate") $Meta.range(lowest = 0.01, highest = 50)
       $Meta.unit("rad/s");
   # Rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
+  jumpFactor @7 :Float64 = 5.0 $Meta.cxx("jump_factor") $Meta.range(lowest = 1, highest = 1000);
+  # A joint whose encoder tells more than this many times what the joint can move faults the arm.
+  overloadTime @8 :Float64 = 0.1 $Meta.cxx("overload_time")
+      $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
+  # So does an effort that is above what the joint may take for longer than this.
 }

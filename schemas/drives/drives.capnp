@@ -33,6 +33,9 @@ struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
   # meanwhile, or are others, which an arm may not have seen.
   stamp @5 :Int64 $Meta.clock("steady");
   # The drives' cycle.
+  effort @6 :List(Float64) $Meta.shape("8") $Meta.unit("N.m");
+  # What the motors give, as their currents tell; N for a prismatic joint. 0 of joints that are
+  # simulated without mass.
 }
 
 struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {

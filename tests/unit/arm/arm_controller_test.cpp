@@ -241,7 +241,7 @@ TEST_F(ArmControllerTest, JointStatesAreWhole) {
   EXPECT_EQ(state.name.size(), 6u);
   EXPECT_EQ(state.position.size(), 6u);
   EXPECT_EQ(state.velocity.size(), 6u);
-  EXPECT_TRUE(state.effort.empty());
+  EXPECT_EQ(state.effort.size(), 6u);
   EXPECT_EQ(state.stamp, time_);
   EXPECT_TRUE(arm_.setpoint_js().velocity.empty());
 }

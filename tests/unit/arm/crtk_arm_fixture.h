@@ -52,7 +52,8 @@ struct CommandedArm final : ArmController<6> {
 
 class CrtkArmTest : public testing::Test {
  protected:
-  CrtkArmTest() {
+  explicit CrtkArmTest(const ArmModel<6>& model = psmModel())
+      : arm_(model), joints_(model, psmParked()) {
     cycles(1);
     crtk_.enable();
     crtk_.home();
@@ -93,8 +94,8 @@ class CrtkArmTest : public testing::Test {
     EXPECT_LT((moved - by).norm(), 1e-6) << moved.transpose();
   }
 
-  CommandedArm arm_{psmModel()};
-  TrailingJoints<6> joints_{psmModel(), psmParked()};
+  CommandedArm arm_;
+  TrailingJoints<6> joints_;
   CrtkArm<6> crtk_{arm_};
   suture::Time time_ = suture::now();
   HeardOfArm heard_;

@@ -23,12 +23,18 @@ class TrailingJoints {
   void step(ArmController<N>& arm, suture::Time now) {
     if (last_ != suture::Time{}) dynamics_.advance(secondsBetween(last_, now));
     last_ = now;
-    arm.step(now, DriveReading<N>{dynamics_.measured(), dynamics_.velocity(), power(arm),
-                                  permitted_, now});
-    dynamics_.command(arm.setpoint());
+    DriveReading<N> reading{dynamics_.measured() + displaced_, dynamics_.velocity(), power(arm),
+                            permitted_, now};
+    reading.effort = drawn_;
+    arm.step(now, reading);
+    dynamics_.command(arm.setpoint() - displaced_);
   }
   /// The drives say so from now on, whatever the arm wants.
   void force(std::optional<DrivePower> power) { forced_ = power; }
+  /// Its encoder has jumped by so much.
+  void displace(int joint, double by) { displaced_[joint] = by; }
+  /// Its motor gives so much, N.m.
+  void draw(int joint, double effort) { drawn_[joint] = effort; }
   /// As if they had stopped, and been permitted again, between two cycles of the arm.
   void permitAnew() { permitted_ += std::chrono::milliseconds(1); }
 
@@ -38,6 +44,7 @@ class TrailingJoints {
   }
 
   JointDynamics<N> dynamics_;
+  Joints displaced_ = Joints::Zero(), drawn_ = Joints::Zero();
   suture::Time last_, permitted_ = suture::fromNanoseconds(1);
   std::optional<DrivePower> forced_;
 };

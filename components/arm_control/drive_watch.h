@@ -1,0 +1,88 @@
+#pragma once
+// Which measurements of the drives tell that something is wrong with them.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "arm/arm_warning.h"
+#include "arm_control/drive_reading.h"
+#include "timing/seconds.h"
+
+namespace robots {
+
+/// What a joint that is in order keeps to; units per second, and counts of its encoder, in rad or
+/// m.
+struct DriveBounds {
+  double rate_limit = std::numeric_limits<double>::infinity();
+  double effort_limit = std::numeric_limits<double>::infinity();  ///< N.m, or N
+  double encoder_step = 0;
+};
+
+struct DriveWatchOptions {
+  /// A position jumps if it lies farther from the one before than this many times what the joint
+  /// can move in the time between both, and one count. Infinite: nothing is a jump.
+  double jump_factor = std::numeric_limits<double>::infinity();
+  /// s: an effort may be above its limit for so long.
+  double overload_time = std::numeric_limits<double>::infinity();
+};
+
+struct DriveFault {
+  ArmWarning reason;  ///< EncoderJump or OverCurrent
+  int joint;          ///< its number in the chain; behind it, the tool's
+};
+
+/// Looks at the readings of the joints and of the tool behind them. Confined to one thread; never
+/// allocates.
+template <int N>
+class DriveWatch {
+ public:
+  using Bounds = std::array<DriveBounds, std::size_t{N} + 1>;
+
+  DriveWatch(const Bounds& bounds, const DriveWatchOptions& options)
+      : bounds_(bounds), options_(options) {}
+
+  /// Takes one reading, which may be that of before.
+  std::optional<DriveFault> look(const DriveReading<N>& reading) {
+    if (reading.stamp == last_.stamp) return std::nullopt;
+    const bool isFirst = last_.stamp == suture::Time{};
+    const double dt = isFirst ? 0 : std::max(secondsBetween(last_.stamp, reading.stamp), 0.0);
+    std::optional<DriveFault> fault;
+    for (int i = N; i >= 0; --i) {
+      if (overloads(i, reading, dt)) fault = {ArmWarning::OverCurrent, i};
+      if (!isFirst && jumps(i, reading, dt)) fault = {ArmWarning::EncoderJump, i};
+    }
+    last_ = reading;
+    return fault;
+  }
+  /// Efforts may be above their limits anew, for as long as they may.
+  void forgive() { overloaded_.fill(0); }
+
+ private:
+  static double positionOf(int joint, const DriveReading<N>& reading) {
+    return joint < N ? reading.position[joint] : reading.tool.position;
+  }
+  static double effortOf(int joint, const DriveReading<N>& reading) {
+    return joint < N ? reading.effort[joint] : reading.tool.effort;
+  }
+  bool jumps(int joint, const DriveReading<N>& reading, double dt) const {
+    const DriveBounds& bounds = bounds_[static_cast<std::size_t>(joint)];
+    const double most = options_.jump_factor * (bounds.rate_limit * dt + bounds.encoder_step);
+    return std::abs(positionOf(joint, reading) - positionOf(joint, last_)) > most;
+  }
+  bool overloads(int joint, const DriveReading<N>& reading, double dt) {
+    const auto i = static_cast<std::size_t>(joint);
+    const bool isAbove = std::abs(effortOf(joint, reading)) > bounds_[i].effort_limit;
+    overloaded_[i] = isAbove ? overloaded_[i] + dt : 0;
+    return overloaded_[i] > options_.overload_time;
+  }
+
+  const Bounds bounds_;
+  const DriveWatchOptions options_;
+  DriveReading<N> last_;
+  std::array<double, std::size_t{N} + 1> overloaded_{};  // s: for how long
+};
+
+}  // namespace robots

@@ -1,0 +1,152 @@
+// Drives that measure what cannot be put an arm in FAULT.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "arm_control/drive_watch.h"
+#include "unit/arm/crtk_arm_fixture.h"
+
+namespace robots::test {
+namespace {
+
+constexpr int kPitch = 1;
+
+ArmModel<6> watchedModel() {
+  ArmModel<6> model = psmModel();
+  model.effort_limit.setConstant(0.3);
+  model.encoder_step.setConstant(1e-5);
+  model.watch = {.jump_factor = 5, .overload_time = 0.05};
+  return model;
+}
+
+class DriveFaultTest : public CrtkArmTest {
+ protected:
+  DriveFaultTest() : CrtkArmTest(watchedModel()) {}
+
+  ArmState state() const { return crtk_.operating_state().state; }
+  void expectFault(ArmWarning reason, const char* text) {
+    EXPECT_EQ(state(), ArmState::Fault);
+    ASSERT_EQ(heard_.errors.size(), 1u) << "it says so, once";
+    EXPECT_EQ(heard_.codes.back(), reason);
+    EXPECT_EQ(heard_.errors[0].find(text), 0u) << heard_.errors[0];
+    EXPECT_TRUE(arm_.powered()) << "it holds";
+  }
+};
+
+TEST_F(DriveFaultTest, AnEncoderThatJumpsPutsItInFaultAndIsNamed) {
+  joints_.displace(kPitch, 0.05);
+  cycles(3);
+  expectFault(ArmWarning::EncoderJump, "b: its encoder jumped");
+  EXPECT_DOUBLE_EQ(setpoint(kPitch), crtk_.measured_js().position[kPitch])
+      << "it holds where it is measured";
+}
+
+TEST_F(DriveFaultTest, MotionAtFullSpeedIsNoJump) {
+  JointVelocityGoal fastest;
+  fastest.goal.assign(6, 0);
+  fastest.goal[kPitch] = 4;
+  for (int i = 0; i < 150; ++i) {
+    crtk_.servo_jv(fastest);
+    cycles(1);
+  }
+  EXPECT_EQ(state(), ArmState::Enabled);
+}
+
+TEST_F(DriveFaultTest, ItIsNotInFaultWhileItHasNoPower) {
+  crtk_.disable();
+  cycles(2);
+  joints_.displace(kPitch, 0.05);
+  cycles(3);
+  EXPECT_EQ(state(), ArmState::Disabled);
+}
+
+TEST_F(DriveFaultTest, AnEffortAboveItsLimitPutsItInFaultIfItLasts) {
+  joints_.draw(kPitch, -0.31);
+  cycles(49);
+  EXPECT_EQ(state(), ArmState::Enabled);
+  EXPECT_EQ(crtk_.measured_js().effort[kPitch], -0.31);
+  cycles(3);
+  expectFault(ArmWarning::OverCurrent, "b: its effort");
+}
+
+TEST_F(DriveFaultTest, AnEffortThatFallsBelowItsLimitMayRiseAnew) {
+  for (int i = 0; i < 5; ++i) {
+    joints_.draw(kPitch, 0.31);
+    cycles(45);
+    joints_.draw(kPitch, 0.29);
+    cycles(1);
+  }
+  EXPECT_EQ(state(), ArmState::Enabled);
+}
+
+TEST_F(DriveFaultTest, IsLeftByEnableAndDisableAlone) {
+  joints_.displace(kPitch, 0.05);
+  cycles(2);
+  for (const char* command : {"pause", "resume", "home", "unhome"}) {
+    crtk_.state_command(command);
+    cycles(1);
+    EXPECT_EQ(state(), ArmState::Fault) << command;
+  }
+  crtk_.enable();
+  cycles(20);
+  EXPECT_EQ(state(), ArmState::Enabled) << "the encoder has not jumped again";
+  joints_.displace(kPitch, 0);
+  cycles(1);
+  EXPECT_EQ(state(), ArmState::Fault) << "it jumps back";
+  crtk_.disable();
+  cycles(1);
+  EXPECT_EQ(state(), ArmState::Disabled);
+}
+
+TEST_F(DriveFaultTest, OfAnEffortThatLastsComesAgain) {
+  joints_.draw(kPitch, 0.31);
+  cycles(60);
+  ASSERT_EQ(state(), ArmState::Fault);
+  crtk_.enable();
+  cycles(40);
+  EXPECT_EQ(state(), ArmState::Enabled) << "for as long as it may last";
+  cycles(20);
+  EXPECT_EQ(state(), ArmState::Fault);
+}
+
+class DriveWatchTest : public testing::Test {
+ protected:
+  using Watch = DriveWatch<2>;
+
+  std::optional<DriveFault> look(double position, double tool, suture::Duration later) {
+    reading_.position[1] = position;
+    reading_.tool.position = tool;
+    reading_.stamp += later;
+    return watch_.look(reading_);
+  }
+
+  Watch watch_{{DriveBounds{}, {.rate_limit = 1, .encoder_step = 0.01}, {.rate_limit = 2}},
+               {.jump_factor = 2}};
+  DriveReading<2> reading_;
+};
+
+TEST_F(DriveWatchTest, JudgesByTheTimeThatHasPassed) {
+  EXPECT_FALSE(look(5, 0, 1s)) << "the first reading may be anywhere";
+  EXPECT_FALSE(look(5.2, 0, 100ms));
+  EXPECT_FALSE(look(5.42, 0, 100ms)) << "2 x (1 x 0.1 + 0.01)";
+  const auto fault = look(5.65, 0, 100ms);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->joint, 1);
+}
+
+TEST_F(DriveWatchTest, LooksAtAReadingOnce) {
+  (void)look(0, 0, 1s);
+  EXPECT_FALSE(look(9, 0, 0s));
+}
+
+TEST_F(DriveWatchTest, LooksAtTheToolToo) {
+  (void)look(0, 0, 1s);
+  EXPECT_FALSE(look(0, 0.4, 100ms));
+  const auto fault = look(0, 0.9, 100ms);
+  ASSERT_TRUE(fault);
+  EXPECT_EQ(fault->joint, 2);
+}
+
+}  // namespace
+}  // namespace robots::test
