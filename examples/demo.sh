@@ -10,9 +10,7 @@ Usage: examples/demo.sh [options]
 Installs the Debian packages that are missing, builds, and runs the teleoperation demo: two masters drive two slaves
 at 1 kHz, and the run is judged. Exit status 0 only if all went well.
 
-  --topology single|fig3a|fig3b|fig3c
-                                 one process; two, each with its own pair; three, with a knot to be placed by what cameras
-                                 see; two with swapped slaves (default fig3c)
+  --topology NAME|FILE.json      one of those below (default fig3c), or a deployment file of your own
   --lane auto|shm|frame|rpc      how connections travel: the fastest that fits, shared memory, frames, Cap'n Proto RPC (default auto)
   --network auto|unix|tcp|tls|namespaces
                                  what processes talk over: TLS between a network namespace for each process (auto, as root), TCP
@@ -24,9 +22,14 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
   --rate HZ                      cycles a second of the tasks that control an arm (default 1000); cameras and what looks at their
                                  images keep their periods, and connections the ages they permit
   --json FILE                    also write all figures to FILE
-  --picture FILE                 with fig3b: write the scene at the end as the endoscope sees it, and how the knot came to its
-                                 target, as a PNG
+  --picture FILE                 where a knot is placed: write the scene at the end as the endoscope sees it, and how the knot
+                                 came to its target, as a PNG
+
+Topologies, which are the deployment files in examples/teleoperation:
 HELP
+  for file in "$root"/examples/teleoperation/*.json; do
+    printf '  %-12s %s\n' "$(basename "$file" .json)" "$(sed -n 's/^  "title": "\(.*\)",$/\1/p' "$file")"
+  done
 }
 
 build() (

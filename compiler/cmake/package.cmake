@@ -58,7 +58,9 @@ endif()
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME robots)
 install(TARGETS ${robots} EXPORT SutureRobotsTargets)
-install(TARGETS suture-workstation)
+install(TARGETS suture-workstation suture-demo)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/teleoperation/
+  DESTINATION share/suture/teleoperation FILES_MATCHING PATTERN "*.json")
 install(EXPORT SutureRobotsTargets NAMESPACE suture:: DESTINATION ${package})
 # Those that are not annotated; suture_generate() installs the others.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/components/

@@ -18,10 +18,10 @@
 #include "crew.h"
 #include "following_watch.h"
 #include "knot_picture.h"
-#include "paths.h"
 #include "plan.h"
 #include "result_file.h"
 #include "screen.h"
+#include "topologies.h"
 #include "verdict.h"
 
 namespace {
@@ -55,11 +55,10 @@ class RunFolder {
 
 void declare(CLI::App& app, demo::Options& options) {
   app.add_option("--topology", options.topology,
-                 "single: everything in one process; fig3a: two processes, each with a master and "
-                 "the slave it drives; fig3b: three, in which both masters place a knot by what a "
-                 "stereo endoscope sees; fig3c: each master drives the other process's slave")
-      ->capture_default_str()
-      ->check(CLI::IsMember(demo::topologiesIn(paths::kTopologies)));
+                 "Which processes there are, and what runs in them: one of those below, or a "
+                 "deployment file")
+      ->type_name("NAME|FILE.json")
+      ->capture_default_str();
   app.add_option("--lane", options.lane,
                  "auto: the fastest lane that fits; shm: shared memory, rpc: Cap'n Proto RPC, both "
                  "even within a process, but for an arm and its drives")
@@ -94,8 +93,8 @@ void declare(CLI::App& app, demo::Options& options) {
       ->check(CLI::Range(50.0, 10000.0));
   app.add_option("--json", options.json, "Also write all figures to this file");
   app.add_option("--picture", options.picture,
-                 "With fig3b: write to this PNG the scene at the end as the endoscope sees it, and "
-                 "how the knot came to its target");
+                 "Where a knot is placed: write to this PNG the scene at the end as the endoscope "
+                 "sees it, and how the knot came to its target");
 }
 
 /// Since the last call, of the slave that was farthest off, m at p99; none if none follows.
@@ -117,16 +116,17 @@ bool succeeds(const std::function<void()>& work) {
   }
 }
 
-int run(const demo::Options& options) {
+fs::path programs() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+int run(const demo::Options& options, const demo::Topologies& topologies) {
   demo::blockEndSignals();
   const RunFolder folder;
   demo::Network network(options.network, options.lane);
-  demo::Plan plan(options, network, paths::kTopologies, folder.path());
+  demo::Plan plan(options, network, topologies.find(options.topology), folder.path());
   if (!options.picture.empty()) demo::requireKnot(plan);
   const suture::Duration length = demo::lengthOf(options);
   const auto cutOff = demo::parseBreak(options.cutOff, plan, length);
-  demo::Crew crew(plan, network, cutOff, fs::read_symlink("/proc/self/exe").parent_path(),
-                  folder.path());
+  demo::Crew crew(plan, network, cutOff, programs(), folder.path());
   demo::Screen screen;
   screen.begin(options, plan, network);
   auto watches = demo::watchAll(plan.followings());
@@ -135,9 +135,10 @@ int run(const demo::Options& options) {
   });
   const demo::Verdict verdict = demo::judgeRun(plan, cutOff, result, watches);
   screen.end(result, verdict);
-  const bool wrote = options.json.empty() || succeeds([&] {
-                       demo::writeResult(options.json, options, network, result, verdict);
-                     });
+  const bool wrote =
+      options.json.empty() || succeeds([&] {
+        demo::writeResult(options.json, plan.name(), options, network, result, verdict);
+      });
   const bool drew = options.picture.empty() || succeeds([&] {
                       demo::drawKnot(options.picture, demo::requireKnot(plan), result.outage);
                     });
@@ -157,8 +158,10 @@ int main(int argc, char** argv) {
       "pressed, and the files that were "
       "asked for are written.");
   declare(app, options);
+  const auto topologies = demo::Topologies::besideProgramsIn(programs());
+  app.footer("Topologies:\n" + topologies.list());
   CLI11_PARSE(app, argc, argv);
   int status = 1;
-  succeeds([&] { status = run(options); });
+  succeeds([&] { status = run(options, topologies); });
   return status;
 }

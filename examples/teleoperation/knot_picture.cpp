@@ -196,8 +196,10 @@ void drawDistance(Canvas& canvas, const Axes& axes, const std::vector<KnotRow>& 
 
 const KnotPlacing& requireKnot(const Plan& plan) {
   if (plan.knot()) return *plan.knot();
-  throw suture::SetupError("drawing a picture", "nothing in this topology places a knot",
-                           "Use --topology fig3b, or leave --picture out");
+  throw suture::SetupError(
+      "drawing a picture", "nothing in this topology places a knot",
+      "Choose one with a KnotGuide and a KnotRecorder, such as fig3b, or leave --picture "
+      "out");
 }
 
 void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing,

@@ -57,7 +57,7 @@ void setStop(json& component, const Moment& stop) {
   component["parameters"]["release_after"] = seconds(stop.length);
 }
 
-/// An arm and its drives share a process in every topology, and exchange more than all others do.
+/// An arm and its drives exchange more than all others do, and mostly within a process.
 void setLane(json& connection, const std::string& lane) {
   if (!connection.at("to").get<std::string>().ends_with("/Drives")) connection["lane"] = lane;
 }
@@ -73,13 +73,10 @@ void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
 }
 
 std::filesystem::path write(const Options& options, const std::optional<Moment>& stop,
-                            bool realTime, Network& network,
-                            const std::filesystem::path& topologies,
+                            bool realTime, Network& network, const std::filesystem::path& topology,
                             const std::filesystem::path& folder) {
   // Checked before it is changed, so that a message names the topology's own file and line.
-  const suture::Deployment topology(
-      suture::JsonDocument::read(topologies / (options.topology + ".json")));
-  json system = topology.document().value();
+  json system = suture::Deployment(suture::JsonDocument::read(topology)).document().value();
   system.erase("$schema");
   system.erase("manager");
   if (system.at("processes").size() > 1 || options.lane != "auto") {
@@ -156,21 +153,13 @@ suture::Duration lengthOf(const Options& options) {
       std::chrono::duration<double>(options.seconds));
 }
 
-std::vector<std::string> topologiesIn(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-Plan::Plan(const Options& options, Network& network, const std::filesystem::path& topologies,
+Plan::Plan(const Options& options, Network& network, const std::filesystem::path& topology,
            const std::filesystem::path& folder)
-    : stop_(parseStop(options.stop, lengthOf(options))),
-      realTime_(mayHave(highestPriorityIn(topologies / (options.topology + ".json")))),
+    : name_(topology.stem()),
+      stop_(parseStop(options.stop, lengthOf(options))),
+      realTime_(mayHave(highestPriorityIn(topology))),
       folder_(folder),
-      file_(write(options, stop_, realTime_, network, topologies, folder)),
+      file_(write(options, stop_, realTime_, network, topology, folder)),
       deployment_(suture::JsonDocument::read(file_)) {
   findArms();
   findFollowings(folder);

@@ -16,7 +16,7 @@
 namespace demo {
 
 struct Options {
-  std::string topology = "fig3c";
+  std::string topology = "fig3c";  // as Topologies takes it
   std::string lane = "auto";
   std::string network = "auto";  // as Network takes it
   double seconds = 10;
@@ -29,9 +29,6 @@ struct Options {
 
 /// How long the run shall last.
 suture::Duration lengthOf(const Options& options);
-
-/// The topologies that there are: the deployment files in `folder`, without ".json".
-std::vector<std::string> topologiesIn(const std::filesystem::path& folder);
 
 /// One slave that shall follow one master, and where the two are recorded.
 struct Following {
@@ -61,9 +58,11 @@ class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
   /// lacks what the run is judged by.
-  Plan(const Options& options, Network& network, const std::filesystem::path& topologies,
+  Plan(const Options& options, Network& network, const std::filesystem::path& topology,
        const std::filesystem::path& folder);
 
+  /// That of the topology's file, without ".json".
+  const std::string& name() const { return name_; }
   const std::filesystem::path& file() const { return file_; }
   const suture::Deployment& deployment() const { return deployment_; }
   bool needsManager() const { return !deployment_.manager().empty(); }
@@ -102,6 +101,7 @@ class Plan {
   std::string connectedTo(const std::string& required) const;
   std::filesystem::path recordingOf(const std::string& provided) const;
 
+  const std::string name_;
   const std::optional<Moment> stop_;
   const bool realTime_;
   std::filesystem::path folder_, file_;

@@ -29,9 +29,10 @@ json toJson(const ArmFigures& arm) {
 
 }  // namespace
 
-void writeResult(const std::filesystem::path& file, const Options& options, const Network& network,
-                 const CrewResult& result, const Verdict& verdict) {
-  json out = {{"topology", options.topology},
+void writeResult(const std::filesystem::path& file, const std::string& topology,
+                 const Options& options, const Network& network, const CrewResult& result,
+                 const Verdict& verdict) {
+  json out = {{"topology", topology},
               {"lane", options.lane},
               {"network", network.name()},
               {"rate", options.rate},

@@ -9,10 +9,11 @@
 
 namespace demo {
 
-/// JSON: the options, each connection, arm, task and check, the knot, and who held during a break.
-/// Durations are ns, lengths m, angles rad. Throws suture::SetupError if the file cannot be
-/// written.
-void writeResult(const std::filesystem::path& file, const Options& options, const Network& network,
-                 const CrewResult& result, const Verdict& verdict);
+/// JSON: the topology's name, the options, each connection, arm, task and check, the knot, and who
+/// held during a break. Durations are ns, lengths m, angles rad. Throws suture::SetupError if the
+/// file cannot be written.
+void writeResult(const std::filesystem::path& file, const std::string& topology,
+                 const Options& options, const Network& network, const CrewResult& result,
+                 const Verdict& verdict);
 
 }  // namespace demo

@@ -93,9 +93,11 @@ std::string Screen::verdictMark(bool passed) const {
 void Screen::begin(const Options& options, const Plan& plan, const Network& network) {
   const std::size_t processes = plan.deployment().processes().size();
   fmt::print("{}  {} process{}{}, {} connections, lane {}, {:g} Hz, {:g} s\n\n",
-             bold("Teleoperation " + options.topology), processes, processes == 1 ? "" : "es",
+             bold("Teleoperation " + plan.name()), processes, processes == 1 ? "" : "es",
              plan.needsManager() ? " and a global manager" : "",
              plan.deployment().connections().size(), options.lane, options.rate, options.seconds);
+  if (const std::string title = plan.deployment().title(); !title.empty())
+    fmt::print("  {}\n", title);
   if (plan.needsManager()) fmt::print("  processes talk over {}\n", network.description());
   for (const Following& following : plan.followings()) {
     fmt::print("  {} drives {}\n", following.master, following.slave);

@@ -64,6 +64,8 @@ class Deployment {
   explicit Deployment(JsonDocument document);
 
   const JsonDocument& document() const { return document_; }
+  /// What the system is, for people; "" if the file does not say.
+  std::string title() const { return document_.value().value("title", ""); }
   /// Address of the global manager, or of several, separated by commas; "" if the file names none.
   const std::string& manager() const { return manager_; }
   /// The folder of keys and the policy file; "" if the file names none.

@@ -89,8 +89,9 @@ def robots(arguments):
 
 def installed_tree(arguments):
     prefix = arguments.package
-    for program in ("suturec", "suture", "suture-manager", "suture-workstation"):
-        succeed(f"{program} starts", [prefix / "bin" / program, "--help"])
+    for program in ("suturec", "suture", "suture-manager", "suture-workstation", "suture-demo"):
+        text = succeed(f"{program} starts", [prefix / "bin" / program, "--help"])
+    expect("  fig3c " in text, "the demo finds its topologies", text)
     ours = [file for ending in ("cmake", "h", "capnp", "md") for file in prefix.rglob(f"*.{ending}")
             if "clang" not in file.parts]
     build_folders = (f"{TREE}/", f"{arguments.build}", f"{prefix} at first")

@@ -120,7 +120,7 @@ class Demo(unittest.TestCase):
             [PROGRAMS / "suture-demo", "--topology", "fig3c", "--seconds", "1", "--picture", "knot.png"],
             capture_output=True, text=True, timeout=60)
         self.assertEqual(process.returncode, 1)
-        self.assertIn("nothing in this topology places a knot. Use --topology fig3b", process.stderr)
+        self.assertIn("nothing in this topology places a knot. Choose one with a KnotGuide", process.stderr)
         self.assertEqual(process.stdout, "", "it is refused before the run")
 
     def test_without_the_command_that_makes_namespaces(self):

@@ -80,8 +80,16 @@ TEST(Deployment, UnknownKeySuggestsTheRightOne) {
              "d.json:18: error: unknown key 'lanes'; did you mean 'lane'?");
   expectOnly(with("\"manager\"", "\"x\": 1, \"manager\""),
              "d.json:2: error: unknown key 'x'; known are '$schema', 'connections', 'keys', "
-             "'manager', 'policy' and "
-             "'processes'");
+             "'manager', 'policy', "
+             "'processes' and 'title'");
+}
+
+TEST(Deployment, TitleIsForPeopleAndMayBeLeftOut) {
+  const auto titleOf = [](const std::string& text) {
+    return Deployment(JsonDocument::parse(text, "d.json")).title();
+  };
+  EXPECT_EQ(titleOf(kSound), "");
+  EXPECT_EQ(titleOf(with("\"manager\"", "\"title\": \"two arms\", \"manager\"")), "two arms");
 }
 
 TEST(Deployment, EveryUnknownKeyIsTold) {

@@ -1,0 +1,66 @@
+"""A topology is a deployment file: those beside the demo are found by themselves, and any other may be named."""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from programs import Demo
+
+PROGRAMS = pathlib.Path(sys.argv.pop(1))
+TOPOLOGIES = pathlib.Path(__file__).resolve().parents[3] / "examples" / "teleoperation"
+
+
+def refusal_of(topology):
+    process = subprocess.run([PROGRAMS / "suture-demo", "--topology", topology], capture_output=True, text=True, timeout=60)
+    return process.returncode, process.stdout, process.stderr
+
+
+class Topologies(unittest.TestCase):
+    def test_each_file_is_offered_with_its_title(self):
+        text = subprocess.run([PROGRAMS / "suture-demo", "--help"], capture_output=True, text=True, timeout=60).stdout
+        files = list(TOPOLOGIES.glob("*.json"))
+        self.assertGreaterEqual(len(files), 5)
+        for file in files:
+            title = json.loads(file.read_text())["title"]
+            self.assertRegex(text, rf"(?m)^  {file.stem} +{title}$")
+
+    def test_unknown_name_is_answered_with_those_that_there_are(self):
+        status, output, errors = refusal_of("fig3d")
+        self.assertEqual((status, output), (1, ""))
+        self.assertIn("finding topology 'fig3d': ", errors)
+        self.assertIn("has 'fig3a', 'fig3b', 'fig3b_tasks', 'fig3c', 'single'. Name one of them, or a deployment file", errors)
+
+    def test_file_that_is_not_there(self):
+        status, output, errors = refusal_of("/no/such.json")
+        self.assertEqual((status, output), (1, ""))
+        self.assertIn("finding topology '/no/such.json'", errors)
+
+    def test_new_file_is_a_new_topology(self):
+        """One master drives the slave of the other workstation, and nobody drives the other slave."""
+        deployment = json.loads((TOPOLOGIES / "fig3c.json").read_text())
+        deployment["title"] = "one slave alone"
+        left, right = (process["components"] for process in deployment["processes"])
+        gone = ("TeleopR", "SurgeonR", "RecorderMTMR")
+        right[:] = [one for one in right if one["name"] not in gone]
+        console = next(one for one in left if one["class"] == "SystemConsole")
+        console["parameters"]["system"].remove("TeleopR")
+        deployment["connections"] = [one for one in deployment["connections"]
+                                     if not any(name in one["from"] + one["to"] for name in gone)]
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "alone.json"
+            file.write_text(json.dumps(deployment))
+            with Demo(PROGRAMS, "--topology", file, "--rate", "500", "--seconds", "4") as demo:
+                _, output = demo.finish()
+                result = demo.result()
+        self.assertEqual(result["failures"], [], output)
+        self.assertEqual(result["topology"], "alone")
+        self.assertIn("Teleoperation alone  2 processes", output)
+        self.assertIn("one slave alone", output)
+        self.assertEqual({arm["name"]: arm["follows"] for arm in result["arms"] if "follows" in arm},
+                         {"right:PSM1": "left:MTML"})
+
+
+unittest.main()
