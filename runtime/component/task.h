@@ -64,6 +64,10 @@ class Task : public Component {
   /// How its thread is scheduled once it runs; none if that is somebody else's.
   virtual std::optional<rt::Scheduling> scheduling() const { return std::nullopt; }
 
+  /// What its thread has had of the processors so far; none if its cycles run in the thread of
+  /// somebody else. Any thread.
+  virtual std::optional<Duration> processorTime() const { return std::nullopt; }
+
   const TaskStatistics& statistics() const { return statistics_; }
   /// Whether its thread works, sleeps or hangs: that of its host, if it is a guest. Any thread.
   const Pulse& pulse() const {

@@ -30,6 +30,7 @@ void ThreadTask::start() {
 }
 
 void ThreadTask::configureAndLoop() {
+  processor_.begin();
   try {
     rt::configureThisThread(name(), scheduling_);
     enter();
@@ -39,6 +40,7 @@ void ThreadTask::configureAndLoop() {
   const bool runs = refused_ == nullptr;
   entered_.ring();
   if (runs) loop();
+  processor_.end();
 }
 
 void ThreadTask::stop() {

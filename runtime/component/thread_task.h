@@ -2,6 +2,7 @@
 // A task with a thread of its own.
 
 #include <suture/component/task.h>
+#include <suture/rt/processor_clock.h>
 #include <suture/rt/scheduling.h>
 #include <suture/rt/thread.h>
 
@@ -20,6 +21,8 @@ class ThreadTask : public Task {
     return true;
   }
   std::optional<rt::Scheduling> scheduling() const final { return scheduling_; }
+
+  std::optional<Duration> processorTime() const final { return processor_.used(); }
 
   /// Errors of scheduling are thrown here, in the caller's thread.
   void start() final;
@@ -47,6 +50,7 @@ class ThreadTask : public Task {
 
   rt::Scheduling scheduling_;
   rt::Thread thread_;
+  rt::ProcessorClock processor_;
   rt::Doorbell entered_;
   std::exception_ptr refused_;  // why the thread could not be configured; read after entered_
   rt::Doorbell stopBell_;

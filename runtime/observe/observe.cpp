@@ -2,6 +2,7 @@
 #include <suture/component/task.h>
 #include <suture/observe/observe.h>
 #include <suture/rt/counter.h>
+#include <suture/rt/processor_clock.h>
 
 #include <algorithm>
 
@@ -97,6 +98,7 @@ TaskReport reportOf(const Task& task) {
           .skipped = rt::count(statistics.skipped),
           .lateness = distribution(statistics.lateness),
           .computeTime = distribution(statistics.computeTime),
+          .processorTime = task.processorTime(),
           .window = reportOf(statistics.windows.last())};
 }
 
@@ -131,6 +133,7 @@ Report observe(const Manager& manager, Time began) {
       report.devices.push_back(reportOf(*component));
     }
   }
+  report.processorTime = rt::processorTimeOfProcess();
   return report;
 }
 

@@ -121,6 +121,7 @@ void eachField(TaskValue& value, const Visit& visit) requires
   visit("skipped", value.skipped);
   visit("lateness", value.lateness);
   visit("compute_time", value.computeTime);
+  visit("processor_time", value.processorTime);
   visit("window", value.window);
 }
 
@@ -205,9 +206,10 @@ json toJson(const TaskReport& report) { return structToJson(report); }
 json toJson(const DeviceReport& report) { return structToJson(report); }
 
 json toJson(const Report& report) {
-  json out = {{"process", report.process}, {"incarnation", report.incarnation},
-              {"age", report.age.count()}, {"connections", json::array()},
-              {"tasks", json::array()},    {"devices", json::array()}};
+  json out = {{"process", report.process},    {"incarnation", report.incarnation},
+              {"age", report.age.count()},    {"processor_time", report.processorTime.count()},
+              {"connections", json::array()}, {"tasks", json::array()},
+              {"devices", json::array()}};
   for (const ConnectionReport& one : report.connections) out["connections"].push_back(toJson(one));
   for (const TaskReport& one : report.tasks) out["tasks"].push_back(toJson(one));
   for (const DeviceReport& one : report.devices) out["devices"].push_back(toJson(one));
@@ -225,6 +227,7 @@ Report reportFromJson(const json& in) {
     report.devices.push_back(structFromJson<DeviceReport>(one));
   }
   report.incarnation = in.at("incarnation").get<std::uint64_t>();
+  report.processorTime = Duration(in.at("processor_time").get<std::int64_t>());
   report.refusals = structFromJson<rpc::Refusals::Summary>(in.at("refusals"));
   return report;
 }

@@ -94,6 +94,8 @@ struct TaskReport {
   std::uint64_t cycles = 0, skipped = 0;
   Distribution lateness;  ///< wake-up time minus due time: the jitter of the period
   Distribution computeTime;
+  /// What its thread has had of the processors; none if another's thread runs it.
+  std::optional<Duration> processorTime = {};
   WindowReport window;  ///< the last whole one
 };
 
@@ -112,6 +114,7 @@ struct Report {
   std::vector<DeviceReport> devices = {};
   rpc::Refusals::Summary refusals = {};  ///< peers, and requests of peers
   std::uint64_t incarnation = 0;  ///< of this start of the process; 0 without a global manager
+  Duration processorTime{};       ///< of all its threads: of tasks, and of what carries connections
 };
 
 /// Durations are written as whole nanoseconds; "dropped" beside what it is the sum of; a contract

@@ -38,6 +38,10 @@ std::string microseconds(Duration duration) {
   return decimal(std::chrono::duration<double, std::micro>(duration).count(), 1) + " us";
 }
 
+std::string milliseconds(Duration duration) {
+  return decimal(std::chrono::duration<double, std::milli>(duration).count(), 1) + " ms";
+}
+
 std::string counted(const char* what, std::uint64_t count) {
   return std::string(what) + " " + std::to_string(count);
 }
@@ -60,7 +64,7 @@ std::string line(const TaskReport& task) {
   return lifeOf(task) + (special ? ", " + task.scheduling : "") + ", " +
          counted("cycles", task.cycles) + ", " + counted("skipped", task.skipped) +
          distributed("lateness", task.lateness) + distributed("compute time", task.computeTime) +
-         "\n";
+         (task.processorTime ? ", processor time " + milliseconds(*task.processorTime) : "") + "\n";
 }
 
 std::string keptContract(const ConnectionReport& one) {
@@ -116,7 +120,11 @@ std::string toText(const Report& report) {
                                   ? ""
                                   : "refused to peers: " + std::to_string(refusals.count) +
                                         ", the latest to " + refusals.latest + "\n";
-  return "process " + report.process + " after " + decimal(seconds, 1) + " s\n" + refused +
+  return "process " + report.process + " after " + decimal(seconds, 1) + " s" +
+         (report.processorTime > Duration{0}
+              ? ", processor time " + milliseconds(report.processorTime)
+              : "") +
+         "\n" + refused +
          section("tasks", report.tasks, [](const TaskReport& one) { return line(one); }) +
          section("devices", report.devices,
                  [](const DeviceReport& one) { return lifeOf(one) + "\n"; }) +

@@ -70,6 +70,8 @@ TEST(Observe, CountsWhatALocalConnectionDoes) {
   EXPECT_GE(report.tasks[1].lateness.count, 3u);
   EXPECT_GT(report.tasks[0].computeTime.max, 0ns);
   EXPECT_GE(report.tasks[0].window.length, 2ms);
+  EXPECT_GT(report.tasks[0].processorTime.value(), 0ns);
+  EXPECT_GE(report.processorTime, report.tasks[0].processorTime.value());
   EXPECT_GT(report.tasks[0].window.period.mean, 0ns);
   EXPECT_GT(report.tasks[0].window.compute.p99, 0ns);
 }

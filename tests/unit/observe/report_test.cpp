@@ -48,9 +48,10 @@ suture::Report sample() {
   task.skipped = 22;
   task.lateness = {23, 24ns, 25ns, 26ns};
   task.computeTime = {27, 28ns, 29ns, 30ns};
+  task.processorTime = 66ns;
   task.window = {31ns, 32, 33, {34ns, 35ns, 36ns, 37ns, 38ns}, {39ns, 40ns, 41ns, 42ns, 43ns}};
   const suture::DeviceReport device{"Shelf", suture::ComponentState::Faulted, "it fell", 54};
-  return {"left", 2s, {connection}, {task}, {device}, {58, "user 7: no"}, 59};
+  return {"left", 2s, {connection}, {task}, {device}, {58, "user 7: no"}, 59, 67ns};
 }
 
 TEST(Report, SurvivesJson) {
@@ -84,6 +85,8 @@ TEST(Report, EveryFieldIsInTheJson) {
   EXPECT_EQ(task.at("fault"), "it threw");
   EXPECT_EQ(task.at("faults"), 53);
   EXPECT_EQ(task.at("compute_time").at("p99"), 29);
+  EXPECT_EQ(task.at("processor_time"), 66);
+  EXPECT_EQ(json.at("processor_time"), 67);
   EXPECT_EQ(task.at("window").at("cycles"), 32);
   EXPECT_EQ(task.at("window").at("period").at("deviation"), 35);
   EXPECT_EQ(task.at("window").at("compute").at("p99"), 43);

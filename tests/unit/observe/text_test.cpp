@@ -30,13 +30,21 @@ TEST(Text, TellsAllOfAProcess) {
                   .skipped = 1,
                   .lateness = {500, 1us, 20us, 300us},
                   .computeTime = {},
+                  .processorTime = 12345us,
                   .window = {}};
   EXPECT_EQ(
-      toText({"right", 1500ms, {}, {task}, {{"Shelf", ComponentState::Running, "", 0}}}),
-      "process right after 1.5 s\n"
+      toText({"right",
+              1500ms,
+              {},
+              {task},
+              {{"Shelf", ComponentState::Running, "", 0}},
+              {},
+              0,
+              67800us}),
+      "process right after 1.5 s, processor time 67.8 ms\n"
       "tasks\n"
       "  PSM: faulted (no answer), faults 2, fifo 80, cycles 500, skipped 1, lateness p50 1.0 "
-      "us, p99 20.0 us, max 300.0 us\n"
+      "us, p99 20.0 us, max 300.0 us, processor time 12.3 ms\n"
       "devices\n"
       "  Shelf: running, faults 0\n");
 }
