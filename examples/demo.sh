@@ -11,6 +11,7 @@ Installs the Debian packages that are missing, builds, and runs the teleoperatio
 at 1 kHz, and the run is judged. Exit status 0 only if all went well.
 
   --topology NAME|FILE.json      one of those below (default fig3c), or a deployment file of your own
+  --compare NAME NAME            run nothing, but print what differs between two topologies, by their files alone
   --lane auto|shm|frame|rpc      how connections travel: the fastest that fits, shared memory, frames, Cap'n Proto RPC (default auto)
   --network auto|unix|tcp|tls|namespaces
                                  what processes talk over: TLS between a network namespace for each process (auto, as root), TCP

@@ -32,6 +32,7 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   const std::string& title() const { return title_; }
+  pid_t pid() const { return pid_; }
   /// To wait on; -1 once it has been read to its end.
   int output() const { return output_; }
   /// The complete lines that have arrived. Does not block.

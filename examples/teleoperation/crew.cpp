@@ -2,6 +2,7 @@
 
 #include <poll.h>
 #include <sys/signalfd.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -240,11 +241,23 @@ void Crew::readManager() {
   managerReady_ = true;
 }
 
+/// Asks the kernel what the process really runs; equal files are read once.
+void Crew::noticeProgram(const ChildProcess& process) {
+  const std::string file = "/proc/" + std::to_string(process.pid()) + "/exe";
+  struct stat status {};
+  if (stat(file.c_str(), &status) != 0) return;  // it has ended, which is told
+  if (!hashed_.insert({status.st_dev, status.st_ino}).second) return;
+  const ProgramHash hash = hashProgram(file);
+  auto& programs = result_.programs;
+  if (std::find(programs.begin(), programs.end(), hash) == programs.end()) programs.push_back(hash);
+}
+
 void Crew::handle(Workstation& workstation, const std::string& line) {
   const auto message = nlohmann::json::parse(line);
   const std::string kind = message.at("kind");
   if (kind == "started") {
     workstation.started = true;
+    noticeProgram(workstation.process);
   } else if (kind == "report") {
     workstation.report = suture::reportFromJson(message);
     ++workstation.reports;

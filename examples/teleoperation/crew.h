@@ -3,17 +3,21 @@
 
 #include <suture/base/time.h>
 #include <suture/observe/report.h>
+#include <sys/types.h>
 
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "break.h"
 #include "child_process.h"
 #include "plan.h"
+#include "program_hash.h"
 
 namespace demo {
 
@@ -21,6 +25,7 @@ struct CrewResult {
   std::vector<suture::Report> reports;  ///< the last of each process
   std::vector<std::string> failures;    ///< what went wrong, by name
   bool interrupted = false;             ///< by Ctrl-C, or a request to end
+  std::vector<ProgramHash> programs;    ///< that ran as workstations: different ones only
   std::optional<Outage> outage;         ///< of a run in which a process was cut off and is back
   suture::Duration ran{};               ///< from when all were connected
 };
@@ -69,6 +74,7 @@ class Crew {
   void readSignals();
   void readOutputs();
   void readManager();
+  void noticeProgram(const ChildProcess& process);
   void handle(Workstation& workstation, const std::string& line);
   void noticeEnds();
   template <class Ended>
@@ -91,6 +97,7 @@ class Crew {
   int signals_;
   std::unique_ptr<ChildProcess> manager_;
   bool managerReady_ = false;
+  std::set<std::pair<dev_t, ino_t>> hashed_;  // files of programs
   std::vector<std::unique_ptr<Workstation>> workstations_;
   std::vector<const ChildProcess*> ended_;
   std::optional<suture::Time> broken_;  // since then a process is cut off

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "break.h"
+#include "comparison.h"
 #include "crew.h"
 #include "following_watch.h"
 #include "knot_picture.h"
@@ -59,6 +60,10 @@ void declare(CLI::App& app, demo::Options& options) {
                  "deployment file")
       ->type_name("NAME|FILE.json")
       ->capture_default_str();
+  app.add_option("--compare", options.compare,
+                 "Run nothing, but print what differs between two topologies, by their files alone")
+      ->type_name("NAME|FILE.json NAME|FILE.json")
+      ->expected(2);
   app.add_option("--lane", options.lane,
                  "auto: the fastest lane that fits; shm: shared memory, rpc: Cap'n Proto RPC, both "
                  "even within a process, but for an arm and its drives")
@@ -118,6 +123,20 @@ bool succeeds(const std::function<void()>& work) {
 
 fs::path programs() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
+suture::Deployment deploymentOf(const fs::path& topology) {
+  return suture::Deployment(suture::JsonDocument::read(topology));
+}
+
+/// Prints what the files say and runs nothing.
+void printComparison(const std::vector<std::string>& names, const demo::Topologies& topologies) {
+  const auto first = deploymentOf(topologies.find(names.at(0)));
+  const auto second = deploymentOf(topologies.find(names.at(1)));
+  const demo::ProgramHash program = demo::hashProgram(programs() / "suture-workstation");
+  std::printf("%s\nOne program runs every process of both: %s, SHA-256\n%s\n",
+              describe(demo::compare(first, second), names.at(0), names.at(1)).c_str(),
+              program.name.c_str(), program.sha256.c_str());
+}
+
 int run(const demo::Options& options, const demo::Topologies& topologies) {
   demo::blockEndSignals();
   const RunFolder folder;
@@ -134,11 +153,10 @@ int run(const demo::Options& options, const demo::Topologies& topologies) {
     screen.progress(ran, reports, worstError(watches));
   });
   const demo::Verdict verdict = demo::judgeRun(plan, cutOff, result, watches);
-  screen.end(result, verdict);
-  const bool wrote =
-      options.json.empty() || succeeds([&] {
-        demo::writeResult(options.json, plan.name(), options, network, result, verdict);
-      });
+  screen.end(plan, result, verdict);
+  const bool wrote = options.json.empty() || succeeds([&] {
+                       demo::writeResult(options.json, options, plan, network, result, verdict);
+                     });
   const bool drew = options.picture.empty() || succeeds([&] {
                       demo::drawKnot(options.picture, demo::requireKnot(plan), result.outage);
                     });
@@ -161,6 +179,9 @@ int main(int argc, char** argv) {
   const auto topologies = demo::Topologies::besideProgramsIn(programs());
   app.footer("Topologies:\n" + topologies.list());
   CLI11_PARSE(app, argc, argv);
+  if (!options.compare.empty()) {
+    return succeeds([&] { printComparison(options.compare, topologies); }) ? 0 : 1;
+  }
   int status = 1;
   succeeds([&] { status = run(options, topologies); });
   return status;

@@ -153,6 +153,10 @@ suture::Duration lengthOf(const Options& options) {
       std::chrono::duration<double>(options.seconds));
 }
 
+std::string nameOf(const ConnectionEntry& connection) {
+  return connection.from.toString() + " -> " + connection.to.toString();
+}
+
 Plan::Plan(const Options& options, Network& network, const std::filesystem::path& topology,
            const std::filesystem::path& folder)
     : name_(topology.stem()),
@@ -252,8 +256,7 @@ void Plan::findLanes(const char* fastestLane) {
     const bool within = connection.from.process == connection.to.process;
     const char* const fastest = within ? "local" : fastestLane;
     const bool forced = connection.lane != suture::Lane::Auto;
-    lanes_[connection.from.toString() + " -> " + connection.to.toString()] =
-        forced ? toString(connection.lane) : fastest;
+    lanes_[nameOf(connection)] = forced ? toString(connection.lane) : fastest;
   }
 }
 

@@ -20,11 +20,12 @@ struct Options {
   std::string lane = "auto";
   std::string network = "auto";  // as Network takes it
   double seconds = 10;
-  double rate = 1000;   // Hz, of the tasks that control an arm
-  std::string json;     // "": not wanted
-  std::string picture;  // "": not wanted
-  std::string cutOff;   // as parseBreak() takes it
-  std::string stop;     // as parseStop() takes it
+  double rate = 1000;                // Hz, of the tasks that control an arm
+  std::string json;                  // "": not wanted
+  std::string picture;               // "": not wanted
+  std::string cutOff;                // as parseBreak() takes it
+  std::string stop;                  // as parseStop() takes it
+  std::vector<std::string> compare;  // two topologies; empty: not wanted
 };
 
 /// How long the run shall last.
@@ -49,6 +50,9 @@ struct KnotPlacing {
   Eigen::Vector3d target, approach;  ///< m; a direction
   double radius, slope;  ///< of the corridor: m at the target, and by which it widens before it
 };
+
+/// As reports call the connection.
+std::string nameOf(const suture::ConnectionEntry& connection);
 
 /// The topology's deployment file with the run's rate, lane, stop, manager and keys, written into
 /// the run's folder. The rate is that of each task whose period the topology's file states as 1 ms;
@@ -85,6 +89,8 @@ class Plan {
   const std::optional<KnotPlacing>& knot() const { return knot_; }
   /// The lane that each connection must have, by name.
   const std::map<std::string, std::string>& lanes() const { return lanes_; }
+  /// That of a name "process:component". Throws suture::SetupError if there is none.
+  const suture::ComponentEntry& component(const std::string& name) const;
 
  private:
   template <class Chosen>
@@ -97,7 +103,6 @@ class Plan {
   void findPermit();
   /// The first component of a class; null if there is none.
   const suture::ComponentEntry* componentOfClass(const std::string& name) const;
-  const suture::ComponentEntry& component(const std::string& name) const;
   std::string connectedTo(const std::string& required) const;
   std::filesystem::path recordingOf(const std::string& provided) const;
 

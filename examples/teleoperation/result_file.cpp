@@ -5,6 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "paper_table.h"
+
 namespace demo {
 namespace {
 
@@ -29,10 +31,9 @@ json toJson(const ArmFigures& arm) {
 
 }  // namespace
 
-void writeResult(const std::filesystem::path& file, const std::string& topology,
-                 const Options& options, const Network& network, const CrewResult& result,
-                 const Verdict& verdict) {
-  json out = {{"topology", topology},
+void writeResult(const std::filesystem::path& file, const Options& options, const Plan& plan,
+                 const Network& network, const CrewResult& result, const Verdict& verdict) {
+  json out = {{"topology", plan.name()},
               {"lane", options.lane},
               {"network", network.name()},
               {"rate", options.rate},
@@ -40,11 +41,16 @@ void writeResult(const std::filesystem::path& file, const std::string& topology,
               {"interrupted", result.interrupted},
               {"failures", result.failures},
               {"passed", verdict.passed() && !result.interrupted},
+              {"programs", json::array()},
+              {"ages", PaperTable(plan, verdict.connections).figures()},
               {"connections", json::array()},
               {"arms", json::array()},
               {"processes", json::array()},
               {"held", json::array()},
               {"checks", json::array()}};
+  for (const ProgramHash& one : result.programs) {
+    out["programs"].push_back({{"name", one.name}, {"sha256", one.sha256}});
+  }
   for (const HeldSlave& slave : verdict.held) {
     const auto& resumed = slave.judgement.resumed_after;
     out["held"].push_back({{"name", slave.name},

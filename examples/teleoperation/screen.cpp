@@ -8,73 +8,19 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "table.h"
+#include "component_table.h"
+#include "connection_table.h"
+#include "paper_table.h"
 #include "timing/seconds.h"
+#include "units.h"
 
 namespace demo {
 namespace {
 
 using suture::ConnectionReport;
-using suture::Distribution;
 using suture::Duration;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-
-std::string milliseconds(Duration duration) {
-  return fmt::format("{:.2f}", std::chrono::duration<double, std::milli>(duration).count());
-}
-
-std::string microseconds(Duration duration) {
-  return fmt::format("{:.0f}", std::chrono::duration<double, std::micro>(duration).count());
-}
-
-std::string bytes(std::uint64_t count) {
-  if (count == 0) return "-";
-  const auto number = static_cast<double>(count);
-  return number < 1e6 ? fmt::format("{:.1f} kB", number / 1e3)
-                      : fmt::format("{:.1f} MB", number / 1e6);
-}
-
-std::string count(std::uint64_t number) { return number == 0 ? "-" : fmt::format("{}", number); }
-
-std::vector<std::string> ageCells(const char* what, const Distribution& age) {
-  if (age.count == 0) return {"-", "", "", ""};
-  return {what, milliseconds(age.p50), milliseconds(age.p99), milliseconds(age.max)};
-}
-
-// "left: Teleop/Master -> MTM/Arm" within a process, as it is between two.
-std::string shortName(const std::string& name) {
-  const std::size_t colon = name.find(':');
-  const std::string process = name.substr(0, colon + 1);
-  const std::size_t second = name.find(" -> " + process);
-  if (second == std::string::npos) return name;
-  return process + " " + name.substr(colon + 1, second - colon - 1) + " -> " +
-         name.substr(second + 4 + process.size());
-}
-
-void addConnection(Table& table, const ConnectionReport& one) {
-  std::vector<std::string> cells{shortName(one.name),
-                                 one.lane,
-                                 bytes(one.bytesSent + one.bytesReceived),
-                                 count(one.sent),
-                                 count(one.executed),
-                                 count(one.replaced),
-                                 count(one.dropped()),
-                                 count(one.late)};
-  // 0 tells that a contract was kept, "-" that there is none.
-  cells.push_back(one.contract ? fmt::format("{}", one.contract->staleReads) : "-");
-  cells.push_back(one.contract ? fmt::format("{}", one.contract->losses) : "-");
-  const bool both = one.readAge.count > 0 && one.commandAge.count > 0;
-  const auto first =
-      one.readAge.count > 0 ? ageCells("reads", one.readAge) : ageCells("commands", one.commandAge);
-  cells.insert(cells.end(), first.begin(), first.end());
-  table.add(cells);
-  if (!both) return;
-  std::vector<std::string> more(10);
-  const auto second = ageCells("commands", one.commandAge);
-  more.insert(more.end(), second.begin(), second.end());
-  table.add(more);
-}
 
 }  // namespace
 
@@ -155,57 +101,48 @@ void Screen::progress(Duration ran, const std::vector<suture::Report>& reports,
   before_ = now;
 }
 
-void Screen::printTable(const std::vector<std::string>& lines) const {
-  for (std::size_t i = 0; i < lines.size(); ++i)
+void Screen::printTable(const Table& table) const {
+  const std::vector<std::string> lines = table.lines();
+  if (lines.size() == 1) return;  // the titles of nothing
+  for (std::size_t i = 0; i < lines.size(); ++i) {
     fmt::print("{}\n", i == 0 ? bold(lines[i]) : lines[i]);
+  }
   fmt::print("\n");
 }
 
-void Screen::printConnections(const std::vector<ConnectionReport>& connections) const {
-  Table table({"connection", "lane", "bytes", "sent", "executed", "replaced", "dropped", "late",
-               "stale", "lost", "age of", "p50 ms", "p99 ms", "max ms"});
-  for (const ConnectionReport& one : connections) addConnection(table, one);
-  printTable(table.lines());
-}
-
-void Screen::printArms(const std::vector<ArmFigures>& arms) const {
-  Table table({"arm", "follows", "error p50 mm", "p99 mm", "max mm", "p99 deg", "travel mm",
-               "period jitter p99 us", "cycles", "skipped"});
+void Screen::printSlaves(const std::vector<ArmFigures>& arms) const {
+  Table table({"slave", "follows", "error p50 mm", "p99 mm", "max mm", "p99 deg", "travel mm"});
   for (const ArmFigures& arm : arms) {
-    std::vector<std::string> cells{arm.name};
-    if (arm.following) {
-      const robots::Judgement& following = *arm.following;
-      for (const std::string& cell :
-           {arm.master, fmt::format("{:.3f}", 1e3 * following.position.p50),
-            fmt::format("{:.3f}", 1e3 * following.position.p99),
-            fmt::format("{:.3f}", 1e3 * following.position.max),
-            fmt::format("{:.3f}", kDegrees * following.orientation.p99),
-            fmt::format("{:.1f}", 1e3 * following.travel)}) {
-        cells.push_back(cell);
-      }
-    } else {
-      cells.insert(cells.end(), {"-", "-", "-", "-", "-", "-"});
-    }
-    cells.push_back(microseconds(arm.task.lateness.p99));
-    cells.push_back(fmt::format("{}", arm.task.cycles));
-    cells.push_back(fmt::format("{}", arm.task.skipped));
-    table.add(cells);
+    if (!arm.following) continue;
+    const robots::Judgement& following = *arm.following;
+    table.add({arm.name, arm.master, fmt::format("{:.3f}", 1e3 * following.position.p50),
+               fmt::format("{:.3f}", 1e3 * following.position.p99),
+               fmt::format("{:.3f}", 1e3 * following.position.max),
+               fmt::format("{:.3f}", kDegrees * following.orientation.p99),
+               fmt::format("{:.1f}", 1e3 * following.travel)});
   }
-  printTable(table.lines());
+  printTable(table);
 }
 
 void Screen::printChecks(const std::vector<Check>& checks) const {
   for (const Check& check : checks) fmt::print("{}  {}\n", verdictMark(check.passed), check.text);
 }
 
-void Screen::end(const CrewResult& result, const Verdict& verdict) {
+void Screen::end(const Plan& plan, const CrewResult& result, const Verdict& verdict) {
   fmt::print("\n");
   if (result.interrupted) {
     fmt::print("Interrupted after {:.1f} s; every process has been ended.\n\n",
                std::chrono::duration<double>(result.ran).count());
   }
-  printConnections(verdict.connections);
-  printArms(verdict.arms);
+  printTable(connectionTable(plan, verdict.connections));
+  fmt::print("{}\n\n", unwelcome(verdict.connections));
+  printTable(componentTable(plan, result.reports));
+  fmt::print("{}\n\n", processorTime(result.reports));
+  const PaperTable paper(plan, verdict.connections);
+  printTable(paper.table());
+  for (const std::string& note : paper.notes()) fmt::print("{}\n", note);
+  fmt::print("\n");
+  printSlaves(verdict.arms);
   printChecks(verdict.checks);
   // The first failure is a check's text already.
   for (std::size_t i = 1; i < result.failures.size(); ++i) {

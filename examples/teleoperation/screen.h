@@ -9,6 +9,7 @@
 
 #include "crew.h"
 #include "plan.h"
+#include "table.h"
 #include "verdict.h"
 
 namespace demo {
@@ -23,7 +24,7 @@ class Screen {
   /// p99, if any follows a master.
   void progress(suture::Duration ran, const std::vector<suture::Report>& reports,
                 std::optional<double> error);
-  void end(const CrewResult& result, const Verdict& verdict);
+  void end(const Plan& plan, const CrewResult& result, const Verdict& verdict);
 
  private:
   /// Sums and worst values over everything that the processes report.
@@ -33,9 +34,8 @@ class Screen {
   };
 
   static Totals totalsOf(const std::vector<suture::Report>& reports);
-  void printTable(const std::vector<std::string>& lines) const;
-  void printConnections(const std::vector<suture::ConnectionReport>& connections) const;
-  void printArms(const std::vector<ArmFigures>& arms) const;
+  void printTable(const Table& table) const;
+  void printSlaves(const std::vector<ArmFigures>& arms) const;
   void printChecks(const std::vector<Check>& checks) const;
   std::string bold(const std::string& text) const;
   std::string verdictMark(bool passed) const;

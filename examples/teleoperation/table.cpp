@@ -6,6 +6,16 @@
 
 namespace demo {
 
+void Table::dropEmptyColumns() {
+  for (std::size_t i = rows_.front().size() - 1; i > 0; --i) {
+    const bool empty = std::all_of(rows_.begin() + 1, rows_.end(), [i](const auto& row) {
+      return row[i].empty() || row[i] == "-";
+    });
+    if (!empty) continue;
+    for (auto& row : rows_) row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
 std::vector<std::string> Table::lines() const {
   std::vector<std::size_t> widths(rows_.front().size());
   for (const auto& row : rows_) {

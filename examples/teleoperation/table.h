@@ -13,6 +13,8 @@ class Table {
   explicit Table(std::vector<std::string> titles) : rows_{std::move(titles)} {}
 
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  /// Takes out each column but the first that has "-", or nothing, in all rows.
+  void dropEmptyColumns();
   /// One line a row, the titles first.
   std::vector<std::string> lines() const;
 

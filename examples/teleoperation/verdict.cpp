@@ -50,6 +50,17 @@ std::string laneProblem(const std::string& name, const std::string& lane,
   return "";
 }
 
+/// The topology is not in the program, so one program has to do for all processes.
+Check checkPrograms(const std::vector<ProgramHash>& programs) {
+  std::vector<std::string> texts;
+  for (const ProgramHash& one : programs) {
+    texts.push_back(fmt::format("{}, SHA-256 {}", one.name, one.sha256));
+  }
+  if (texts.empty()) return {false, "no process has run its program"};
+  return {texts.size() == 1, fmt::format("{}{}", texts.size() == 1 ? "every process ran " : "",
+                                         fmt::join(texts, " and "))};
+}
+
 Check checkLanes(const Plan& plan, const std::vector<ConnectionReport>& connections) {
   for (const auto& [name, lane] : plan.lanes()) {
     if (const auto problem = laneProblem(name, lane, connections); !problem.empty()) {
@@ -150,7 +161,8 @@ Verdict judgeRun(const Plan& plan, const std::optional<Break>& cutOff, const Cre
   for (const std::string& arm : plan.arms()) {
     verdict.arms.push_back({arm, taskOf(result.reports, arm), "", std::nullopt});
   }
-  verdict.checks = {checkProcesses(result), checkLanes(plan, verdict.connections)};
+  verdict.checks = {checkProcesses(result), checkPrograms(result.programs),
+                    checkLanes(plan, verdict.connections)};
   for (FollowingWatch& watch : watches) {
     const auto slave =
         std::find_if(verdict.arms.begin(), verdict.arms.end(),

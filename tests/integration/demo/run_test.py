@@ -5,6 +5,7 @@ does. Both, to a millimetre, are tested in virtual time: law_test.cpp and knot_t
 tests/integration/teleoperation.
 """
 
+import hashlib
 import pathlib
 import re
 import struct
@@ -71,6 +72,34 @@ def check_knot(knot, picture):
     assert struct.unpack(">II", picture[16:24]) == (1280, 740)
 
 
+def check_figures(result, workstation):
+    """One program did for all processes, every task had some of the processors, and arms had ages."""
+    sha256 = hashlib.sha256(workstation.read_bytes()).hexdigest()
+    assert result["programs"] == [{"name": "suture-workstation", "sha256": sha256}], result["programs"]
+    for process in result["processes"]:
+        used = [task["processor_time"] for task in process["tasks"]]
+        assert all(time > 0 for time in used) and sum(used) <= process["processor_time"], process
+    connections = {one["name"]: one for one in result["connections"]}
+    for kind in ("command_age", "read_age"):
+        ages = [age for age in result["ages"][kind].values() if age]
+        assert ages, result["ages"]
+        for age in ages:
+            assert age["connection"].endswith("/Arm")
+            assert age["p99"] == connections[age["connection"]][kind]["p99"] and age["count"] > 100, age
+
+
+def check_tables(output, topology):
+    """They fit a terminal of 120 columns, unless commands were dropped or late, and have the paper's figures."""
+    tables = output[output.index("\nconnection "):]
+    tables = tables[:re.search(r"(?m)^(ok|FAILED) ", tables).start()]
+    wide = [line for line in tables.splitlines() if len(line) > 120]
+    assert not wide or "No command was dropped or late" not in tables, wide
+    assert re.search(r"(?m)^paper, Linux: read, write back \(SCS\) +4\.004 +16\.002 +4\.927 +36\.004 +0\.923$", tables)
+    assert re.search(r"(?m)^this run: age of commands when executed +[\d-]", tables)
+    assert re.search(r"(?m)^No command was dropped or late\.$|^\d+ commands were dropped", tables)
+    assert re.search(rf"(?m)^PSM1 +{'psm1' if topology == 'fig3b_tasks' else 'right|console'} ", tables)
+
+
 def check(result, topology, lane, network):
     failed = [one for one in result["checks"] if not one["passed"]]
     assert result["passed"] == (not failed), result["checks"]
@@ -108,6 +137,8 @@ def main():
             result = demo.result()
             assert status == (0 if result["passed"] else 1), f"exit status {status}"
             check(result, topology, lane, network)
+            check_figures(result, programs / "suture-workstation")
+            check_tables(output, topology)
             assert "\x1b" not in output, "colours in a pipe"
             assert demo.leftovers() == [], demo.leftovers()
         if places_knot:

@@ -1,7 +1,9 @@
 """A topology is a deployment file: those beside the demo are found by themselves, and any other may be named."""
 
+import hashlib
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -32,6 +34,30 @@ class Topologies(unittest.TestCase):
         self.assertEqual((status, output), (1, ""))
         self.assertIn("finding topology 'fig3d': ", errors)
         self.assertIn("has 'fig3a', 'fig3b', 'fig3b_tasks', 'fig3c', 'single'. Name one of them, or a deployment file", errors)
+
+    def test_what_differs_is_told_by_the_files(self):
+        def compared(first, second):
+            process = subprocess.run([PROGRAMS / "suture-demo", "--compare", first, second], capture_output=True, text=True,
+                                     timeout=60)
+            self.assertEqual((process.returncode, process.stderr), (0, ""))
+            return process.stdout
+
+        text = compared("fig3a", "fig3c")
+        self.assertEqual(re.findall(r"(?m)^Teleop.*$", text),
+                         ["TeleopL/Slave  PSM2/Arm  PSM1/Arm", "TeleopR/Slave  PSM1/Arm  PSM2/Arm"])
+        self.assertIn("19 of 19 components run in the same process, 30 of 32 connections are the same.", text)
+        self.assertIn(hashlib.sha256((PROGRAMS / "suture-workstation").read_bytes()).hexdigest(), text)
+        text = compared("single", "fig3a")
+        self.assertRegex(text, r"(?m)^PSM1 +console +right$")
+        self.assertIn("0 of 19 components run in the same process, 32 of 32 connections are the same.", text)
+        with tempfile.TemporaryDirectory() as folder:
+            changed = pathlib.Path(folder) / "changed.json"
+            fig3a = (TOPOLOGIES / "fig3a.json").read_text()
+            changed.write_text(fig3a.replace('"scale": 0.4', '"scale": 0.3', 1).replace('"max_age": "20ms"', '"max_age": "9ms"', 1))
+            text = compared("fig3a", changed)
+        self.assertRegex(text, r"(?m)^TeleopL/parameters/scale +0\.4 +0\.3$")
+        self.assertRegex(text, r'(?m)^TeleopL/Master/contract/max_age +"20ms" +"9ms"$')
+        self.assertNotIn("TeleopR", text)
 
     def test_file_that_is_not_there(self):
         status, output, errors = refusal_of("/no/such.json")

@@ -1,0 +1,20 @@
+#pragma once
+// Which program a process runs.
+
+#include <filesystem>
+#include <string>
+
+namespace demo {
+
+/// A file, and what tells whether two are the same, byte by byte.
+struct ProgramHash {
+  std::string name;    ///< of the file, without its folder
+  std::string sha256;  ///< in hexadecimal digits
+
+  bool operator==(const ProgramHash&) const = default;
+};
+
+/// Throws suture::SetupError if the file cannot be read.
+ProgramHash hashProgram(const std::filesystem::path& file);
+
+}  // namespace demo
