@@ -1,0 +1,55 @@
+#pragma once
+// The hand that holds a master.
+
+#include <Eigen/Core>
+
+#include "hand/tremor.h"
+
+namespace robots {
+
+/// An operator whose elbow rests. README.md tells which numbers are published, and which are our
+/// own estimate.
+struct HandModel {
+  double mass = 0.9;       ///< kg: what of the arm moves with the hand, and what the hand holds
+  double damping = 20;     ///< N.s/m
+  double stiffness = 400;  ///< N/m
+  TremorModel tremor = {};
+};
+
+/// A mass on a spring and a damper, whose other ends are where the muscles want the hand; alike
+/// along all axes. Three forces act on it: the muscles', the one that the master puts on it, and
+/// the one that makes it shake as its tremor says while it holds nothing.
+///
+/// It is integrated by the implicit midpoint rule, which is stable whatever the step and keeps the
+/// account of energy: over a step mass and spring change by exactly what the forces did. Lengths
+/// are in m in one frame. Confined to one thread; nothing but the constructor throws, nothing
+/// allocates. Equal models, targets, forces and times give equal motion.
+class Hand {
+ public:
+  /// At rest at the origin. Throws std::invalid_argument unless the mass is positive and damping,
+  /// stiffness and tremor are not negative.
+  explicit Hand(const HandModel& model);
+
+  /// It rests at `position`, and shall be there. Its tremor goes on as it was.
+  void restAt(const Eigen::Vector3d& position);
+
+  /// Lets `dt` seconds (> 0) pass, in which the muscles lead the hand evenly from the last target
+  /// to `target`, while the master pushes it with `force`, N.
+  void advance(double dt, const Eigen::Vector3d& target, const Eigen::Vector3d& force);
+
+  const Eigen::Vector3d& position() const { return position_; }
+  const Eigen::Vector3d& velocity() const { return velocity_; }  ///< m/s
+  /// N: of the muscles and the tremor on the hand, the mean of the last step.
+  const Eigen::Vector3d& muscles() const { return muscles_; }
+
+ private:
+  Eigen::Vector3d shaking(double t) const;
+
+  HandModel model_;
+  Tremor tremor_;
+  double time_ = 0;  // s, of the tremor
+  Eigen::Vector3d target_ = Eigen::Vector3d::Zero(), position_ = Eigen::Vector3d::Zero(),
+                  velocity_ = Eigen::Vector3d::Zero(), muscles_ = Eigen::Vector3d::Zero();
+};
+
+}  // namespace robots
