@@ -1,0 +1,48 @@
+#include "surgeon/crossover_model.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "timing/seconds.h"
+
+namespace robots {
+namespace {
+
+constexpr double kRemnantBandwidth = 20;  // rad/s
+
+std::size_t cyclesOf(const CrossoverParameters& parameters, suture::Duration period) {
+  const bool possible = parameters.frequency > 0 && parameters.delay >= suture::Duration{} &&
+                        parameters.remnant >= 0 && period > suture::Duration{};
+  if (!possible) {
+    throw std::invalid_argument(
+        "the crossover model: frequency and period must be positive, delay and remnant not "
+        "negative");
+  }
+  return static_cast<std::size_t>(parameters.delay / period) + 2;
+}
+
+}  // namespace
+
+CrossoverModel::CrossoverModel(const CrossoverParameters& parameters, suture::Duration period)
+    : frequency_(parameters.frequency),
+      delay_(parameters.delay),
+      staying_(std::exp(-kRemnantBandwidth * inSeconds(period))),
+      // Low-pass noise of the variance s^2 has the density 2 s^2 / bandwidth at low frequencies,
+      // which is to be pi * remnant.
+      coming_(std::sqrt((1 - staying_ * staying_) * std::numbers::pi * parameters.remnant *
+                        kRemnantBandwidth / 2)),
+      random_(parameters.seed),
+      seen_(cyclesOf(parameters, period)) {}
+
+Eigen::Vector3d CrossoverModel::rate(suture::Time now, const Eigen::Vector3d& error) {
+  seen_.add(now, error + error.cwiseProduct(noise()));
+  return frequency_ * seen_.at(now - delay_).value_or(Eigen::Vector3d::Zero());
+}
+
+Eigen::Vector3d CrossoverModel::noise() {
+  for (int i = 0; i < 3; ++i) noise_[i] = staying_ * noise_[i] + coming_ * normal_(random_);
+  return noise_;
+}
+
+}  // namespace robots
