@@ -1,7 +1,7 @@
 #pragma once
 // The geometry of a stereo endoscope.
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 
 namespace robots {
@@ -16,6 +16,9 @@ struct CameraPair {
   int width = 640, height = 480;  ///< px
   double focal = 351;             ///< px
   double baseline = 0.004;        ///< m, from the left to the right pinhole
+  /// rad, by which the right one is turned toward the left one's axis. Whoever triangulates does
+  /// not know it: it is what a calibration has missed, or heat has done since.
+  double vergence = 0;
 
   /// m before the camera; what is nearer is out of focus, and taken for unseen.
   static constexpr double kNearest = 0.005;
@@ -25,16 +28,28 @@ struct CameraPair {
 
   /// Where a point that the cameras see is in the image, px; it may be outside.
   Eigen::Vector2d project(Eye eye, const Eigen::Vector3d& point) const {
-    const double x = point.x() - (eye == Eye::Right ? baseline : 0);
-    return centre() + focal / point.z() * Eigen::Vector2d(x, point.y());
+    const Eigen::Vector3d seen = inFrameOf(eye) * point;
+    return centre() + focal / seen.z() * seen.head<2>();
+  }
+
+  /// From the frame of the left camera to that of an eye.
+  Eigen::Isometry3d inFrameOf(Eye eye) const {
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    if (eye == Eye::Left) return frame;
+    frame.rotate(Eigen::AngleAxisd(vergence, Eigen::Vector3d::UnitY()));
+    return frame.translate(Eigen::Vector3d(-baseline, 0, 0));
   }
 
   /// The point that both eyes see, from its places in the images, px. An error of the disparity of
-  /// d px moves it by z^2 / (focal * baseline) * d in depth. The disparity must be above zero.
+  /// d px moves it by depthOf(z, d) in depth. The disparity must be above zero.
   Eigen::Vector3d triangulate(const Eigen::Vector2d& left, const Eigen::Vector2d& right) const {
     const double z = focal * baseline / (left.x() - right.x());
     const double y = (left.y() + right.y()) / 2;
     return {(left.x() - centre().x()) * z / focal, (y - centre().y()) * z / focal, z};
+  }
+  /// m of depth, at a depth of `z` m, for `disparity` px.
+  double depthOf(double z, double disparity) const {
+    return z * z / (focal * baseline) * disparity;
   }
 };
 

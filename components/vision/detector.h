@@ -16,6 +16,10 @@ using Detections = std::array<std::optional<Eigen::Vector2d>, kMarkers>;
 /// m, in the frame of the left camera.
 using MarkerPoints = std::array<std::optional<Eigen::Vector3d>, kMarkers>;
 
+/// px: the standard deviation of a disparity that detect() finds, with the noise of the synthetic
+/// endoscope; tests/unit/vision/accuracy_test.cpp holds it to this.
+constexpr double kDisparityNoise = 0.05;
+
 /// The centre of what has a marker's colour, weighted by how much: good to hundredths of a pixel
 /// where nothing hides a part of it. Reads nothing but the pixels. An image whose data are not as
 /// large as it says has no markers. Does not allocate; any thread.

@@ -2,27 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 
+#include "unit/vision/hanging.h"
 #include "vision/detector.h"
 #include "vision/painter.h"
 
-namespace robots {
+namespace robots::test {
 namespace {
 
 using Eigen::Vector3d;
 
 constexpr double kNoise = 3;  // of 255
-
-/// A strand whose sides hang straight from the tips to the knot.
-Strand::Nodes hanging(const Vector3d& left, const Vector3d& knot, const Vector3d& right) {
-  Strand::Nodes strand;
-  for (int i = 0; i < Strand::kNodes; ++i) {
-    const double t = static_cast<double>(i) / Strand::kKnot;
-    strand.col(i) = t <= 1 ? left + t * (knot - left) : knot + (t - 1) * (right - knot);
-  }
-  return strand;
-}
 
 class Stereo : public testing::Test {
  protected:
@@ -44,18 +35,14 @@ TEST_F(Stereo, APointThatBothEyesSeeIsWhereItWas) {
   EXPECT_TRUE(found.isApprox(point, 1e-12));
 }
 
-// The law of a stereo pair: an error of d px in the disparity is z^2 / (f b) d in depth.
-TEST_F(Stereo, DepthIsAsGoodAsTheDisparity) {
-  constexpr double kDisparityNoise = 0.05;  // px: of a centroid of so many pixels, and its edges
+TEST_F(Stereo, AMarkerIsFoundWhereItIsInTheImage) {
   for (const double z : {0.06, 0.08, 0.1, 0.12}) {
-    const double bound = z * z / (cameras_.focal * cameras_.baseline) * kDisparityNoise;
     const Vector3d left(-0.03, 0.002, z), knot(0.0013, -0.0042, z + 0.004), right(0.029, 0, z);
     const MarkerPoints found = look(hanging(left, knot, right));
     const auto expect = [&](Marker marker, const Vector3d& truth, double pixels) {
       const auto& point = found[static_cast<std::size_t>(marker)];
       ASSERT_TRUE(point) << "at " << z;
-      EXPECT_NEAR(point->z(), truth.z(), 1.5 * bound);
-      // Where it is in the image: an error of the depth is one along the ray, and not of this.
+      // An error of the depth is one along the ray, and not of this.
       const Eigen::Vector2d seen = cameras_.project(Eye::Left, *point);
       EXPECT_LT((seen - cameras_.project(Eye::Left, truth)).norm(), pixels) << "at " << z;
     };
@@ -102,4 +89,4 @@ TEST_F(Stereo, ACoveredCameraSeesNothing) {
 }
 
 }  // namespace
-}  // namespace robots
+}  // namespace robots::test
