@@ -9,10 +9,23 @@
 
 namespace robots {
 
+namespace {
+
+JawSettings jawSettings(const TeleopParameters& parameters) {
+  return {.scale = parameters.jaw_scale,
+          .offset = parameters.jaw_offset,
+          .rate = parameters.jaw_rate,
+          .ghost_rate = parameters.jaw_ghost_rate,
+          .tolerance = parameters.jaw_tolerance};
+}
+
+}  // namespace
+
 Teleop::Teleop(const TeleopParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
       parameters_(parameters),
-      enableAtFirstCycle_(parameters.enable_at_start) {
+      enableAtFirstCycle_(parameters.enable_at_start),
+      jawFollower_(gripper_, jaw_, jawSettings(parameters), parameters.max_age) {
   settings_.scale = requireValidScale(parameters.scale);
 }
 
@@ -76,6 +89,7 @@ void Teleop::step(suture::Time now) {
   if (!law_ && !isAligned(*master, *slave, now)) return leave(TeleopState::Aligning);
   if (!masterWatch_.ready()) return leave(TeleopState::Preparing);
   follow(*master, *slave);
+  if (state_ == TeleopState::Following) jawFollower_.follow(now);
 }
 
 /// False if there is a registration that has not answered yet. One that is lost stays as it was.
@@ -146,6 +160,7 @@ void Teleop::leave(TeleopState state) {
   law_.reset();
   if (state_ == TeleopState::Following && state != TeleopState::Preparing) (void)slave_.hold();
   if (state != TeleopState::Aligning) alignment_.end();
+  jawFollower_.end();
   enter(state);
 }
 

@@ -13,12 +13,15 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
+#include "arm/gripper.suture.h"
+#include "arm/jaw.suture.h"
 #include "pedals/foot_pedals.suture.h"
 #include "pedals/operator_presence.suture.h"
 #include "pedals/operator_watch.h"
 #include "registration/registration.suture.h"
 #include "robot_types/side.h"
 #include "teleop/follow_law.h"
+#include "teleop/jaw_follower.h"
 #include "teleop/master_alignment.h"
 #include "teleop/teleoperation.suture.h"
 #include "timing/cycle_watch.h"
@@ -44,6 +47,15 @@ struct SUTURE_TYPE() TeleopParameters {
   suture::Duration preparation_limit = std::chrono::seconds(60);
   /// Pedals and presence that are older are not known, which ends following.
   suture::Duration operator_age = std::chrono::milliseconds(200);
+  /// Jaw radians a gripper radian, and the jaw with the gripper at 0: 60 degrees of the gripper are
+  /// the 80 of the jaw.
+  SUTURE_FIELD(range(0.01, 10)) double jaw_scale = 1.3333;
+  SUTURE_FIELD(unit("rad"), range(-2, 2)) double jaw_offset = 0;
+  /// How fast the jaw follows, and how fast it goes to where the gripper is before that.
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
+  SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_ghost_rate = 0.6283;
+  /// So near to that it follows.
+  SUTURE_FIELD(unit("rad"), range(0.001, 1)) double jaw_tolerance = 0.0349;
   /// Which arms of the registration these are.
   Side master_side = Side::Left;
   Side slave_side = Side::Left;
@@ -53,7 +65,8 @@ struct SUTURE_TYPE() TeleopParameters {
 /// enabled, homed and not busy, both arms' data are fresh, and the surgeon is there without a foot
 /// on a pedal that takes the master; each time that becomes true, or it was itself kept from
 /// looking for longer than max_age, it aligns the master and takes new anchors, so the slave never
-/// jumps. With a registration, directions are those that the surgeon sees.
+/// jumps. With a registration, directions are those that the surgeon sees. With a gripper and a
+/// jaw, that follows too (jaw_law.h).
 class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Teleoperation {
  public:
   /// Throws suture::SetupError for a scale that is not above zero.
@@ -88,6 +101,8 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   bool enableAtFirstCycle_;
   suture::Required<Arm> master_{*this, "Master"};
   suture::Required<Arm> slave_{*this, "Slave"};
+  SUTURE_REQUIRED(optional()) suture::Required<Gripper> gripper_{*this, "Gripper"};
+  SUTURE_REQUIRED(optional()) suture::Required<Jaw> jaw_{*this, "Jaw"};
   SUTURE_REQUIRED(optional()) suture::Required<FootPedals> pedals_{*this, "Pedals"};
   SUTURE_REQUIRED(optional()) suture::Required<OperatorPresence> presence_{*this, "Presence"};
   SUTURE_REQUIRED(optional()) suture::Required<Registration> registration_{*this, "Registration"};
@@ -97,6 +112,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   ArmWatch masterWatch_{master_}, slaveWatch_{slave_};
   OperatorWatch operator_{pedals_, presence_, parameters_.operator_age};
   MasterAlignment alignment_{master_, masterWatch_, parameters_.alignment_tolerance};
+  JawFollower jawFollower_;
   CycleWatch cycles_;
   TeleopState state_ = TeleopState::Disabled;
   suture::Time entered_;  // when that began

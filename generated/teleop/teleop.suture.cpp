@@ -41,6 +41,11 @@ static_assert(std::is_same_v<decltype(TeleopParameters::alignment_tolerance), do
 static_assert(std::is_same_v<decltype(TeleopParameters::preparation_limit),
                              std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(TeleopParameters::operator_age), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(TeleopParameters::jaw_scale), double>);
+static_assert(std::is_same_v<decltype(TeleopParameters::jaw_offset), double>);
+static_assert(std::is_same_v<decltype(TeleopParameters::jaw_rate), double>);
+static_assert(std::is_same_v<decltype(TeleopParameters::jaw_ghost_rate), double>);
+static_assert(std::is_same_v<decltype(TeleopParameters::jaw_tolerance), double>);
 static_assert(std::is_same_v<decltype(TeleopParameters::master_side), Side>);
 static_assert(std::is_same_v<decltype(TeleopParameters::slave_side), Side>);
 
@@ -56,6 +61,11 @@ bool store(const TeleopParameters& value, TeleopParametersSlot& slot) {
   fits &= store(value.alignment_tolerance, slot.alignment_tolerance);
   fits &= store(value.preparation_limit, slot.preparation_limit);
   fits &= store(value.operator_age, slot.operator_age);
+  fits &= store(value.jaw_scale, slot.jaw_scale);
+  fits &= store(value.jaw_offset, slot.jaw_offset);
+  fits &= store(value.jaw_rate, slot.jaw_rate);
+  fits &= store(value.jaw_ghost_rate, slot.jaw_ghost_rate);
+  fits &= store(value.jaw_tolerance, slot.jaw_tolerance);
   fits &= store(value.master_side, slot.master_side);
   fits &= store(value.slave_side, slot.slave_side);
   return fits;
@@ -70,6 +80,11 @@ void load(const TeleopParametersSlot& slot, TeleopParameters& value) {
   load(slot.alignment_tolerance, value.alignment_tolerance);
   load(slot.preparation_limit, value.preparation_limit);
   load(slot.operator_age, value.operator_age);
+  load(slot.jaw_scale, value.jaw_scale);
+  load(slot.jaw_offset, value.jaw_offset);
+  load(slot.jaw_rate, value.jaw_rate);
+  load(slot.jaw_ghost_rate, value.jaw_ghost_rate);
+  load(slot.jaw_tolerance, value.jaw_tolerance);
   load(slot.master_side, value.master_side);
   load(slot.slave_side, value.slave_side);
 }
@@ -85,6 +100,11 @@ void toWire(const TeleopParametersSlot& slot, wire::TeleopParameters::Builder ou
   out.setAlignmentTolerance(slot.alignment_tolerance);
   out.setPreparationLimit(slot.preparation_limit);
   out.setOperatorAge(slot.operator_age);
+  out.setJawScale(slot.jaw_scale);
+  out.setJawOffset(slot.jaw_offset);
+  out.setJawRate(slot.jaw_rate);
+  out.setJawGhostRate(slot.jaw_ghost_rate);
+  out.setJawTolerance(slot.jaw_tolerance);
   out.setMasterSide(wireSide(slot.master_side));
   out.setSlaveSide(wireSide(slot.slave_side));
 }
@@ -98,6 +118,11 @@ Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot, Dur
   slot.alignment_tolerance = in.getAlignmentTolerance();
   slot.preparation_limit = in.getPreparationLimit();
   slot.operator_age = in.getOperatorAge();
+  slot.jaw_scale = in.getJawScale();
+  slot.jaw_offset = in.getJawOffset();
+  slot.jaw_rate = in.getJawRate();
+  slot.jaw_ghost_rate = in.getJawGhostRate();
+  slot.jaw_tolerance = in.getJawTolerance();
   return firstError({
       fromWire(in.getMasterSide(), slot.master_side),
       fromWire(in.getSlaveSide(), slot.slave_side),
@@ -107,6 +132,11 @@ Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot, Dur
 bool isValid(const TeleopParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.scale, 0.01, 10)) return refusedAt(path, "scale");
   if (!inRange(slot.alignment_tolerance, 0.001, 1)) return refusedAt(path, "alignment_tolerance");
+  if (!inRange(slot.jaw_scale, 0.01, 10)) return refusedAt(path, "jaw_scale");
+  if (!inRange(slot.jaw_offset, -2, 2)) return refusedAt(path, "jaw_offset");
+  if (!inRange(slot.jaw_rate, 0.01, 50)) return refusedAt(path, "jaw_rate");
+  if (!inRange(slot.jaw_ghost_rate, 0.01, 50)) return refusedAt(path, "jaw_ghost_rate");
+  if (!inRange(slot.jaw_tolerance, 0.001, 1)) return refusedAt(path, "jaw_tolerance");
   if (!isKnownSide(slot.master_side)) return refusedAt(path, "master_side");
   return isKnownSide(slot.slave_side) || refusedAt(path, "slave_side");
 }
@@ -130,6 +160,11 @@ void fromJson(const suture::JsonReader& in, TeleopParameters& value) {
   reader.field("alignment_tolerance", value.alignment_tolerance, 0.001, 1);
   reader.field("preparation_limit", value.preparation_limit);
   reader.field("operator_age", value.operator_age);
+  reader.field("jaw_scale", value.jaw_scale, 0.01, 10);
+  reader.field("jaw_offset", value.jaw_offset, -2, 2);
+  reader.field("jaw_rate", value.jaw_rate, 0.01, 50);
+  reader.field("jaw_ghost_rate", value.jaw_ghost_rate, 0.01, 50);
+  reader.field("jaw_tolerance", value.jaw_tolerance, 0.001, 1);
   reader.field("master_side", value.master_side);
   reader.field("slave_side", value.slave_side);
   reader.finish();
@@ -146,7 +181,7 @@ ComponentClass componentClass<robots::Teleop>() {
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
             std::unique_ptr<Component> component(new robots::Teleop(values));
-            makeOptional(*component, {"Pedals", "Presence", "Registration"});
+            makeOptional(*component, {"Gripper", "Jaw", "Pedals", "Presence", "Registration"});
             return component;
           }};
 }

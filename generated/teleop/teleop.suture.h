@@ -6,6 +6,8 @@
 
 #include "teleop/teleop.h"
 #include "arm/arm.suture.h"
+#include "arm/gripper.suture.h"
+#include "arm/jaw.suture.h"
 #include "pedals/foot_pedals.suture.h"
 #include "pedals/operator_presence.suture.h"
 #include "registration/registration.suture.h"
@@ -27,8 +29,13 @@ struct TeleopParametersSlot {
   double alignment_tolerance;      // rad
   std::int64_t preparation_limit;  // std::chrono::nanoseconds, ns
   std::int64_t operator_age;       // std::chrono::nanoseconds, ns
-  std::uint8_t master_side;        // Side
-  std::uint8_t slave_side;         // Side
+  double jaw_scale;
+  double jaw_offset;         // rad
+  double jaw_rate;           // rad/s
+  double jaw_ghost_rate;     // rad/s
+  double jaw_tolerance;      // rad
+  std::uint8_t master_side;  // Side
+  std::uint8_t slave_side;   // Side
 };
 
 bool store(const TeleopParameters& value, TeleopParametersSlot& slot);

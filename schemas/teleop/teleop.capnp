@@ -31,4 +31,17 @@ struct TeleopParameters @0xd4e01364c600f6cf $Meta.cxx("robots::TeleopParameters"
   masterSide @8 :Side.Side $Meta.cxx("master_side");
   # Which arms of the registration these are.
   slaveSide @9 :Side.Side $Meta.cxx("slave_side");
+  jawScale @10 :Float64 = 1.3333 $Meta.cxx("jaw_scale") $Meta.range(lowest = 0.01, highest = 10);
+  # Jaw radians a gripper radian, and the jaw with the gripper at 0: 60 degrees of the gripper are
+  # the 80 of the jaw.
+  jawOffset @11 :Float64 $Meta.cxx("jaw_offset") $Meta.range(lowest = -2, highest = 2)
+      $Meta.unit("rad");
+  jawRate @12 :Float64 = 12.566 $Meta.cxx("jaw_rate") $Meta.range(lowest = 0.01, highest = 50)
+      $Meta.unit("rad/s");
+  # How fast the jaw follows, and how fast it goes to where the gripper is before that.
+  jawGhostRate @13 :Float64 = 0.6283 $Meta.cxx("jaw_ghost_rate")
+      $Meta.range(lowest = 0.01, highest = 50) $Meta.unit("rad/s");
+  jawTolerance @14 :Float64 = 0.0349 $Meta.cxx("jaw_tolerance")
+      $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("rad");
+  # So near to that it follows.
 }

@@ -1,0 +1,63 @@
+#pragma once
+// The jaw's part of a teleoperation.
+
+#include <suture/base/time.h>
+#include <suture/component/required.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "arm/gripper.suture.h"
+#include "arm/jaw.suture.h"
+#include "teleop/jaw_law.h"
+#include "timing/seconds.h"
+
+namespace robots {
+
+/// A member of the component that owns both interfaces, declared after them; belongs to the same
+/// thread. Does nothing in a deployment that does not connect both.
+class JawFollower {
+ public:
+  /// Data older than `maxAge` are not acted on: the jaw stays where it is, and begins anew.
+  JawFollower(suture::Required<Gripper>& gripper, suture::Required<Jaw>& jaw,
+              const JawSettings& settings, suture::Duration maxAge)
+      : gripper_(gripper), jaw_(jaw), settings_(settings), maxAge_(maxAge) {
+    goal_.position.resize(1);
+  }
+
+  /// Once a cycle in which the slave follows.
+  void follow(suture::Time now) {
+    const auto gripper = gripper_.measured_js(gripperState_);
+    const auto jaw = jaw_.setpoint_js(jawState_);
+    if (!isFresh(gripper, gripperState_, now) || !isFresh(jaw, jawState_, now)) return end();
+    if (!law_) law_.emplace(settings_, jawState_.position.front());
+    const double seconds = inSeconds(std::min(now - last_.value_or(now), maxAge_));
+    last_ = now;
+    goal_.position.front() = law_->follow(gripperState_.position.front(), seconds);
+    goal_.stamp = gripperState_.stamp;
+    if (!jaw_.servo_jp(goal_)) end();
+  }
+
+  /// It follows no more: the jaw stays where it is.
+  void end() {
+    law_.reset();
+    last_.reset();
+  }
+
+ private:
+  bool isFresh(const suture::Sample<void>& sample, const JointState& state,
+               suture::Time now) const {
+    return sample && state.valid && state.position.size() == 1 && now - state.stamp <= maxAge_;
+  }
+
+  suture::Required<Gripper>& gripper_;
+  suture::Required<Jaw>& jaw_;
+  const JawSettings settings_;
+  const suture::Duration maxAge_;
+  JointState gripperState_, jawState_;  // keep their memory
+  JointGoal goal_;
+  std::optional<JawLaw> law_;
+  std::optional<suture::Time> last_;  // the cycle that it followed in
+};
+
+}  // namespace robots
