@@ -28,6 +28,7 @@ void Hand::restAt(const Vector3d& position) {
 }
 
 void Hand::advance(double dt, const Vector3d& target, const Vector3d& force) {
+  if (!(dt > 0)) return;
   const double m = model_.mass, b = model_.damping, k = model_.stiffness;
   const Vector3d wanted = (target_ + target) / 2, wantedRate = (target - target_) / dt;
   const Vector3d shake = shaking(time_ + dt / 2);

@@ -33,7 +33,7 @@ class Hand {
   /// It rests at `position`, and shall be there. Its tremor goes on as it was.
   void restAt(const Eigen::Vector3d& position);
 
-  /// Lets `dt` seconds (> 0) pass, in which the muscles lead the hand evenly from the last target
+  /// Lets `dt` seconds (>= 0) pass, in which the muscles lead the hand evenly from the last target
   /// to `target`, while the master pushes it with `force`, N.
   void advance(double dt, const Eigen::Vector3d& target, const Eigen::Vector3d& force);
 

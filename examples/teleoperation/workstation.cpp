@@ -17,6 +17,7 @@
 #include "registration/registration_table.suture.h"
 #include "strand/strand_simulation.suture.h"
 #include "surgeon/knot_surgeon.suture.h"
+#include "surgeon/operator.suture.h"
 #include "surgeon/surgeon.suture.h"
 #include "teleop/teleop.suture.h"
 #include "vision/knot_tracker.suture.h"
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
       suture::componentClass<robots::Recorder>(),
       suture::componentClass<robots::KnotGuide>(),
       suture::componentClass<robots::KnotSurgeon>(),
+      suture::componentClass<robots::Operator>(),
       suture::componentClass<robots::KnotRecorder>(),
       suture::componentClass<robots::RegistrationTable>(),
       suture::componentClass<robots::StrandSimulation>(),

@@ -1,0 +1,86 @@
+#include "surgeon/operator.h"
+
+#include <utility>
+
+#include "surgeon/pause.h"
+#include "timing/seconds.h"
+
+namespace robots {
+namespace {
+
+using Eigen::Vector3d;
+
+HandModel handOf(const OperatorParameters& parameters, std::uint32_t number) {
+  return {.tremor = {.amplitude = parameters.tremor, .seed = parameters.seed + number}};
+}
+
+CrossoverParameters crossoverOf(const OperatorParameters& parameters) {
+  return {.frequency = parameters.crossover_frequency,
+          .delay = parameters.delay,
+          .remnant = parameters.remnant,
+          .seed = parameters.seed};
+}
+
+}  // namespace
+
+Operator::Operator(const OperatorParameters& parameters)
+    : PeriodicTask({.period = parameters.period}),
+      parameters_(parameters),
+      left_(*this, "Left", handOf(parameters, 0)),
+      right_(*this, "Right", handOf(parameters, 1)),
+      model_(crossoverOf(parameters), parameters.period) {
+  guidance_.on().guidance_state(
+      [this](const GuidanceState& state) { guided_ = state == GuidanceState::Guiding; });
+}
+
+void Operator::run() {
+  const suture::Time now = suture::now();
+  const double seconds = secondsBetween(std::exchange(last_, now), now);
+  const bool missed = cycles_.missed(kLongestPause);
+  const bool brokeOff = left_.watch.hasBrokenOff() | right_.watch.hasBrokenOff();
+  const bool ready =
+      guided_ && guidance_.connected() && left_.watch.ready() && right_.watch.ready();
+  if (!ready || missed || brokeOff) holds_ = false;
+  if (holds_) return lead(now, seconds);
+  if (ready) begin();
+}
+
+void Operator::begin() {
+  model_.forget();
+  intended_.setZero();
+  holds_ = left_.begin() && right_.begin();
+}
+
+void Operator::lead(suture::Time now, double seconds) {
+  Vector3d rate = model_.rate(now, seenError(now)) / parameters_.scale;
+  const double speed = rate.norm();
+  if (speed > parameters_.speed) rate *= parameters_.speed / speed;
+  intended_ += seconds * rate;
+  const bool leftTook = left_.follow(now, seconds, intended_);
+  const bool rightTook = right_.follow(now, seconds, intended_);
+  if (!leftTook || !rightTook) holds_ = false;
+}
+
+Vector3d Operator::seenError(suture::Time now) {
+  const auto sighting = vision_.sighting();
+  const auto frames = registration_.frames();
+  if (!sighting || !frames || !sighting->valid) return Vector3d::Zero();
+  if (now - sighting->stamp > parameters_.picture_age) return Vector3d::Zero();
+  return parameters_.target - frames->camera * sighting->knot;
+}
+
+bool Operator::Side::begin() {
+  const auto pose = master.setpoint_cp();
+  if (!pose || !pose->valid) return false;
+  start = pose->pose;
+  hand.restAt(Vector3d::Zero());
+  return true;
+}
+
+/// The master goes where the hand goes. False if it did not take its goal.
+bool Operator::Side::follow(suture::Time now, double seconds, const Vector3d& intended) {
+  hand.advance(seconds, intended, Vector3d::Zero());
+  return master.servo_cp({Eigen::Translation3d(hand.position()) * start, now, true}).has_value();
+}
+
+}  // namespace robots

@@ -1,0 +1,93 @@
+#pragma once
+// An operator who looks at the picture, and carries a knot to its target with both hands.
+
+#include <suture/annotate.h>
+#include <suture/base/time.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/required.h>
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <cstdint>
+
+#include "arm/arm.suture.h"
+#include "arm/arm_watch.h"
+#include "guidance/guidance.suture.h"
+#include "hand/hand.h"
+#include "registration/registration.suture.h"
+#include "surgeon/crossover_model.h"
+#include "timing/cycle_watch.h"
+#include "vision/knot_vision.suture.h"
+
+namespace robots {
+
+struct SUTURE_TYPE() OperatorParameters {
+  suture::Duration period = std::chrono::milliseconds(1);
+  /// Where the knot shall be, in the scene.
+  SUTURE_FIELD(unit("m")) Eigen::Vector3d target{0, 0, -0.15};
+  /// How far the knot moves for a metre of both hands: the scale of the guide, to which operators
+  /// adapt themselves.
+  SUTURE_FIELD(range(0.01, 10)) double scale = 0.4;
+  /// Of McRuer's model (surgeon/crossover_model.h), as are the next three.
+  SUTURE_FIELD(unit("rad/s"), range(0.1, 20)) double crossover_frequency = 3;
+  /// From seeing to moving; not below zero.
+  suture::Duration delay = std::chrono::milliseconds(200);
+  /// The noise in what is seen: power in each rad/s by the power of the error.
+  SUTURE_FIELD(range(0, 1)) double remnant = 0.01;
+  /// Equal seeds and pictures give equal noise and tremor.
+  std::uint32_t seed = 1;
+  /// The root mean square of each hand's tremor (hand/tremor.h).
+  SUTURE_FIELD(unit("m"), range(0, 0.002)) double tremor = 1e-4;
+  /// The hands go no faster, whatever the error: our own estimate of careful work.
+  SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.2;
+  /// The operator does not act on a picture that was exposed longer ago.
+  suture::Duration picture_age = std::chrono::seconds(1);
+};
+
+/// Takes the place of a KnotSurgeon, and looks: what it sees of the knot in the picture, however
+/// late that comes, leads both hands as the crossover model says. The axes of the masters' base
+/// frames are taken to be those of the scene, as the guide takes them.
+///
+/// A picture that is lost, not valid or too old is no error to reduce: the hands come to rest once
+/// that has passed the operator's own delay, and hold. They also hold while the guide does not
+/// guide. Each time they begin from where the masters are.
+class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
+ public:
+  explicit Operator(const OperatorParameters& parameters);
+
+  void run() override;
+
+ private:
+  /// A hand and the master that it holds.
+  struct Side {
+    Side(Operator& self, const char* name, const HandModel& model)
+        : master(self, name), hand(model) {}
+
+    bool begin();
+    bool follow(suture::Time now, double seconds, const Eigen::Vector3d& intended);
+
+    suture::Required<Arm> master;
+    ArmWatch watch{master};
+    Hand hand;                                                // from where it began, m
+    Eigen::Isometry3d start = Eigen::Isometry3d::Identity();  // of the master, in its base frame
+  };
+
+  /// Of the knot to its target, in the scene, m; zero if the operator does not see it.
+  Eigen::Vector3d seenError(suture::Time now);
+  void begin();
+  void lead(suture::Time now, double seconds);
+
+  const OperatorParameters parameters_;
+  Side left_, right_;
+  suture::Required<Guidance> guidance_{*this, "Guidance"};
+  suture::Required<KnotVision> vision_{*this, "Vision"};
+  suture::Required<Registration> registration_{*this, "Registration"};
+  CycleWatch cycles_;
+  CrossoverModel model_;
+  bool guided_ = false;
+  bool holds_ = false;  // both masters, since the hands began where they were
+  Eigen::Vector3d intended_ = Eigen::Vector3d::Zero();  // of both hands, m from where they began
+  suture::Time last_;                                   // cycle
+};
+
+}  // namespace robots

@@ -1,0 +1,140 @@
+// Written by suturec from surgeon/operator.h. Do not edit.
+#include "surgeon/operator.suture.h"
+
+#include <suture/component/json_reader.h>
+#include <suture/transport/rpc/wire.h>
+
+#include <type_traits>
+
+#include "surgeon/operator.capnp.h"
+
+namespace robots {
+
+using suture::Duration;
+using suture::Errc;
+using suture::FieldPath;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::fromDefault;
+using suture::rpc::fromWire;
+using suture::rpc::inRange;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(OperatorParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(OperatorParameters::target), Eigen::Vector3d>);
+static_assert(std::is_same_v<decltype(OperatorParameters::scale), double>);
+static_assert(std::is_same_v<decltype(OperatorParameters::crossover_frequency), double>);
+static_assert(std::is_same_v<decltype(OperatorParameters::delay), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(OperatorParameters::remnant), double>);
+static_assert(std::is_same_v<decltype(OperatorParameters::seed), std::uint32_t>);
+static_assert(std::is_same_v<decltype(OperatorParameters::tremor), double>);
+static_assert(std::is_same_v<decltype(OperatorParameters::speed), double>);
+static_assert(std::is_same_v<decltype(OperatorParameters::picture_age), std::chrono::nanoseconds>);
+
+}  // namespace
+
+bool store(const OperatorParameters& value, OperatorParametersSlot& slot) {
+  bool fits = true;
+  fits &= store(value.period, slot.period);
+  fits &= store(value.target, slot.target);
+  fits &= store(value.scale, slot.scale);
+  fits &= store(value.crossover_frequency, slot.crossover_frequency);
+  fits &= store(value.delay, slot.delay);
+  fits &= store(value.remnant, slot.remnant);
+  fits &= store(value.seed, slot.seed);
+  fits &= store(value.tremor, slot.tremor);
+  fits &= store(value.speed, slot.speed);
+  fits &= store(value.picture_age, slot.picture_age);
+  return fits;
+}
+
+void load(const OperatorParametersSlot& slot, OperatorParameters& value) {
+  load(slot.period, value.period);
+  load(slot.target, value.target);
+  load(slot.scale, value.scale);
+  load(slot.crossover_frequency, value.crossover_frequency);
+  load(slot.delay, value.delay);
+  load(slot.remnant, value.remnant);
+  load(slot.seed, value.seed);
+  load(slot.tremor, value.tremor);
+  load(slot.speed, value.speed);
+  load(slot.picture_age, value.picture_age);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const OperatorParametersSlot& slot, wire::OperatorParameters::Builder out) {
+  out.setPeriod(slot.period);
+  toWire(slot.target, out.initTarget());
+  out.setScale(slot.scale);
+  out.setCrossoverFrequency(slot.crossover_frequency);
+  out.setDelay(slot.delay);
+  out.setRemnant(slot.remnant);
+  out.setSeed(slot.seed);
+  out.setTremor(slot.tremor);
+  out.setSpeed(slot.speed);
+  out.setPictureAge(slot.picture_age);
+}
+
+Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlot& slot, Duration) {
+  slot.period = in.getPeriod();
+  slot.scale = in.getScale();
+  slot.crossover_frequency = in.getCrossoverFrequency();
+  slot.delay = in.getDelay();
+  slot.remnant = in.getRemnant();
+  slot.seed = in.getSeed();
+  slot.tremor = in.getTremor();
+  slot.speed = in.getSpeed();
+  slot.picture_age = in.getPictureAge();
+  return in.hasTarget() ? fromWire(in.getTarget(), slot.target)
+      : fromDefault(OperatorParameters().target, slot.target);
+}
+
+bool isValid(const OperatorParametersSlot& slot, FieldPath* path) {
+  if (!isValid(slot.target, path)) return refusedAt(path, "target");
+  if (!inRange(slot.scale, 0.01, 10)) return refusedAt(path, "scale");
+  if (!inRange(slot.crossover_frequency, 0.1, 20)) return refusedAt(path, "crossover_frequency");
+  if (!inRange(slot.remnant, 0, 1)) return refusedAt(path, "remnant");
+  if (!inRange(slot.tremor, 0, 0.002)) return refusedAt(path, "tremor");
+  return inRange(slot.speed, 0.001, 1) || refusedAt(path, "speed");
+}
+
+}  // namespace robots
+
+namespace robots {
+
+void fromJson(const suture::JsonReader& in, OperatorParameters& value) {
+  suture::JsonReader reader = in;
+  reader.field("period", value.period);
+  reader.field("target", value.target);
+  reader.field("scale", value.scale, 0.01, 10);
+  reader.field("crossover_frequency", value.crossover_frequency, 0.1, 20);
+  reader.field("delay", value.delay);
+  reader.field("remnant", value.remnant, 0, 1);
+  reader.field("seed", value.seed);
+  reader.field("tremor", value.tremor, 0, 0.002);
+  reader.field("speed", value.speed, 0.001, 1);
+  reader.field("picture_age", value.picture_age);
+  reader.finish();
+}
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Operator>() {
+  return {"Operator", [](const JsonReader& parameters) -> std::unique_ptr<Component> {
+            robots::OperatorParameters values;
+            fromJson(parameters, values);
+            if (parameters.failed()) return nullptr;
+            return std::unique_ptr<Component>(new robots::Operator(values));
+          }};
+}
+
+}  // namespace suture

@@ -1,0 +1,44 @@
+// Written by suturec from surgeon/operator.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/component_class.h>
+
+#include "surgeon/operator.h"
+#include "guidance/guidance.suture.h"
+#include "registration/registration.suture.h"
+#include "vision/knot_vision.suture.h"
+
+namespace suture {
+class JsonReader;
+}
+
+namespace robots {
+
+struct OperatorParametersSlot {
+  std::int64_t period;           // std::chrono::nanoseconds, ns
+  std::array<double, 3> target;  // Eigen::Vector3d, m
+  double scale;
+  double crossover_frequency;  // rad/s
+  std::int64_t delay;          // std::chrono::nanoseconds, ns
+  double remnant;
+  std::uint32_t seed;
+  double tremor;             // m
+  double speed;              // m/s
+  std::int64_t picture_age;  // std::chrono::nanoseconds, ns
+};
+
+bool store(const OperatorParameters& value, OperatorParametersSlot& slot);
+void load(const OperatorParametersSlot& slot, OperatorParameters& value);
+
+/// Reads what `in` says into `value`; what it does not mention keeps its default.
+void fromJson(const suture::JsonReader& in, OperatorParameters& value);
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+ComponentClass componentClass<robots::Operator>();
+
+}  // namespace suture

@@ -1,0 +1,32 @@
+@0x936a19b350ff9785;
+# The wire contract of surgeon/operator.h, written by suturec --update-lock: commit it, never edit it.
+
+using Cxx = import "/capnp/c++.capnp";
+using Meta = import "/suture/meta.capnp";
+using Types = import "/suture/types.capnp";
+$Cxx.namespace("robots::wire");
+$Meta.header("surgeon/operator.h");
+
+struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParameters") {
+  period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
+  target @1 :Types.Vec3 $Meta.unit("m");
+  # Where the knot shall be, in the scene.
+  scale @2 :Float64 = 0.4 $Meta.range(lowest = 0.01, highest = 10);
+  # How far the knot moves for a metre of both hands: the scale of the guide, to which operators
+  # adapt themselves.
+  crossoverFrequency @3 :Float64 = 3.0 $Meta.cxx("crossover_frequency")
+      $Meta.range(lowest = 0.1, highest = 20) $Meta.unit("rad/s");
+  # Of McRuer's model (surgeon/crossover_model.h), as are the next three.
+  delay @4 :Int64 = 200000000 $Meta.period("1/1000000000");
+  # From seeing to moving; not below zero.
+  remnant @5 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 1);
+  # The noise in what is seen: power in each rad/s by the power of the error.
+  seed @6 :UInt32 = 1;
+  # Equal seeds and pictures give equal noise and tremor.
+  tremor @7 :Float64 = 0.0001 $Meta.range(lowest = 0, highest = 0.002) $Meta.unit("m");
+  # The root mean square of each hand's tremor (hand/tremor.h).
+  speed @8 :Float64 = 0.2 $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("m/s");
+  # The hands go no faster, whatever the error: our own estimate of careful work.
+  pictureAge @9 :Int64 = 1000000000 $Meta.cxx("picture_age") $Meta.period("1/1000000000");
+  # The operator does not act on a picture that was exposed longer ago.
+}

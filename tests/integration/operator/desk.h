@@ -1,0 +1,57 @@
+#pragma once
+// An operator at two masters, in one process.
+
+#include <suture/manager/manager.h>
+
+#include <Eigen/Core>
+#include <chrono>
+#include <memory>
+
+#include "integration/operator/scene.h"
+#include "integration/teleoperation/scripted_arm.h"
+#include "registration/registration_table.h"
+#include "support/pass.h"
+#include "surgeon/operator.h"
+
+namespace robots::test {
+
+/// Whoever sits at the desk requires "Left", "Right" and "Vision", and sees the picture late by
+/// what `delay` adds.
+struct Desk {
+  Desk() {
+    manager.add("LeftMaster", left);
+    manager.add("RightMaster", right);
+    manager.add("Scene", scene);
+    manager.add("Registration", registration);
+    manager.connect("Scene/Left", "LeftMaster/Arm");
+    manager.connect("Scene/Right", "RightMaster/Arm");
+  }
+  ~Desk() { manager.stop(); }
+
+  /// At the desk, as "Operator"; `task` must live as long as this.
+  void seat(suture::Task& task, suture::Duration delay) {
+    manager.add("Operator", task);
+    manager.connect("Operator/Left", "LeftMaster/Arm");
+    manager.connect("Operator/Right", "RightMaster/Arm");
+    manager.connect("Operator/Vision", "Scene/Vision", suture::Lane::Auto, std::chrono::seconds(1),
+                    {.answers = delay});
+  }
+  void seatOperator(const OperatorParameters& parameters, suture::Duration delay = {}) {
+    surgeon = std::make_unique<Operator>(parameters);
+    seat(*surgeon, delay);
+    manager.connect("Operator/Guidance", "Scene/Guidance");
+    manager.connect("Operator/Registration", "Registration/Registration");
+    manager.start();
+  }
+  Eigen::Vector3d knot() const {
+    return Scene::kScale / 2 * (left.pose().translation() + right.pose().translation());
+  }
+
+  ScriptedArm left, right;
+  Scene scene;
+  RegistrationTable registration{SceneFrames{}};
+  std::unique_ptr<Operator> surgeon;
+  suture::Manager manager{"desk"};
+};
+
+}  // namespace robots::test
