@@ -13,13 +13,17 @@ static_assert(Strand::kNodes == decltype(StrandState::nodes)::ColsAtCompileTime)
 constexpr double kLongestStep = 0.02;  // s
 // Nearer tips are those of arms that nobody has registered: a strand between them has no direction.
 constexpr double kLeastSpan = 0.001;  // m
+// Of the past, for cameras whose images are late: half a second, with the default period.
+constexpr unsigned kStrandRows = 512;
 
 }  // namespace
 
 StrandSimulation::StrandSimulation(const StrandParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
       model_{
-          .length = parameters.length, .friction = parameters.friction, .wrap = parameters.wrap} {}
+          .length = parameters.length, .friction = parameters.friction, .wrap = parameters.wrap} {
+  view_.keepState({.rows = kStrandRows});
+}
 
 void StrandSimulation::run() {
   const auto frames = registration_.frames();

@@ -40,16 +40,17 @@ struct CameraPair {
     return frame.translate(Eigen::Vector3d(-baseline, 0, 0));
   }
 
-  /// The point that both eyes see, from its places in the images, px. An error of the disparity of
-  /// d px moves it by depthOf(z, d) in depth. The disparity must be above zero.
-  Eigen::Vector3d triangulate(const Eigen::Vector2d& left, const Eigen::Vector2d& right) const {
-    const double z = focal * baseline / (left.x() - right.x());
-    const double y = (left.y() + right.y()) / 2;
-    return {(left.x() - centre().x()) * z / focal, (y - centre().y()) * z / focal, z};
-  }
   /// m of depth, at a depth of `z` m, for `disparity` px.
   double depthOf(double z, double disparity) const {
     return z * z / (focal * baseline) * disparity;
+  }
+  /// m, of each coordinate of a point, for a standard deviation of its disparity, px: that of the
+  /// depth is along the ray, and across it there is that of the place in the image.
+  Eigen::Vector3d deviation(const Eigen::Vector3d& point, double disparity) const {
+    const double depth = depthOf(point.z(), disparity);
+    const Eigen::Vector3d along = depth / point.z() * point.cwiseAbs();
+    const double across = point.z() / focal * disparity;
+    return along + Eigen::Vector3d(across, across, 0);
   }
 };
 

@@ -2,51 +2,119 @@
 
 #include <cmath>
 #include <cstddef>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/imgproc.hpp>
 
 namespace robots {
 namespace {
 
-// Tissue and strand with a noise of at most 5 stay below this likeness, but for some single pixels.
-constexpr int kLeastLikeness = 40;
-// A tip at 120 mm weighs four times as much, so a quarter of it still counts.
-constexpr double kLeastWeight = 1000;
+// Of 255, by how much a pixel has a marker's colour: more than noise makes of any other, and the
+// least that a marker has where it is darkest.
+constexpr int kLeast = 20, kWhole = 95;
+// Of 255, between green and blue: less is noise.
+constexpr int kNothing = 8;
+// px: a quarter of the knot at 120 mm, and far more than what noise makes.
+constexpr int kLeastArea = 25;
+// px: an edge is as wide, with its blur.
+constexpr int kEdge = 2;
 // px between the heights of a point in both images: far more than a centroid's error.
 constexpr double kLargestSkew = 2;
 
 bool isComplete(const ImageFrame& image) {
-  return image.valid && image.channels == 3 &&
+  return image.valid && image.channels == 3 && image.width > 0 && image.height > 0 &&
          image.data.size() == std::size_t{3} * image.width * image.height;
 }
 
-struct Centroid {
-  double weight = 0;
-  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+using Channels = std::array<cv::Mat1b, 3>;
 
-  void add(double more, double x, double y) {
-    weight += more;
-    moment += more * Eigen::Vector2d(x, y);
+/// What is greener than red and blue (the knot), bluer, or yellow.
+cv::Mat1b hasColourOf(Marker marker, const Channels& channels) {
+  const auto& [red, green, blue] = channels;
+  switch (marker) {
+    case Marker::Knot: return green - cv::max(red, blue) > kLeast;
+    case Marker::LeftTip: return blue - cv::max(red, green) > kLeast;
+    case Marker::RightTip: return cv::min(red, green) - blue > kLeast;
   }
+  return {};
+}
+
+/// By how much of a pixel a marker covers: what else there is has as much green as blue. At
+/// kWhole and beyond it covers all of it, in light or shade.
+cv::Mat1b cover(Marker marker, const cv::Mat1b& green, const cv::Mat1b& blue) {
+  const bool isBlue = marker == Marker::LeftTip;
+  const cv::Mat1b more = isBlue ? blue - green : green - blue;  // none is below zero
+  return cv::min(more, kWhole) - kNothing;
+}
+
+cv::Rect grown(const cv::Rect& box, int by) {
+  return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
+}
+
+/// Where the largest spot of a mask is, and its pixels there; no pixels if none is large enough.
+struct Spot {
+  cv::Rect box;
+  cv::Mat1b pixels;
 };
+
+Spot largestSpot(const cv::Mat1b& mask) {
+  const cv::Rect all = cv::boundingRect(mask);
+  if (all.empty()) return {};
+  cv::Mat1i labels, statistics;
+  cv::Mat1d centroids;
+  const int count = cv::connectedComponentsWithStats(mask(all), labels, statistics, centroids);
+  int largest = 0, area = kLeastArea - 1;
+  for (int spot = 1; spot < count; ++spot) {
+    if (statistics(spot, cv::CC_STAT_AREA) <= area) continue;
+    largest = spot;
+    area = statistics(spot, cv::CC_STAT_AREA);
+  }
+  if (largest == 0) return {};
+  const cv::Rect box(statistics(largest, cv::CC_STAT_LEFT), statistics(largest, cv::CC_STAT_TOP),
+                     statistics(largest, cv::CC_STAT_WIDTH),
+                     statistics(largest, cv::CC_STAT_HEIGHT));
+  return {box + all.tl(), labels(box) == largest};
+}
+
+std::optional<Eigen::Vector2d> centreOf(Marker marker, const Channels& channels) {
+  const Spot spot = largestSpot(hasColourOf(marker, channels));
+  const cv::Rect box = grown(spot.box, kEdge);
+  if (spot.pixels.empty() || (box & cv::Rect({}, channels[0].size())) != box) return std::nullopt;
+  // With the edge, where it covers parts of pixels.
+  cv::Mat1b near, weights;
+  cv::copyMakeBorder(spot.pixels, near, kEdge, kEdge, kEdge, kEdge, cv::BORDER_CONSTANT, 0);
+  cv::dilate(near, near, {}, {-1, -1}, kEdge);
+  cover(marker, channels[1](box), channels[2](box)).copyTo(weights, near);
+  const cv::Moments moments = cv::moments(weights);
+  return Eigen::Vector2d(box.x + moments.m10 / moments.m00, box.y + moments.m01 / moments.m00);
+}
+
+cv::Matx34d projection(const CameraPair& cameras, Eye eye) {
+  const Eigen::Vector2d centre = cameras.centre();
+  const double shift = eye == Eye::Right ? -cameras.focal * cameras.baseline : 0;
+  return {cameras.focal, 0, centre.x(), shift, 0, cameras.focal, centre.y(), 0, 0, 0, 1, 0};
+}
 
 }  // namespace
 
 Detections detect(const ImageFrame& image) {
   Detections found;
   if (!isComplete(image)) return found;
-  std::array<Centroid, kMarkers> centroids;
-  const std::uint8_t* pixel = image.data.data();
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    for (std::uint32_t x = 0; x < image.width; ++x, pixel += 3) {
-      for (std::size_t i = 0; i < kMarkers; ++i) {
-        const int like = likeness(static_cast<Marker>(i), pixel[0], pixel[1], pixel[2]);
-        if (like > kLeastLikeness) centroids[i].add(like - kLeastLikeness, x, y);
-      }
-    }
-  }
+  const cv::Mat pixels(static_cast<int>(image.height), static_cast<int>(image.width), CV_8UC3,
+                       const_cast<std::uint8_t*>(image.data.data()));
+  Channels channels;
+  cv::split(pixels, channels.data());
   for (std::size_t i = 0; i < kMarkers; ++i) {
-    if (centroids[i].weight >= kLeastWeight) found[i] = centroids[i].moment / centroids[i].weight;
+    found[i] = centreOf(static_cast<Marker>(i), channels);
   }
   return found;
+}
+
+Eigen::Vector3d triangulate(const CameraPair& cameras, const Eigen::Vector2d& left,
+                            const Eigen::Vector2d& right) {
+  cv::Mat1d point;
+  cv::triangulatePoints(projection(cameras, Eye::Left), projection(cameras, Eye::Right),
+                        cv::Vec2d(left.x(), left.y()), cv::Vec2d(right.x(), right.y()), point);
+  return Eigen::Vector4d(point.ptr<double>()).hnormalized();
 }
 
 MarkerPoints locate(const CameraPair& cameras, const Detections& left, const Detections& right) {
@@ -54,7 +122,11 @@ MarkerPoints locate(const CameraPair& cameras, const Detections& left, const Det
   for (std::size_t i = 0; i < kMarkers; ++i) {
     if (!left[i] || !right[i] || left[i]->x() <= right[i]->x()) continue;
     if (std::abs(left[i]->y() - right[i]->y()) > kLargestSkew) continue;
-    points[i] = cameras.triangulate(*left[i], *right[i]);
+    Eigen::Vector3d& point = points[i].emplace(triangulate(cameras, *left[i], *right[i]));
+    // The outline of a ball is that of a cone about it, whose middle is farther from the axis than
+    // the ball's centre, by 1 / (1 - r^2 / z^2): so it seems nearer by r^2 / z.
+    const double radius = radiusOf(static_cast<Marker>(i));
+    point.z() += radius * radius / point.z();
   }
   return points;
 }

@@ -20,10 +20,16 @@ using MarkerPoints = std::array<std::optional<Eigen::Vector3d>, kMarkers>;
 /// endoscope; tests/unit/vision/accuracy_test.cpp holds it to this.
 constexpr double kDisparityNoise = 0.05;
 
-/// The centre of what has a marker's colour, weighted by how much: good to hundredths of a pixel
-/// where nothing hides a part of it. Reads nothing but the pixels. An image whose data are not as
-/// large as it says has no markers. Does not allocate; any thread.
+/// The centre of the largest spot of a marker's colour: good to hundredths of a pixel where nothing
+/// hides a part of it. One that reaches the image's edge is not seen, for it is not all there.
+/// Reads nothing but the pixels. An image whose data are not as large as it says has no markers.
+/// OpenCV allocates; any thread.
 Detections detect(const ImageFrame& image);
+
+/// The point that both eyes see, from its places in the images, px. An error of the disparity of
+/// d px moves it by CameraPair::depthOf(z, d). The disparity must be above zero.
+Eigen::Vector3d triangulate(const CameraPair& cameras, const Eigen::Vector2d& left,
+                            const Eigen::Vector2d& right);
 
 /// The markers that both eyes see, before the cameras and at one height, as rectified images have
 /// it. Any thread.

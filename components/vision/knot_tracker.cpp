@@ -1,23 +1,36 @@
 #include "vision/knot_tracker.h"
 
-#include "vision/detector.h"
+#include "vision/one_thread.h"
 
 namespace robots {
 
 KnotTracker::KnotTracker(const TrackerParameters& parameters)
-    : PeriodicTask({.period = parameters.period}) {}
+    : PeriodicTask({.period = parameters.period}),
+      parameters_(parameters),
+      tracks_{Track(*this, "Knot", parameters.acceleration),
+              Track(*this, "LeftTip", parameters.acceleration),
+              Track(*this, "RightTip", parameters.acceleration)} {
+  workInOneThread();
+}
 
 void KnotTracker::run() {
-  if (!images_.images(pair_) || !isPairOfTheCameras()) {
-    sighting_.valid = false;
-    return;
-  }
+  look();
+  for (Track& track : tracks_) track.publish(suture::now(), parameters_.max_age);
+}
+
+void KnotTracker::look() {
+  if (!images_.images(pair_) || !isPairOfTheCameras()) return see({});
   if (pair_.left.stamp == sighting_.stamp) return;
-  const MarkerPoints points = locate(cameras_, detect(pair_.left), detect(pair_.right));
-  const auto& knot = points[static_cast<std::size_t>(Marker::Knot)];
-  const auto& left = points[static_cast<std::size_t>(Marker::LeftTip)];
-  const auto& right = points[static_cast<std::size_t>(Marker::RightTip)];
   sighting_.stamp = pair_.left.stamp;
+  see(locate(cameras_, detect(pair_.left), detect(pair_.right)));
+}
+
+/// Each of them, or none, at the stamp of the sighting.
+void KnotTracker::see(const MarkerPoints& points) {
+  for (std::size_t i = 0; i < kMarkers; ++i) {
+    tracks_[i].seenAt(sighting_.stamp, cameras_, points[i]);
+  }
+  const auto& [knot, left, right] = points;
   sighting_.valid = knot && left && right;
   if (!sighting_.valid) return;
   sighting_.knot = *knot;

@@ -7,20 +7,29 @@
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
+#include <array>
 #include <chrono>
 
 #include "vision/camera_pair.h"
+#include "vision/detector.h"
 #include "vision/knot_vision.suture.h"
 #include "vision/stereo_images.suture.h"
+#include "vision/track.h"
 
 namespace robots {
 
 struct SUTURE_TYPE() TrackerParameters {
-  /// As often it looks for new images.
+  /// As often it looks for new images, and publishes poses.
   suture::Duration period = std::chrono::milliseconds(20);
+  /// What was seen longer ago is no pose any more: some three images.
+  suture::Duration max_age = std::chrono::milliseconds(250);
+  /// How fast the velocity of what it follows changes, our own figure: that of a careful hand.
+  SUTURE_FIELD(unit("m/s2"), range(0.001, 100)) double acceleration = 0.1;
 };
 
-/// Knows the images, and nothing else of the scene.
+/// Knows the images, and nothing else of the scene. Its sighting is what the last pair showed, as
+/// it was then; the poses are filtered and of the present. It runs under the default scheduler, in
+/// one thread, and OpenCV allocates.
 class SUTURE_COMPONENT() KnotTracker final : public suture::PeriodicTask, public KnotVision {
  public:
   explicit KnotTracker(const TrackerParameters& parameters);
@@ -30,12 +39,16 @@ class SUTURE_COMPONENT() KnotTracker final : public suture::PeriodicTask, public
   void run() override;
 
  private:
+  void look();
+  void see(const MarkerPoints& points);
   bool isPairOfTheCameras() const;
 
+  const TrackerParameters parameters_;
   const CameraPair cameras_;
   suture::Required<StereoImages> images_{*this, "Images"};
   suture::Provided<KnotVision> vision_{*this, "Vision", *this};
-  StereoPair pair_;  // keeps its memory
+  std::array<Track, kMarkers> tracks_;  // by the markers' numbers
+  StereoPair pair_;                     // keeps its memory
   KnotSighting sighting_;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
-// The colours by which the parts of the scene are told from each other in an image.
+// The colours and sizes by which the parts of the scene are told from each other in an image.
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,10 +9,12 @@ namespace robots {
 
 using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
-constexpr Colour kTissueColour{180, 110, 100};
-constexpr Colour kStrandColour{70, 70, 75};
+// Green and blue are equal in each of these, in any light; only a marker has more of one.
+constexpr Colour kTissueColour{205, 122, 122};
+constexpr Colour kStrandColour{65, 55, 55};
+constexpr Colour kMetalColour{165, 165, 165};
 
-/// The detector looks for these in an image.
+/// The detector looks for these in an image: balls of one colour each.
 enum class Marker : std::uint8_t { Knot, LeftTip, RightTip };
 constexpr std::size_t kMarkers = 3;
 
@@ -26,15 +27,7 @@ constexpr Colour colourOf(Marker marker) {
   return {};
 }
 
-/// By how much a pixel has the colour of `marker`, and no other one of the scene: high for green
-/// (the knot), blue and yellow.
-constexpr int likeness(Marker marker, int red, int green, int blue) {
-  switch (marker) {
-    case Marker::Knot: return green - std::max(red, blue);
-    case Marker::LeftTip: return blue - std::max(red, green);
-    case Marker::RightTip: return std::min(red, green) - blue;
-  }
-  return 0;
-}
+/// m. These sizes are ours: a knot of several throws, and tips like the jaws of a needle driver.
+constexpr double radiusOf(Marker marker) { return marker == Marker::Knot ? 0.002 : 0.0025; }
 
 }  // namespace robots

@@ -1,108 +1,112 @@
 #include "vision/painter.h"
 
-#include <algorithm>
-#include <cmath>
-#include <random>
+#include <GL/gl.h>
+
+#include <array>
 
 #include "vision/markers.h"
+#include "vision/offscreen.h"
+#include "vision/one_thread.h"
+#include "vision/solids.h"
 
 namespace robots {
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kChannels = 3;
-// It is long enough that no eye finds a pattern where it is used again.
-constexpr std::size_t kNoiseSamples = 1 << 16;
+// m. These sizes are ours but that of the shaft, which is the 8 mm of da Vinci instruments.
+constexpr double kStrandRadius = 0.0004, kJawRadius = 0.0006, kShaftRadius = 0.004;
+constexpr double kJawLength = 0.009, kShaftLength = 0.08;
+constexpr double kGroundReach = 0.2, kFarthest = 1;
 
-struct Ball {
-  Vector3d centre;  // m, before the camera
-  double radius;    // m
-  Colour colour;
-};
+// Of the light. Enough comes from all around that no side of a marker looks like something else.
+constexpr float kAround = 0.7F, kFromEyes = 0.3F;
 
-// These sizes are ours: a thick strand, and tips like the jaws of a needle driver.
-constexpr double kStrandRadius = 0.0006, kKnotRadius = 0.002, kTipRadius = 0.0025;
-
-std::array<Ball, Strand::kNodes> ballsOf(const Strand::Nodes& strand) {
-  std::array<Ball, Strand::kNodes> balls;
-  for (int i = 0; i < Strand::kNodes; ++i) {
-    balls[static_cast<std::size_t>(i)] = {strand.col(i), kStrandRadius, kStrandColour};
-  }
-  const auto mark = [&](int node, double radius, Marker marker) {
-    Ball& ball = balls[static_cast<std::size_t>(node)];
-    ball.radius = radius;
-    ball.colour = colourOf(marker);
-  };
-  mark(0, kTipRadius, Marker::LeftTip);
-  mark(Strand::kKnot, kKnotRadius, Marker::Knot);
-  mark(Strand::kNodes - 1, kTipRadius, Marker::RightTip);
-  // What is near hides what is far.
-  std::sort(balls.begin(), balls.end(),
-            [](const Ball& a, const Ball& b) { return a.centre.z() > b.centre.z(); });
-  return balls;
+/// OpenGL looks along -z with y upward, and pixels are whole between their edges.
+void look(const CameraPair& cameras, Eye eye) {
+  constexpr double kNear = CameraPair::kNearest;
+  const double x = kNear * cameras.width / 2 / cameras.focal;
+  const double y = kNear * cameras.height / 2 / cameras.focal;
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glFrustum(-x, x, -y, y, kNear, kFarthest);
+  glMatrixMode(GL_MODELVIEW);
+  const Eigen::Affine3d view = Eigen::Scaling(1.0, -1.0, -1.0) * cameras.inFrameOf(eye);
+  glLoadMatrixd(view.data());
 }
 
-void blend(std::uint8_t& pixel, double value, double share) {
-  pixel = static_cast<std::uint8_t>(std::lround(pixel + share * (value - pixel)));
+/// The endoscope's own, between the eyes.
+void light(const CameraPair& cameras) {
+  const std::array<float, 4> around{kAround, kAround, kAround, 1};
+  const std::array<float, 4> fromEyes{kFromEyes, kFromEyes, kFromEyes, 1};
+  const std::array<float, 4> place{static_cast<float>(cameras.baseline / 2), 0, 0, 1};
+  glLightModelfv(GL_LIGHT_MODEL_AMBIENT, around.data());
+  glLightfv(GL_LIGHT0, GL_DIFFUSE, fromEyes.data());
+  glLightfv(GL_LIGHT0, GL_POSITION, place.data());
+  for (const GLenum each : {GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE})
+    glEnable(each);
 }
 
-void draw(const Ball& ball, const CameraPair& cameras, Eye eye, ImageFrame& image) {
-  const Vector2d centre = cameras.project(eye, ball.centre);
-  const double radius = cameras.focal * ball.radius / ball.centre.z();
-  const double reach = radius + 1;
-  // They are bounded before they are converted: what is far aside has no place that fits an int.
-  const auto first = [](double low) {
-    return static_cast<int>(std::ceil(std::clamp(low, 0.0, 1e6)));
-  };
-  const auto last = [](double high, int size) {
-    return static_cast<int>(std::floor(std::clamp(high, -1.0, size - 1.0)));
-  };
-  for (int y = first(centre.y() - reach); y <= last(centre.y() + reach, cameras.height); ++y) {
-    for (int x = first(centre.x() - reach); x <= last(centre.x() + reach, cameras.width); ++x) {
-      const double distance = (Vector2d(x, y) - centre).norm();
-      const double share = std::clamp(radius - distance + 0.5, 0.0, 1.0);
-      const double slant = std::min(distance / radius, 1.0);
-      const double light = 0.4 + 0.6 * std::sqrt(1 - slant * slant);
-      const auto pixel = kChannels * static_cast<std::size_t>(y * cameras.width + x);
-      for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        blend(image.data[pixel + channel], light * ball.colour[channel], share);
-      }
-    }
+void drawStrand(const Solids& solids, const Strand::Nodes& strand) {
+  for (int node = 1; node < Strand::kNodes; ++node) {
+    solids.tube(strand.col(node - 1), strand.col(node), kStrandRadius, kStrandColour);
   }
+}
+
+/// A jaw and its shaft, which come from the side that is away from the other tip.
+void drawInstrument(const Solids& solids, const Vector3d& tip, const Vector3d& other) {
+  const Vector3d away = (tip - other).normalized();
+  const Vector3d wrist = tip + kJawLength * away;
+  solids.tube(tip, wrist, kJawRadius, kMetalColour);
+  solids.ball(wrist, kShaftRadius, kMetalColour);
+  solids.tube(wrist, wrist + kShaftLength * away, kShaftRadius, kMetalColour);
+}
+
+void draw(const Solids& solids, const View& view) {
+  const Strand::Nodes& strand = view.strand;
+  const Vector3d left = strand.col(0), right = strand.col(Strand::kNodes - 1);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  solids.ground(view.tissue, strand.col(Strand::kKnot), kGroundReach, kTissueColour);
+  drawStrand(solids, strand);
+  drawInstrument(solids, left, right);
+  drawInstrument(solids, right, left);
+  const auto mark = [&](Marker marker, const Vector3d& centre) {
+    solids.ball(centre, radiusOf(marker), colourOf(marker));
+  };
+  mark(Marker::LeftTip, left);
+  mark(Marker::Knot, strand.col(Strand::kKnot));
+  mark(Marker::RightTip, right);
 }
 
 }  // namespace
 
-Painter::Painter(const CameraPair& cameras, double noise, std::uint64_t seed)
-    : cameras_(cameras), noise_(kNoiseSamples), next_(seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;  // one of no width would be refused
-  std::generate(noise_.begin(), noise_.end(), [&] {
-    return static_cast<std::int8_t>(std::clamp(std::round(noise * normal(random)), -127.0, 127.0));
-  });
+View seenFrom(const Eigen::Isometry3d& camera, const Strand::Nodes& strand, double tissue) {
+  const Eigen::Isometry3d toCamera = camera.inverse();
+  const Vector3d upward = toCamera.linear() * Vector3d::UnitZ();
+  return {toCamera * strand, {upward, toCamera * Vector3d(0, 0, tissue)}};
 }
 
-void Painter::paint(Eye eye, const Strand::Nodes& strand, ImageFrame& image) {
-  image.width = static_cast<std::uint32_t>(cameras_.width);
-  image.height = static_cast<std::uint32_t>(cameras_.height);
-  image.channels = kChannels;
-  image.data.resize(kChannels * image.width * image.height);
-  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = kTissueColour[i % kChannels];
-  for (const Ball& ball : ballsOf(strand)) draw(ball, cameras_, eye, image);
-  addNoise(image);
-  image.valid = true;
-}
+class Painter::Studio {
+ public:
+  explicit Studio(const CameraPair& cameras) : offscreen(cameras.width, cameras.height) {}
 
-/// Each image takes the same noise from another place on.
-void Painter::addNoise(ImageFrame& image) {
-  next_ = next_ * 6364136223846793005u + 1442695040888963407u;
-  std::size_t at = next_ >> 48;
-  for (std::uint8_t& value : image.data) {
-    value = static_cast<std::uint8_t>(std::clamp(value + noise_[at], 0, 255));
-    at = (at + 1) % kNoiseSamples;
-  }
+  Offscreen offscreen;
+  const Solids solids;
+};
+
+Painter::Painter(const CameraPair& cameras) : cameras_(cameras) { workInOneThread(); }
+
+Painter::~Painter() = default;
+
+void Painter::paint(Eye eye, const View& view, ImageFrame& image) {
+  if (!studio_) studio_ = std::make_unique<Studio>(cameras_);
+  const auto drawAll = [&] {
+    look(cameras_, eye);
+    light(cameras_);
+    draw(studio_->solids, view);
+  };
+  studio_->offscreen.draw(drawAll, image);
 }
 
 }  // namespace robots

@@ -1,25 +1,38 @@
 #include "vision/synthetic_endoscope.h"
 
 namespace robots {
+namespace {
+
+// Of pairs that have been: a row is megabytes, and nobody reads an old one.
+constexpr unsigned kPairs = 4;
+
+}  // namespace
 
 SyntheticEndoscope::SyntheticEndoscope(const EndoscopeParameters& parameters)
-    : PeriodicTask({.period = parameters.period}), painter_(CameraPair{}, parameters.noise) {}
+    : PeriodicTask({.period = parameters.period}),
+      parameters_(parameters),
+      painter_(CameraPair{.vergence = parameters.vergence}),
+      sensor_(parameters.noise, parameters.blur),
+      lost_(parameters.dropout) {
+  images_.keepState({.rows = kPairs});
+}
 
 void SyntheticEndoscope::run() {
-  const auto strand = strand_.strand();
+  if (lost_(random_)) return;  // nobody hears of it: the last pair stays the last
+  const auto strand = strand_.strand.delayed(parameters_.latency);
   const auto frames = registration_.frames();
-  if (!strand || !strand->valid || !frames) {
-    pair_.left.valid = pair_.right.valid = false;
-    return;
-  }
-  const Strand::Nodes seen = frames->camera.inverse() * strand->nodes;
-  if (seen.row(2).minCoeff() < CameraPair::kNearest) {
-    pair_.left.valid = pair_.right.valid = false;
-    return;
-  }
-  painter_.paint(Eye::Left, seen, pair_.left);
-  painter_.paint(Eye::Right, seen, pair_.right);
-  pair_.left.stamp = pair_.right.stamp = strand->stamp;
+  pair_.left.valid = pair_.right.valid = false;
+  if (!strand || !strand->valid || !frames) return;
+  const View view = seenFrom(frames->camera, strand->nodes, frames->tissue);
+  if (view.strand.row(2).minCoeff() < CameraPair::kNearest) return;
+  take(Eye::Left, view, strand->stamp, pair_.left);
+  take(Eye::Right, view, strand->stamp, pair_.right);
+}
+
+void SyntheticEndoscope::take(Eye eye, const View& view, suture::Time exposed, ImageFrame& image) {
+  painter_.paint(eye, view, image);
+  sensor_.expose(image);
+  image.stamp = exposed;
 }
 
 }  // namespace robots

@@ -8,22 +8,36 @@
 #include <suture/component/required.h>
 
 #include <chrono>
+#include <random>
 
 #include "registration/registration.suture.h"
 #include "strand/strand_view.suture.h"
+#include "vision/image_sensor.h"
 #include "vision/painter.h"
 #include "vision/stereo_images.suture.h"
 
 namespace robots {
 
+/// Blur, dropouts and latency are our own figures: none was found for an endoscope of this kind.
 struct SUTURE_TYPE() EndoscopeParameters {
-  /// 15 images a second, as the da Vinci Research Kit's stereo launch file has it.
+  /// 15 images a second, as the da Vinci Research Kit's stereo launch file has it; where there is
+  /// room, 60.
   suture::Duration period = std::chrono::microseconds(66'667);
   /// Standard deviation of each channel of each pixel, of 255.
   SUTURE_FIELD(range(0, 5)) double noise = 3;
+  /// Standard deviation of a point's light.
+  SUTURE_FIELD(unit("px"), range(0, 3)) double blur = 0.6;
+  /// Share of the pairs that are lost on their way.
+  SUTURE_FIELD(range(0, 1)) double dropout = 0.01;
+  /// From the exposure until a pair is there; the time that drawing takes comes on top. Beyond what
+  /// the strand keeps of its past, half a second, nothing is seen.
+  suture::Duration latency = std::chrono::milliseconds(30);
+  /// By how much the right camera is turned toward the left one's axis, which nobody is told.
+  SUTURE_FIELD(unit("rad"), range(-0.1, 0.1)) double vergence = 0;
 };
 
-/// Draws the strand and the tips twice, once for each eye (vision/camera_pair.h).
+/// Draws the strand and the tips twice, once for each eye (vision/camera_pair.h), as they were when
+/// the images were exposed. It runs under the default scheduler, in one thread, and allocates.
 class SUTURE_COMPONENT() SyntheticEndoscope final : public suture::PeriodicTask,
                                                     public StereoImages {
  public:
@@ -34,10 +48,16 @@ class SUTURE_COMPONENT() SyntheticEndoscope final : public suture::PeriodicTask,
   void run() override;
 
  private:
+  void take(Eye eye, const View& view, suture::Time exposed, ImageFrame& image);
+
+  const EndoscopeParameters parameters_;
   suture::Required<StrandView> strand_{*this, "Strand"};
   suture::Required<Registration> registration_{*this, "Registration"};
   suture::Provided<StereoImages> images_{*this, "Images", *this};
   Painter painter_;
+  ImageSensor sensor_;
+  std::mt19937_64 random_{1};
+  std::bernoulli_distribution lost_;
   StereoPair pair_;
 };
 

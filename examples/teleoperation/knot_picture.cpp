@@ -12,6 +12,7 @@
 
 #include "canvas.h"
 #include "recorder/knot_recording.h"
+#include "registration/registration.h"
 #include "strand/strand.h"
 #include "timing/seconds.h"
 #include "vision/painter.h"
@@ -48,10 +49,10 @@ class View {
 
   /// False if a part of it is not before the camera.
   bool paint(const robots::Strand::Nodes& inScene) {
-    const robots::Strand::Nodes strand = toCamera_ * inScene;
-    if (!seesAll(cameras_, strand)) return false;
+    const robots::View view = robots::seenFrom(toScene(), inScene, robots::SceneFrames{}.tissue);
+    if (!seesAll(cameras_, view.strand)) return false;
     robots::ImageFrame image;
-    robots::Painter(cameras_, 0).paint(eye_, strand, image);
+    robots::Painter(cameras_).paint(eye_, view, image);
     canvas_.put(image, left_, 0);
     canvas_.text({left_ + 12.0, 22}, eye_ == Eye::Left ? "left eye" : "right eye", kWhite);
     return true;

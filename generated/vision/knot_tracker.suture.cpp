@@ -14,7 +14,9 @@ using suture::Duration;
 using suture::Errc;
 using suture::FieldPath;
 using suture::load;
+using suture::refusedAt;
 using suture::rpc::fromWire;
+using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -23,32 +25,42 @@ namespace {
 
 // What this compiler sees must be what suturec read.
 static_assert(std::is_same_v<decltype(TrackerParameters::period), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(TrackerParameters::max_age), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(TrackerParameters::acceleration), double>);
 
 }  // namespace
 
 bool store(const TrackerParameters& value, TrackerParametersSlot& slot) {
   bool fits = true;
   fits &= store(value.period, slot.period);
+  fits &= store(value.max_age, slot.max_age);
+  fits &= store(value.acceleration, slot.acceleration);
   return fits;
 }
 
 void load(const TrackerParametersSlot& slot, TrackerParameters& value) {
   load(slot.period, value.period);
+  load(slot.max_age, value.max_age);
+  load(slot.acceleration, value.acceleration);
 }
 
 // --- between slots and Cap'n Proto
 
 void toWire(const TrackerParametersSlot& slot, wire::TrackerParameters::Builder out) {
   out.setPeriod(slot.period);
+  out.setMaxAge(slot.max_age);
+  out.setAcceleration(slot.acceleration);
 }
 
 Errc fromWire(wire::TrackerParameters::Reader in, TrackerParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
+  slot.max_age = in.getMaxAge();
+  slot.acceleration = in.getAcceleration();
   return Errc{};
 }
 
-bool isValid(const TrackerParametersSlot&, FieldPath*) {
-  return true;
+bool isValid(const TrackerParametersSlot& slot, FieldPath* path) {
+  return inRange(slot.acceleration, 0.001, 100) || refusedAt(path, "acceleration");
 }
 
 }  // namespace robots
@@ -58,6 +70,8 @@ namespace robots {
 void fromJson(const suture::JsonReader& in, TrackerParameters& value) {
   suture::JsonReader reader = in;
   reader.field("period", value.period);
+  reader.field("max_age", value.max_age);
+  reader.field("acceleration", value.acceleration, 0.001, 100);
   reader.finish();
 }
 

@@ -15,7 +15,9 @@ class JsonReader;
 namespace robots {
 
 struct TrackerParametersSlot {
-  std::int64_t period;  // std::chrono::nanoseconds, ns
+  std::int64_t period;   // std::chrono::nanoseconds, ns
+  std::int64_t max_age;  // std::chrono::nanoseconds, ns
+  double acceleration;   // m/s2
 };
 
 bool store(const TrackerParameters& value, TrackerParametersSlot& slot);

@@ -26,6 +26,10 @@ namespace {
 // What this compiler sees must be what suturec read.
 static_assert(std::is_same_v<decltype(EndoscopeParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(EndoscopeParameters::noise), double>);
+static_assert(std::is_same_v<decltype(EndoscopeParameters::blur), double>);
+static_assert(std::is_same_v<decltype(EndoscopeParameters::dropout), double>);
+static_assert(std::is_same_v<decltype(EndoscopeParameters::latency), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(EndoscopeParameters::vergence), double>);
 
 }  // namespace
 
@@ -33,12 +37,20 @@ bool store(const EndoscopeParameters& value, EndoscopeParametersSlot& slot) {
   bool fits = true;
   fits &= store(value.period, slot.period);
   fits &= store(value.noise, slot.noise);
+  fits &= store(value.blur, slot.blur);
+  fits &= store(value.dropout, slot.dropout);
+  fits &= store(value.latency, slot.latency);
+  fits &= store(value.vergence, slot.vergence);
   return fits;
 }
 
 void load(const EndoscopeParametersSlot& slot, EndoscopeParameters& value) {
   load(slot.period, value.period);
   load(slot.noise, value.noise);
+  load(slot.blur, value.blur);
+  load(slot.dropout, value.dropout);
+  load(slot.latency, value.latency);
+  load(slot.vergence, value.vergence);
 }
 
 // --- between slots and Cap'n Proto
@@ -46,16 +58,27 @@ void load(const EndoscopeParametersSlot& slot, EndoscopeParameters& value) {
 void toWire(const EndoscopeParametersSlot& slot, wire::EndoscopeParameters::Builder out) {
   out.setPeriod(slot.period);
   out.setNoise(slot.noise);
+  out.setBlur(slot.blur);
+  out.setDropout(slot.dropout);
+  out.setLatency(slot.latency);
+  out.setVergence(slot.vergence);
 }
 
 Errc fromWire(wire::EndoscopeParameters::Reader in, EndoscopeParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
   slot.noise = in.getNoise();
+  slot.blur = in.getBlur();
+  slot.dropout = in.getDropout();
+  slot.latency = in.getLatency();
+  slot.vergence = in.getVergence();
   return Errc{};
 }
 
 bool isValid(const EndoscopeParametersSlot& slot, FieldPath* path) {
-  return inRange(slot.noise, 0, 5) || refusedAt(path, "noise");
+  if (!inRange(slot.noise, 0, 5)) return refusedAt(path, "noise");
+  if (!inRange(slot.blur, 0, 3)) return refusedAt(path, "blur");
+  if (!inRange(slot.dropout, 0, 1)) return refusedAt(path, "dropout");
+  return inRange(slot.vergence, -0.1, 0.1) || refusedAt(path, "vergence");
 }
 
 }  // namespace robots
@@ -66,6 +89,10 @@ void fromJson(const suture::JsonReader& in, EndoscopeParameters& value) {
   suture::JsonReader reader = in;
   reader.field("period", value.period);
   reader.field("noise", value.noise, 0, 5);
+  reader.field("blur", value.blur, 0, 3);
+  reader.field("dropout", value.dropout, 0, 1);
+  reader.field("latency", value.latency);
+  reader.field("vergence", value.vergence, -0.1, 0.1);
   reader.finish();
 }
 

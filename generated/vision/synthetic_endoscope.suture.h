@@ -15,9 +15,14 @@ class JsonReader;
 
 namespace robots {
 
+/// Blur, dropouts and latency are our own figures: none was found for an endoscope of this kind.
 struct EndoscopeParametersSlot {
   std::int64_t period;  // std::chrono::nanoseconds, ns
   double noise;
+  double blur;  // px
+  double dropout;
+  std::int64_t latency;  // std::chrono::nanoseconds, ns
+  double vergence;       // rad
 };
 
 bool store(const EndoscopeParameters& value, EndoscopeParametersSlot& slot);

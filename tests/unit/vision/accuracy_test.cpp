@@ -9,10 +9,12 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "unit/vision/hanging.h"
 #include "vision/detector.h"
+#include "vision/image_sensor.h"
 #include "vision/painter.h"
 
 namespace robots::test {
@@ -21,6 +23,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSensorNoise = 3;  // of 255, of each channel
+constexpr double kBlur = 0.6;       // px
 constexpr int kImages = 12;
 constexpr int kDepths = 7;  // 60, 70, ... 120 mm
 // m: how far the tips are beside the axis; and by how much all moves from image to image, so that
@@ -52,7 +55,7 @@ class Errors {
 /// Paints with `real` cameras what a tracker takes for an image of well calibrated ones.
 class Observed {
  public:
-  explicit Observed(const CameraPair& real) : painter_(real, kSensorNoise) {}
+  explicit Observed(const CameraPair& real) : painter_(real) {}
 
   Errors at(double z) {
     Errors errors;
@@ -61,9 +64,11 @@ class Observed {
       const std::array<Vector3d, kMarkers> truth{Vector3d(0.001, 0.006, z) + shift,
                                                  Vector3d(-kAside, -0.002, z) + shift,
                                                  Vector3d(kAside, -0.003, z) + shift};
-      const Strand::Nodes strand = hanging(truth[1], truth[0], truth[2]);
-      painter_.paint(Eye::Left, strand, left_);
-      painter_.paint(Eye::Right, strand, right_);
+      const View view{hanging(truth[1], truth[0], truth[2])};
+      for (auto& [eye, image] : {std::pair(Eye::Left, &left_), std::pair(Eye::Right, &right_)}) {
+        painter_.paint(eye, view, *image);
+        sensor_.expose(*image);
+      }
       const MarkerPoints found = locate(CameraPair{}, detect(left_), detect(right_));
       for (std::size_t marker = 0; marker < kMarkers; ++marker) {
         if (found[marker]) errors.add(found[marker]->z() - truth[marker].z());
@@ -75,6 +80,7 @@ class Observed {
 
  private:
   Painter painter_;
+  ImageSensor sensor_{kSensorNoise, kBlur};
   ImageFrame left_, right_;
 };
 

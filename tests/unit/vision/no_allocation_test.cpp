@@ -1,16 +1,15 @@
-// What cameras, strand and fixtures do in a cycle never touches the heap once it has its memory.
+// What strand, tracking and fixtures do in a cycle never touches the heap once it has its memory.
+// To draw and to see does, in OpenGL and OpenCV: no control loop calls that.
 
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <numbers>
 
 #include "guidance/fixtures.h"
 #include "guidance/knot_estimate.h"
 #include "strand/strand.h"
 #include "support/allocations.h"
-#include "vision/detector.h"
-#include "vision/painter.h"
+#include "vision/tracking_filter.h"
 
 namespace robots {
 namespace {
@@ -20,27 +19,20 @@ using Eigen::Vector3d;
 
 TEST(PlacingAKnot, NeverAllocatesInACycle) {
   if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
-  const CameraPair cameras;
-  const Eigen::Isometry3d camera(Eigen::AngleAxisd(std::numbers::pi, Vector3d::UnitX()));
   TipPair tips{{-0.04, 0, -0.08}, {0.04, 0, -0.08}};
   Strand strand(StrandModel{}, tips.left, tips.right);
-  Painter painter(cameras, 3);
   KnotEstimate estimate(250ms, 1ms);
+  TrackingFilter filter(0.1);
   KnotFixtures fixtures{FixtureModel{.target = {0, 0, -0.15}}};
-  ImageFrame left, right;
   suture::Time now{1s};
   int seen = 0;
   const auto cycle = [&] {
     strand.hold(Strand::Place::Left, tips.left);
     strand.hold(Strand::Place::Right, tips.right);
     strand.advance(0.001);
-    painter.paint(Eye::Left, camera * strand.nodes(), left);
-    painter.paint(Eye::Right, camera * strand.nodes(), right);
-    const MarkerPoints points = locate(cameras, detect(left), detect(right));
+    filter.seenAt(now, strand.knot(), Vector3d::Constant(1e-4));
     estimate.tipsAt(now, tips.mean());
-    if (const auto& knot = points[static_cast<std::size_t>(Marker::Knot)]) {
-      estimate.seenAt(now, camera * *knot);
-    }
+    estimate.seenAt(now, filter.placeAt(now));
     if (const auto knot = estimate.knot(now)) {
       const TipPair step =
           fixtures.constrain(tips, *knot, {{0, 0, -2e-4}, {1e-4, 0, -2e-4}}, 0.001);

@@ -1,0 +1,82 @@
+#include "vision/offscreen.h"
+
+// Mesa declares what is newer than OpenGL 1.1 only if this is defined.
+#define GL_GLEXT_PROTOTYPES
+#include <GL/osmesa.h>
+// It needs what the one above declares.
+#include <GL/glext.h>
+#include <suture/base/errors.h>
+
+#include <cstddef>
+#include <opencv2/imgproc.hpp>
+
+namespace robots {
+namespace {
+
+constexpr int kSamples = 4;  // a pixel: what Mesa's renderer has
+constexpr int kChannels = 3, kDepthBits = 24;
+
+void attach(GLenum where, GLenum format, int width, int height) {
+  GLuint buffer = 0;
+  glGenRenderbuffers(1, &buffer);
+  glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+  glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, format, width, height);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffer);
+}
+
+[[noreturn]] void refuse(const char* found) {
+  throw suture::SetupError("drawing an image without a screen", found,
+                           "Install libosmesa6 22.3, as Debian 12 has it");
+}
+
+}  // namespace
+
+void Offscreen::Closer::operator()(osmesa_context* context) const { OSMesaDestroyContext(context); }
+
+Offscreen::Offscreen(int width, int height)
+    : width_(width),
+      height_(height),
+      context_(OSMesaCreateContextExt(OSMESA_RGBA, kDepthBits, 0, 0, nullptr)),
+      pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+  if (!context_) refuse("Mesa makes no context");
+  makeCurrent();
+  makeFramebuffer();
+}
+
+void Offscreen::makeCurrent() {
+  if (OSMesaMakeCurrent(context_.get(), pixels_.data(), GL_UNSIGNED_BYTE, width_, height_) == 0) {
+    refuse("Mesa does not draw in this thread");
+  }
+  OSMesaPixelStore(OSMESA_Y_UP, 0);  // the upper row first
+}
+
+/// It belongs to the context, and goes with it.
+void Offscreen::makeFramebuffer() {
+  glGenFramebuffers(1, &framebuffer_);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, width_, height_);
+  attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, width_, height_);
+  if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    refuse("Mesa has no framebuffer of four samples a pixel");
+  }
+}
+
+void Offscreen::draw(const std::function<void()>& draw, ImageFrame& image) {
+  makeCurrent();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glViewport(0, 0, width_, height_);
+  draw();
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glFinish();
+  OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  image.width = static_cast<std::uint32_t>(width_);
+  image.height = static_cast<std::uint32_t>(height_);
+  image.channels = kChannels;
+  image.data.resize(std::size_t{kChannels} * image.width * image.height);
+  cv::cvtColor(cv::Mat(height_, width_, CV_8UC4, pixels_.data()),
+               cv::Mat(height_, width_, CV_8UC3, image.data.data()), cv::COLOR_RGBA2RGB);
+  image.valid = true;
+}
+
+}  // namespace robots

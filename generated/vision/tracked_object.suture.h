@@ -1,0 +1,76 @@
+// Written by suturec from vision/tracked_object.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "vision/tracked_object.h"
+#include "robot_types/cartesian.suture.h"
+#include "robot_types/pose.suture.h"
+
+namespace robots {
+
+/// The numbers of TrackedObject's commands in every table and record.
+enum class TrackedObjectCommand : std::uint16_t {
+  measured_cp,
+  measured_cv,
+};
+
+}  // namespace robots
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<robots::TrackedObject>();
+
+/// What a client of robots::TrackedObject calls.
+template <>
+class Required<robots::TrackedObject> : public RequiredBase {
+  using Contract = robots::TrackedObject;
+  using Id = robots::TrackedObjectCommand;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Where it is at the stamp, which is the tracker's cycle: images are old when they come, and
+  /// this is what they showed, carried on by its velocity. Not valid unless the last pair of images
+  /// showed it, and not long ago.
+  ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
+      *this, static_cast<std::uint16_t>(Id::measured_cp)};
+  /// How fast it moves; valid when the pose is.
+  ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{
+      *this, static_cast<std::uint16_t>(Id::measured_cv)};
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+};
+
+/// What serves robots::TrackedObject from a component.
+template <>
+class Provided<robots::TrackedObject> : public ProvidedBase {
+  using Contract = robots::TrackedObject;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  Contract& implementation_;
+};
+
+}  // namespace suture
