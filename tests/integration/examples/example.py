@@ -12,6 +12,7 @@ import unittest
 
 PROGRAMS = pathlib.Path(sys.argv.pop())
 EXAMPLES = pathlib.Path(__file__).parents[3] / "examples"
+SCALE = 0.4  # of the teleoperations
 PATIENCE = 60  # s; only so that a hang ends the test
 
 
@@ -42,14 +43,14 @@ class Example(unittest.TestCase):
         manager = self.start("suture-manager")
         self.await_line(manager.stdout, "ready on")
 
-    def station(self, example, file, *arguments):
-        """The program of an example, with one of its deployment files. Its manager is the test's own."""
+    def station(self, example, file, *arguments, program=None):
+        """The program of an example, or another one, with one of its deployment files. Its manager is the test's own."""
         deployment = json.loads((EXAMPLES / example / file).read_text())
         if "manager" in deployment:
             deployment["manager"] = f"unix:{self.folder}/suture/manager.sock"
         copy = self.folder / file
         copy.write_text(json.dumps(deployment))
-        return self.start(example, "--deployment", copy, *arguments)
+        return self.start(program or example, "--deployment", copy, *arguments)
 
     def await_line(self, stream, pattern):
         """Reads up to the line in which the pattern is found."""
@@ -57,6 +58,14 @@ class Example(unittest.TestCase):
             if found := re.search(pattern, line):
                 return found
         return self.fail(f"it ended before it wrote a line with: {pattern}")
+
+    def await_motion(self, stream, name):
+        """How far a MotionDisplay says that its master and slave have moved, in mm, once either has moved by 30 mm."""
+        while True:
+            found = self.await_line(stream, rf"^{name}: master moved by +([\d.]+) mm, slave by +([\d.]+) mm$")
+            master, slave = float(found[1]), float(found[2])
+            if max(master, slave / SCALE) >= 30:
+                return master, slave
 
     def output_of(self, process):
         """What a program prints until it ends by itself, which must be well."""

@@ -1,0 +1,39 @@
+#pragma once
+// The client that this example adds: prints how far a master and a slave have moved.
+
+#include <suture/annotate.h>
+#include <suture/component/periodic_task.h>
+#include <suture/component/required.h>
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "arm/arm.suture.h"
+#include "teleop/teleoperation.suture.h"
+
+namespace watching {
+
+/// Twice a second; counts from where both arms were when the slave began to follow.
+class SUTURE_COMPONENT() MotionDisplay final : public suture::PeriodicTask {
+ public:
+  MotionDisplay();
+
+  void run() override;
+
+ private:
+  /// m; none if the arm does not tell where its tip is, which is printed.
+  std::optional<Eigen::Vector3d> tipOf(suture::Required<robots::Arm>& arm);
+  void print(const std::string& text) const;
+
+  struct Tips {
+    Eigen::Vector3d master, slave;
+  };
+
+  suture::Required<robots::Arm> master_{*this, "Master"};
+  suture::Required<robots::Arm> slave_{*this, "Slave"};
+  suture::Required<robots::Teleoperation> teleoperation_{*this, "Teleoperation"};
+  std::optional<Tips> began_;
+};
+
+}  // namespace watching
