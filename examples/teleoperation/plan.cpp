@@ -98,8 +98,13 @@ std::filesystem::path write(const Options& options, const std::optional<Moment>&
   return file;
 }
 
-bool mayHave(int priority) {
-  return priority == 0 || rt::grantedOf("the demo", {rt::Policy::Fifo, priority}).refusals.empty();
+/// "" if this demo may have that priority.
+std::string whyNotWith(int priority, RealTimeTurn& turn) {
+  if (priority == 0) return "";
+  if (!rt::grantedOf("the demo", {rt::Policy::Fifo, priority}).refusals.empty()) {
+    return "this user may have no real-time priorities";
+  }
+  return turn.take() ? "" : "another demo has the real-time priorities of this machine";
 }
 
 /// 0 if the file gives none.
@@ -161,9 +166,9 @@ Plan::Plan(const Options& options, Network& network, const std::filesystem::path
            const std::filesystem::path& folder)
     : name_(topology.stem()),
       stop_(parseStop(options.stop, lengthOf(options))),
-      realTime_(mayHave(highestPriorityIn(topology))),
+      whyNotRealTime_(whyNotWith(highestPriorityIn(topology), turn_)),
       folder_(folder),
-      file_(write(options, stop_, realTime_, network, topology, folder)),
+      file_(write(options, stop_, whyNotRealTime_.empty(), network, topology, folder)),
       deployment_(suture::JsonDocument::read(file_)) {
   findArms();
   findFollowings(folder);

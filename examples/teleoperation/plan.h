@@ -12,6 +12,7 @@
 
 #include "moment.h"
 #include "network.h"
+#include "real_time_turn.h"
 
 namespace demo {
 
@@ -57,7 +58,8 @@ std::string nameOf(const suture::ConnectionEntry& connection);
 /// The topology's deployment file with the run's rate, lane, stop, manager and keys, written into
 /// the run's folder. The rate is that of each task whose period the topology's file states as 1 ms;
 /// one with a shorter period, as drives have, runs faster in proportion. All others keep theirs.
-/// For a user without real-time priorities drives take an older permit of the emergency stop.
+/// For a user without real-time priorities, and while another demo has them, drives take an older
+/// permit of the emergency stop.
 class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
@@ -81,8 +83,9 @@ class Plan {
   std::vector<RecordedSlave> slavesDrivenAcross(const std::string& process) const;
   /// When the emergency stop is pressed; none if it is not.
   const std::optional<Moment>& stop() const { return stop_; }
-  /// True if its tasks have the real-time priorities that the topology's file gives them.
-  bool isRealTime() const { return realTime_; }
+  /// Why its tasks go without the real-time priorities that the topology's file gives them, as the
+  /// end of a sentence; "" if they have them.
+  const std::string& whyNotRealTime() const { return whyNotRealTime_; }
   /// How old the permit of the emergency stop may be at drives; zero if they need none.
   suture::Duration permit() const { return permit_; }
   /// None if no component of the deployment records a knot.
@@ -108,7 +111,8 @@ class Plan {
 
   const std::string name_;
   const std::optional<Moment> stop_;
-  const bool realTime_;
+  RealTimeTurn turn_;
+  const std::string whyNotRealTime_;
   std::filesystem::path folder_, file_;
   suture::Deployment deployment_;
   std::vector<std::string> arms_;

@@ -55,7 +55,7 @@ void Screen::begin(const Options& options, const Plan& plan, const Network& netw
   if (plan.permit() > Duration{0}) {
     fmt::print("  drives need a permit that is at most {:.0f} ms old{}\n",
                1e3 * robots::inSeconds(plan.permit()),
-               plan.isRealTime() ? "" : ", for this user may have no real-time priorities");
+               plan.whyNotRealTime().empty() ? "" : ", for " + plan.whyNotRealTime());
   }
   if (const auto& stop = plan.stop()) {
     fmt::print("  the emergency stop is pressed after {:g} s and released {:g} s later\n",
