@@ -1,5 +1,8 @@
 #include "surgeon/surgeon.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "surgeon/pause.h"
 #include "timing/seconds.h"
 
@@ -7,7 +10,8 @@ namespace robots {
 
 Surgeon::Surgeon(const SurgeonParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      shape_{parameters.amplitude, parameters.turn, parameters.frequency, parameters.ramp} {
+      shape_{parameters.amplitude, parameters.turn, parameters.frequency, parameters.ramp},
+      opening_(parameters.opening) {
   teleoperation_.on().teleop_state(
       [this](const TeleopState& state) { follows_ = state == TeleopState::Following; });
 }
@@ -31,7 +35,9 @@ void Surgeon::run() {
     setOut_ = now;
   }
   const double t = secondsBetween(setOut_, now);
-  if (!master_.servo_cp({path_->at(t), now, true})) path_.reset();
+  if (!master_.servo_cp({path_->at(t), now, true})) return path_.reset();
+  const double open = (1 - std::cos(2 * std::numbers::pi * shape_.frequency * t)) / 2;
+  (void)hand_.squeeze(opening_ * open);
 }
 
 }  // namespace robots

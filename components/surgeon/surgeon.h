@@ -11,6 +11,7 @@
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
+#include "drives/gripper_hand.suture.h"
 #include "surgeon/hand_path.h"
 #include "teleop/teleoperation.suture.h"
 #include "timing/cycle_watch.h"
@@ -24,13 +25,16 @@ struct SUTURE_TYPE() SurgeonParameters {
   /// How far it turns about its widest axis.
   SUTURE_FIELD(unit("rad"), range(0, 1)) double turn = 0.3;
   SUTURE_FIELD(unit("Hz"), range(0.001, 10)) double frequency = 0.3;
+  /// How far the fingers open the gripper, as often as the hand swings.
+  SUTURE_FIELD(unit("rad"), range(0, 1.047)) double opening = 0.5;
   /// How long it takes to reach the full swing.
   SUTURE_FIELD(unit("s"), range(0.1, 100)) double ramp = 1.0;
 };
 
 /// Drives the arm it is connected to along a smooth path around where it finds it, from the moment
 /// the arm is ready; whenever it has not been, or the task was held up, it sets out anew from rest.
-/// Connected to a teleoperation it moves only while that follows.
+/// Connected to a teleoperation it moves only while that follows; connected to a hand, it opens and
+/// closes the gripper meanwhile.
 class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
  public:
   explicit Surgeon(const SurgeonParameters& parameters);
@@ -41,9 +45,11 @@ class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
   bool mayMove();
 
   const HandPathShape shape_;
+  const double opening_;
   suture::Required<Arm> master_{*this, "Master"};
   SUTURE_REQUIRED(optional())
   suture::Required<Teleoperation> teleoperation_{*this, "Teleoperation"};
+  SUTURE_REQUIRED(optional()) suture::Required<GripperHand> hand_{*this, "Hand"};
   ArmWatch watch_{master_};
   CycleWatch cycles_;
   std::optional<HandPath> path_;

@@ -28,6 +28,7 @@ static_assert(std::is_same_v<decltype(SurgeonParameters::period), std::chrono::n
 static_assert(std::is_same_v<decltype(SurgeonParameters::amplitude), double>);
 static_assert(std::is_same_v<decltype(SurgeonParameters::turn), double>);
 static_assert(std::is_same_v<decltype(SurgeonParameters::frequency), double>);
+static_assert(std::is_same_v<decltype(SurgeonParameters::opening), double>);
 static_assert(std::is_same_v<decltype(SurgeonParameters::ramp), double>);
 
 }  // namespace
@@ -38,6 +39,7 @@ bool store(const SurgeonParameters& value, SurgeonParametersSlot& slot) {
   fits &= store(value.amplitude, slot.amplitude);
   fits &= store(value.turn, slot.turn);
   fits &= store(value.frequency, slot.frequency);
+  fits &= store(value.opening, slot.opening);
   fits &= store(value.ramp, slot.ramp);
   return fits;
 }
@@ -47,6 +49,7 @@ void load(const SurgeonParametersSlot& slot, SurgeonParameters& value) {
   load(slot.amplitude, value.amplitude);
   load(slot.turn, value.turn);
   load(slot.frequency, value.frequency);
+  load(slot.opening, value.opening);
   load(slot.ramp, value.ramp);
 }
 
@@ -57,6 +60,7 @@ void toWire(const SurgeonParametersSlot& slot, wire::SurgeonParameters::Builder 
   out.setAmplitude(slot.amplitude);
   out.setTurn(slot.turn);
   out.setFrequency(slot.frequency);
+  out.setOpening(slot.opening);
   out.setRamp(slot.ramp);
 }
 
@@ -65,6 +69,7 @@ Errc fromWire(wire::SurgeonParameters::Reader in, SurgeonParametersSlot& slot, D
   slot.amplitude = in.getAmplitude();
   slot.turn = in.getTurn();
   slot.frequency = in.getFrequency();
+  slot.opening = in.getOpening();
   slot.ramp = in.getRamp();
   return Errc{};
 }
@@ -73,6 +78,7 @@ bool isValid(const SurgeonParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.amplitude, 0, 0.2)) return refusedAt(path, "amplitude");
   if (!inRange(slot.turn, 0, 1)) return refusedAt(path, "turn");
   if (!inRange(slot.frequency, 0.001, 10)) return refusedAt(path, "frequency");
+  if (!inRange(slot.opening, 0, 1.047)) return refusedAt(path, "opening");
   return inRange(slot.ramp, 0.1, 100) || refusedAt(path, "ramp");
 }
 
@@ -86,6 +92,7 @@ void fromJson(const suture::JsonReader& in, SurgeonParameters& value) {
   reader.field("amplitude", value.amplitude, 0, 0.2);
   reader.field("turn", value.turn, 0, 1);
   reader.field("frequency", value.frequency, 0.001, 10);
+  reader.field("opening", value.opening, 0, 1.047);
   reader.field("ramp", value.ramp, 0.1, 100);
   reader.finish();
 }
@@ -101,7 +108,7 @@ ComponentClass componentClass<robots::Surgeon>() {
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
             std::unique_ptr<Component> component(new robots::Surgeon(values));
-            makeOptional(*component, {"Teleoperation"});
+            makeOptional(*component, {"Teleoperation", "Hand"});
             return component;
           }};
 }

@@ -6,6 +6,7 @@
 
 #include "surgeon/surgeon.h"
 #include "arm/arm.suture.h"
+#include "drives/gripper_hand.suture.h"
 #include "teleop/teleoperation.suture.h"
 
 namespace suture {
@@ -19,6 +20,7 @@ struct SurgeonParametersSlot {
   double amplitude;     // m
   double turn;          // rad
   double frequency;     // Hz
+  double opening;       // rad
   double ramp;          // s
 };
 

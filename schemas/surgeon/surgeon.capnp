@@ -15,4 +15,6 @@ struct SurgeonParameters @0x87be51985ec39338 $Meta.cxx("robots::SurgeonParameter
   frequency @3 :Float64 = 0.3 $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("Hz");
   ramp @4 :Float64 = 1.0 $Meta.range(lowest = 0.1, highest = 100) $Meta.unit("s");
   # How long it takes to reach the full swing.
+  opening @5 :Float64 = 0.5 $Meta.range(lowest = 0, highest = 1.047) $Meta.unit("rad");
+  # How far the fingers open the gripper, as often as the hand swings.
 }
