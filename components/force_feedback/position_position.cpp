@@ -1,0 +1,30 @@
+#include "force_feedback/position_position.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+
+namespace robots {
+
+PositionPosition::PositionPosition(const PositionPositionModel& model) : model_(model) {
+  for (const double number :
+       {model.gains.stiffness, model.gains.damping, model.most_force, model.most_damping}) {
+    if (std::isfinite(number) && number >= 0) continue;
+    throw std::invalid_argument(
+        "position-position feedback: gains and bounds must be finite, and not negative");
+  }
+}
+
+Eigen::Vector3d PositionPosition::force(const TipMotion& master, const TipMotion& slave,
+                                        double dt) {
+  observer_.movedTo(master.position);
+  const double most = model_.most_force;
+  Eigen::Vector3d force = coupling(model_.gains, master, slave).cwiseMin(most).cwiseMax(-most);
+  if (model_.passive) {
+    force = damped(force, master.velocity, observer_.energy(), model_.most_damping, dt);
+  }
+  observer_.pushes(force);
+  return force;
+}
+
+}  // namespace robots
