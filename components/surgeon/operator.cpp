@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "arm/fresh_pose.h"
 #include "surgeon/pause.h"
 #include "timing/seconds.h"
 
@@ -9,6 +10,8 @@ namespace robots {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr double kRateFilter = 0.005;  // s
 
 HandModel handOf(const OperatorParameters& parameters, std::uint32_t number) {
   return {.tremor = {.amplitude = parameters.tremor, .seed = parameters.seed + number}};
@@ -21,13 +24,17 @@ CrossoverParameters crossoverOf(const OperatorParameters& parameters) {
           .seed = parameters.seed};
 }
 
+PositionPositionModel feedbackOf(const OperatorParameters& parameters) {
+  return {.gains = {parameters.stiffness, parameters.damping}, .passive = parameters.passive};
+}
+
 }  // namespace
 
 Operator::Operator(const OperatorParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
       parameters_(parameters),
-      left_(*this, "Left", handOf(parameters, 0)),
-      right_(*this, "Right", handOf(parameters, 1)),
+      left_(*this, "Left", "LeftSlave", parameters_, 0),
+      right_(*this, "Right", "RightSlave", parameters_, 1),
       model_(crossoverOf(parameters), parameters.period) {
   guidance_.on().guidance_state(
       [this](const GuidanceState& state) { guided_ = state == GuidanceState::Guiding; });
@@ -69,18 +76,49 @@ Vector3d Operator::seenError(suture::Time now) {
   return parameters_.target - frames->camera * sighting->knot;
 }
 
+Operator::Side::Side(Operator& self, const char* masterName, const char* slaveName,
+                     const OperatorParameters& shared, std::uint32_t number)
+    : parameters(shared),
+      master(self, masterName),
+      slave(self, slaveName),
+      hand(handOf(shared, number)),
+      feedback(feedbackOf(shared)),
+      slaveRate(kRateFilter) {
+  if (shared.force_feedback == ForceFeedback::None) slave.makeOptional();
+}
+
 bool Operator::Side::begin() {
   const auto pose = master.setpoint_cp();
   if (!pose || !pose->valid) return false;
   start = pose->pose;
   hand.restAt(Vector3d::Zero());
+  slaveStart.reset();
   return true;
 }
 
 /// The master goes where the hand goes. False if it did not take its goal.
 bool Operator::Side::follow(suture::Time now, double seconds, const Vector3d& intended) {
-  hand.advance(seconds, intended, Vector3d::Zero());
+  hand.advance(seconds, intended, felt(seconds));
   return master.servo_cp({Eigen::Translation3d(hand.position()) * start, now, true}).has_value();
+}
+
+Vector3d Operator::Side::felt(double seconds) {
+  if (parameters.force_feedback == ForceFeedback::None || !(seconds > 0)) return Vector3d::Zero();
+  const auto sample = slave.measured_cp();
+  const PoseStamped* const pose = freshMeasurement(sample, parameters.slave_age);
+  if (pose == nullptr) {
+    slaveStart.reset();
+    return Vector3d::Zero();
+  }
+  const Vector3d place = pose->pose.translation() / parameters.scale;
+  if (!slaveStart) {
+    slaveStart = place - hand.position();
+    slaveRate.reset(place);
+    feedback.beginAt(hand.position());
+  }
+  slaveRate.update(place, seconds);
+  return feedback.force({hand.position(), hand.velocity()}, {place - *slaveStart, slaveRate.rate()},
+                        seconds);
 }
 
 }  // namespace robots

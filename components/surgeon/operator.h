@@ -9,9 +9,12 @@
 #include <Eigen/Geometry>
 #include <chrono>
 #include <cstdint>
+#include <optional>
 
 #include "arm/arm.suture.h"
 #include "arm/arm_watch.h"
+#include "drives/rate_filter.h"
+#include "force_feedback/position_position.h"
 #include "guidance/guidance.suture.h"
 #include "hand/hand.h"
 #include "registration/registration.suture.h"
@@ -20,6 +23,11 @@
 #include "vision/knot_vision.suture.h"
 
 namespace robots {
+
+enum class SUTURE_TYPE() ForceFeedback : std::uint8_t {
+  None,
+  PositionPosition,  ///< force_feedback/position_position.h
+};
 
 struct SUTURE_TYPE() OperatorParameters {
   suture::Duration period = std::chrono::milliseconds(1);
@@ -42,6 +50,15 @@ struct SUTURE_TYPE() OperatorParameters {
   SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.2;
   /// The operator does not act on a picture that was exposed longer ago.
   suture::Duration picture_age = std::chrono::seconds(1);
+  /// What the hands feel of the slaves.
+  ForceFeedback force_feedback = ForceFeedback::None;
+  /// How stiffly, and how much damped, each master is drawn to where its slave is known to be.
+  SUTURE_FIELD(unit("N/m"), range(0, 5000)) double stiffness = 300;
+  SUTURE_FIELD(unit("N.s/m"), range(0, 100)) double damping = 3;
+  /// With the passivity controller; without, hands may get more energy than they gave.
+  bool passive = true;
+  /// A slave that was measured longer ago is not felt.
+  suture::Duration slave_age = std::chrono::milliseconds(300);
 };
 
 /// Takes the place of a KnotSurgeon, and looks: what it sees of the knot in the picture, however
@@ -51,25 +68,43 @@ struct SUTURE_TYPE() OperatorParameters {
 /// A picture that is lost, not valid or too old is no error to reduce: the hands come to rest once
 /// that has passed the operator's own delay, and hold. They also hold while the guide does not
 /// guide. Each time they begin from where the masters are.
+///
+/// With force feedback the motors of both masters are simulated here, with the hands that they
+/// push: the simulated arms go where they are sent, and take no force beside (README.md). What a
+/// hand feels is where its slave is, by what the link has brought of that, against where it leads
+/// it.
 class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
  public:
   explicit Operator(const OperatorParameters& parameters);
 
   void run() override;
 
+  /// J, of the axis that has least: what the left hand has given to the motors that push it, and
+  /// the right one. The operator's thread.
+  double leftEnergy() const { return left_.feedback.energy().minCoeff(); }
+  double rightEnergy() const { return right_.feedback.energy().minCoeff(); }
+
  private:
   /// A hand and the master that it holds.
   struct Side {
-    Side(Operator& self, const char* name, const HandModel& model)
-        : master(self, name), hand(model) {}
+    Side(Operator& self, const char* masterName, const char* slaveName,
+         const OperatorParameters& parameters, std::uint32_t number);
 
     bool begin();
     bool follow(suture::Time now, double seconds, const Eigen::Vector3d& intended);
+    /// N: what the motors push the hand with for the next `seconds`.
+    Eigen::Vector3d felt(double seconds);
 
-    suture::Required<Arm> master;
+    const OperatorParameters& parameters;
+    suture::Required<Arm> master, slave;  // the slave is needed for force feedback alone
     ArmWatch watch{master};
-    Hand hand;                                                // from where it began, m
     Eigen::Isometry3d start = Eigen::Isometry3d::Identity();  // of the master, in its base frame
+    Hand hand;                                                // from where it began, m
+    PositionPosition feedback;
+    RateFilter<3> slaveRate;
+    // Where the slave was while the hand was at its origin, to the scale of the master, m; none
+    // while it is not felt.
+    std::optional<Eigen::Vector3d> slaveStart;
   };
 
   /// Of the knot to its target, in the scene, m; zero if the operator does not see it.

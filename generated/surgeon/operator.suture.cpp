@@ -15,6 +15,7 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::load;
 using suture::refusedAt;
+using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
@@ -25,6 +26,9 @@ using suture::store;
 namespace {
 
 // What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<std::underlying_type_t<ForceFeedback>, std::uint8_t>);
+static_assert(static_cast<std::uint8_t>(ForceFeedback::None) == 0);
+static_assert(static_cast<std::uint8_t>(ForceFeedback::PositionPosition) == 1);
 static_assert(std::is_same_v<decltype(OperatorParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(OperatorParameters::target), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(OperatorParameters::scale), double>);
@@ -35,6 +39,11 @@ static_assert(std::is_same_v<decltype(OperatorParameters::seed), std::uint32_t>)
 static_assert(std::is_same_v<decltype(OperatorParameters::tremor), double>);
 static_assert(std::is_same_v<decltype(OperatorParameters::speed), double>);
 static_assert(std::is_same_v<decltype(OperatorParameters::picture_age), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(OperatorParameters::force_feedback), ForceFeedback>);
+static_assert(std::is_same_v<decltype(OperatorParameters::stiffness), double>);
+static_assert(std::is_same_v<decltype(OperatorParameters::damping), double>);
+static_assert(std::is_same_v<decltype(OperatorParameters::passive), bool>);
+static_assert(std::is_same_v<decltype(OperatorParameters::slave_age), std::chrono::nanoseconds>);
 
 }  // namespace
 
@@ -50,6 +59,11 @@ bool store(const OperatorParameters& value, OperatorParametersSlot& slot) {
   fits &= store(value.tremor, slot.tremor);
   fits &= store(value.speed, slot.speed);
   fits &= store(value.picture_age, slot.picture_age);
+  fits &= store(value.force_feedback, slot.force_feedback);
+  fits &= store(value.stiffness, slot.stiffness);
+  fits &= store(value.damping, slot.damping);
+  fits &= store(value.passive, slot.passive);
+  fits &= store(value.slave_age, slot.slave_age);
   return fits;
 }
 
@@ -64,9 +78,41 @@ void load(const OperatorParametersSlot& slot, OperatorParameters& value) {
   load(slot.tremor, value.tremor);
   load(slot.speed, value.speed);
   load(slot.picture_age, value.picture_age);
+  load(slot.force_feedback, value.force_feedback);
+  load(slot.stiffness, value.stiffness);
+  load(slot.damping, value.damping);
+  load(slot.passive, value.passive);
+  load(slot.slave_age, value.slave_age);
 }
 
 // --- between slots and Cap'n Proto
+
+wire::ForceFeedback wireForceFeedback(std::uint8_t slot) {
+  switch (static_cast<ForceFeedback>(slot)) {
+    case ForceFeedback::None: return wire::ForceFeedback::NONE;
+    case ForceFeedback::PositionPosition: return wire::ForceFeedback::POSITION_POSITION;
+  }
+  return wire::ForceFeedback{};
+}
+
+bool isKnownForceFeedback(std::uint8_t slot) {
+  switch (static_cast<ForceFeedback>(slot)) {
+    case ForceFeedback::None:
+    case ForceFeedback::PositionPosition:
+      return true;
+  }
+  return false;
+}
+
+Errc fromWire(wire::ForceFeedback in, std::uint8_t& slot) {
+  switch (in) {
+    case wire::ForceFeedback::NONE: return slot =
+        static_cast<std::uint8_t>(ForceFeedback::None), Errc{};
+    case wire::ForceFeedback::POSITION_POSITION: return slot =
+        static_cast<std::uint8_t>(ForceFeedback::PositionPosition), Errc{};
+  }
+  return Errc::Invalid;
+}
 
 void toWire(const OperatorParametersSlot& slot, wire::OperatorParameters::Builder out) {
   out.setPeriod(slot.period);
@@ -79,6 +125,11 @@ void toWire(const OperatorParametersSlot& slot, wire::OperatorParameters::Builde
   out.setTremor(slot.tremor);
   out.setSpeed(slot.speed);
   out.setPictureAge(slot.picture_age);
+  out.setForceFeedback(wireForceFeedback(slot.force_feedback));
+  out.setStiffness(slot.stiffness);
+  out.setDamping(slot.damping);
+  out.setPassive(slot.passive != 0);
+  out.setSlaveAge(slot.slave_age);
 }
 
 Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlot& slot, Duration) {
@@ -91,8 +142,15 @@ Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlot& slot,
   slot.tremor = in.getTremor();
   slot.speed = in.getSpeed();
   slot.picture_age = in.getPictureAge();
-  return in.hasTarget() ? fromWire(in.getTarget(), slot.target)
-      : fromDefault(OperatorParameters().target, slot.target);
+  slot.stiffness = in.getStiffness();
+  slot.damping = in.getDamping();
+  slot.passive = in.getPassive();
+  slot.slave_age = in.getSlaveAge();
+  return firstError({
+      in.hasTarget() ? fromWire(in.getTarget(), slot.target)
+          : fromDefault(OperatorParameters().target, slot.target),
+      fromWire(in.getForceFeedback(), slot.force_feedback),
+  });
 }
 
 bool isValid(const OperatorParametersSlot& slot, FieldPath* path) {
@@ -101,12 +159,21 @@ bool isValid(const OperatorParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.crossover_frequency, 0.1, 20)) return refusedAt(path, "crossover_frequency");
   if (!inRange(slot.remnant, 0, 1)) return refusedAt(path, "remnant");
   if (!inRange(slot.tremor, 0, 0.002)) return refusedAt(path, "tremor");
-  return inRange(slot.speed, 0.001, 1) || refusedAt(path, "speed");
+  if (!inRange(slot.speed, 0.001, 1)) return refusedAt(path, "speed");
+  if (!isKnownForceFeedback(slot.force_feedback)) return refusedAt(path, "force_feedback");
+  if (!inRange(slot.stiffness, 0, 5000)) return refusedAt(path, "stiffness");
+  return inRange(slot.damping, 0, 100) || refusedAt(path, "damping");
 }
 
 }  // namespace robots
 
 namespace robots {
+
+inline void fromJson(const suture::JsonReader& in, ForceFeedback& value) {
+  static constexpr ForceFeedback kValues[] = {ForceFeedback::None, ForceFeedback::PositionPosition};
+  const int index = suture::enumeratorFromJson(in, {"None", "PositionPosition"});
+  if (index >= 0) value = kValues[index];
+}
 
 void fromJson(const suture::JsonReader& in, OperatorParameters& value) {
   suture::JsonReader reader = in;
@@ -120,6 +187,11 @@ void fromJson(const suture::JsonReader& in, OperatorParameters& value) {
   reader.field("tremor", value.tremor, 0, 0.002);
   reader.field("speed", value.speed, 0.001, 1);
   reader.field("picture_age", value.picture_age);
+  reader.field("force_feedback", value.force_feedback);
+  reader.field("stiffness", value.stiffness, 0, 5000);
+  reader.field("damping", value.damping, 0, 100);
+  reader.field("passive", value.passive);
+  reader.field("slave_age", value.slave_age);
   reader.finish();
 }
 

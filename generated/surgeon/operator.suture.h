@@ -23,9 +23,14 @@ struct OperatorParametersSlot {
   std::int64_t delay;          // std::chrono::nanoseconds, ns
   double remnant;
   std::uint32_t seed;
-  double tremor;             // m
-  double speed;              // m/s
-  std::int64_t picture_age;  // std::chrono::nanoseconds, ns
+  double tremor;                // m
+  double speed;                 // m/s
+  std::int64_t picture_age;     // std::chrono::nanoseconds, ns
+  std::uint8_t force_feedback;  // ForceFeedback
+  double stiffness;             // N/m
+  double damping;               // N.s/m
+  std::uint8_t passive;         // bool
+  std::int64_t slave_age;       // std::chrono::nanoseconds, ns
 };
 
 bool store(const OperatorParameters& value, OperatorParametersSlot& slot);

@@ -29,4 +29,19 @@ struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParamet
   # The hands go no faster, whatever the error: our own estimate of careful work.
   pictureAge @9 :Int64 = 1000000000 $Meta.cxx("picture_age") $Meta.period("1/1000000000");
   # The operator does not act on a picture that was exposed longer ago.
+  forceFeedback @10 :ForceFeedback $Meta.cxx("force_feedback");
+  # What the hands feel of the slaves.
+  stiffness @11 :Float64 = 300.0 $Meta.range(lowest = 0, highest = 5000) $Meta.unit("N/m");
+  # How stiffly, and how much damped, each master is drawn to where its slave is known to be.
+  damping @12 :Float64 = 3.0 $Meta.range(lowest = 0, highest = 100) $Meta.unit("N.s/m");
+  passive @13 :Bool = true;
+  # With the passivity controller; without, hands may get more energy than they gave.
+  slaveAge @14 :Int64 = 300000000 $Meta.cxx("slave_age") $Meta.period("1/1000000000");
+  # A slave that was measured longer ago is not felt.
+}
+
+enum ForceFeedback @0x9ef5532985c8a260 $Meta.cxx("robots::ForceFeedback") $Meta.underlying("UInt8") {
+  none @0 $Meta.cxx("None") $Meta.value(0);
+  positionPosition @1 $Meta.cxx("PositionPosition") $Meta.value(1);
+  # force_feedback/position_position.h
 }
