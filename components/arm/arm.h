@@ -20,6 +20,10 @@ namespace robots {
 /// one. An arm starts, and restarts, undefined; once it hears of its drives, and they may have
 /// power, it is disabled and not homed. Until it is enabled it ignores motion commands.
 ///
+/// An arm that works through a cannula refuses Cartesian motion, servo, interpolation and moves,
+/// until its wrist is far enough beyond the remote centre: a da Vinci's is 45 mm beyond it, and 2
+/// mm more to begin. Joint commands and homing are what inserts it.
+///
 /// `local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of
 /// the interface, in which base_frame() is the arm's base; the two are one until somebody sets
 /// another. A motion command replaces the one before it, of whichever space; relative goals are
@@ -33,7 +37,10 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
  public:
   // --- state
 
-  /// What the joints are and may do.
+  /// What the joints are and may do. Velocities are their rate limits, accelerations those of
+  /// moves. Efforts are the most that the motors give; of a da Vinci they are published
+  /// (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. Where nothing is bounded the
+  /// lists are empty.
   SUTURE_COMMAND() virtual const JointConfiguration& configuration_js() const = 0;
   SUTURE_COMMAND() virtual const OperatingState& operating_state() const = 0;
   /// How regularly the arm's task ran in the last second.
@@ -124,7 +131,8 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND(latest(), ttl(200ms)) virtual void interpolate_cp(const PoseStamped& goal) = 0;
   SUTURE_COMMAND(ttl(200ms)) virtual void interpolate_cr(const PoseStamped& step) = 0;
 
-  /// Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.
+  /// Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:
+  /// one may begin while it moves. Each ends at rest and with goal_reached.
   SUTURE_COMMAND() virtual void move_jp(const JointGoal& goal) = 0;
   SUTURE_COMMAND() virtual void move_jr(const JointGoal& step) = 0;
   SUTURE_COMMAND() virtual void move_cp(const PoseStamped& goal) = 0;

@@ -24,6 +24,7 @@ enum class ArmWarning : std::uint32_t {
                    ///< arm is in FAULT
   OverCurrent,     ///< a motor has given more than its joint may take for too long; the arm is in
                    ///< FAULT
+  NotInserted,     ///< Cartesian control needs the wrist beyond the cannula: the rule of Arm
 };
 
 }  // namespace robots

@@ -26,7 +26,8 @@ namespace robots {
 /// (arm_warning.h).
 class SUTURE_INTERFACE(crtk(), version(1)) Jaw : public suture::Messages {
  public:
-  /// What the joint is and may do.
+  /// What the joint is and may do. Its effort limit is published
+  /// (LARGE_NEEDLE_DRIVER_400006.json), its acceleration limit, which is that of moves, is not.
   SUTURE_COMMAND() virtual const JointConfiguration& configuration_js() const = 0;
   /// Where it is. Stamp: the drives' cycle that measured it.
   SUTURE_COMMAND() virtual const JointState& measured_js() const = 0;
@@ -39,7 +40,8 @@ class SUTURE_INTERFACE(crtk(), version(1)) Jaw : public suture::Messages {
   /// Streams efforts, newest wins; a negative one closes. The simulated jaw has no mass: an effort
   /// moves the set-point at a speed proportional to it.
   SUTURE_COMMAND(latest(), ttl(20ms)) virtual void servo_jf(const JointEffortGoal& goal) = 0;
-  /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.
+  /// Plans and executes a smooth motion from the set-point and the velocity that it has. Ends with
+  /// goal_reached.
   SUTURE_COMMAND() virtual void move_jp(const JointGoal& goal) = 0;
 
   /// A move ended: true at its goal, false when something else replaced it.

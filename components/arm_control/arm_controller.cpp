@@ -50,7 +50,9 @@ template <int N>
 ArmController<N>::ArmController(const ArmModel<N>& model)
     : model_(model),
       watch_(boundsOf(model), model.watch),
+      inserted_(!model.insertion),
       setpoint_(Joints::Zero()),
+      setpointRate_(model.rate_limit),
       measuredJs_(blank<N>(model.joint_names)),
       setpointJs_(measuredJs_) {
   measuredJs_.velocity.resize(N);
@@ -96,6 +98,7 @@ void ArmController<N>::restIn(ArmState state, const char* activity) {
   endMove(false);
   setpoint_ = reading_.position;
   setpointStamp_ = {};
+  setpointRate_.rest(setpoint_);
   watch_.forgive();
   enter(state, activity);
 }
@@ -104,13 +107,14 @@ template <int N>
 void ArmController<N>::hold() {
   if (!mayMove()) return;
   endMove(false);
+  setpointRate_.rest(setpoint_);
   enter(ArmState::Enabled, "holding");
 }
 
 template <int N>
 std::optional<typename ArmController<N>::ServoTarget> ArmController<N>::target(
     const PoseStamped& goal) {
-  if (!mayMove()) return std::nullopt;
+  if (!mayMoveTip()) return std::nullopt;
   if (!isPose(goal)) return refused(ArmWarning::Malformed);
   const auto solution = model_.solve(goal.pose, setpoint_, kinematics::Postures::Near);
   if (!solution.found && !solution.limited) return refused(ArmWarning::OutOfReach);
@@ -185,11 +189,11 @@ void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N
   if (servoing_.hasFallenSilent(now)) hold();
   if (line_) setpoint_ = line_->at(now);
   if (move_) {
-    if (moveStart_ == suture::Time{}) moveStart_ = now;
     const double t = secondsBetween(moveStart_, now);
-    setpoint_ = move_->at(t);
+    setpoint_ = model_.chain.clamp(move_->at(t));  // it may brake beyond a limit
     if (t >= move_->duration()) endMove(true);
   }
+  setpointRate_.update(now, setpoint_);
   publish(now);
 }
 
@@ -199,6 +203,7 @@ void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
   if (drives) {
     reading_ = *drives;
     const auto fault = watch_.look(reading_);
+    obeyInsertion();
     obeyPower();
     if (fault && powered() && state_.state != ArmState::Fault) {
       fail(*fault, fault->reason == ArmWarning::EncoderJump ? "encoder jump" : "over-current");
@@ -221,6 +226,14 @@ void ArmController<N>::obeyPower() {
     restIn(ArmState::Disabled, "");
     warnings_.tell(ArmWarning::PowerLost);
   }
+}
+
+template <int N>
+void ArmController<N>::obeyInsertion() {
+  if (!model_.insertion) return;
+  const InsertionRule& rule = *model_.insertion;
+  const Eigen::Isometry3d frame = model_.chain.link(reading_.position, rule.joints);
+  inserted_ = frame.translation().norm() >= rule.least + (inserted_ ? 0 : rule.buffer);
 }
 
 template <int N>
@@ -248,6 +261,13 @@ bool ArmController<N>::mayMove() {
 }
 
 template <int N>
+bool ArmController<N>::mayMoveTip() {
+  if (!mayMove()) return false;
+  if (!inserted_) warn(ArmWarning::NotInserted);
+  return inserted_;
+}
+
+template <int N>
 void ArmController<N>::enter(ArmState state, const char* activity) {
   const bool busy = move_.has_value();
   warnings_.obey();
@@ -262,8 +282,9 @@ void ArmController<N>::enter(ArmState state, const char* activity) {
 template <int N>
 void ArmController<N>::startMove(const Joints& goal, bool homing) {
   endMove(false);
-  move_.emplace(setpoint_, goal, moveRatio_ * model_.rate_limit);
-  moveStart_ = {};
+  const typename JointMove<N>::Limits limits{model_.rate_limit, model_.acceleration_limit};
+  move_ = JointMove<N>({setpoint_, setpointRate_.rate()}, goal, limits, moveRatios_);
+  moveStart_ = lastStep_;
   homing_ = homing;
   setpointStamp_ = {};
   enter(ArmState::Enabled, homing ? "homing" : "moving");

@@ -16,6 +16,7 @@
 #include "arm_control/joint_line.h"
 #include "arm_control/joint_move.h"
 #include "arm_control/operating_states.h"
+#include "arm_control/setpoint_rate.h"
 #include "arm_control/warnings.h"
 #include "kinematics/inverse.h"
 #include "robot_types/joints.h"
@@ -24,6 +25,13 @@
 #include "timing/stream_watch.h"
 
 namespace robots {
+
+/// Cartesian control is refused until the frame behind so many joints has been `least` + `buffer`
+/// from the base's origin, and once it is nearer than `least` again.
+struct InsertionRule {
+  int joints;
+  double least, buffer;  ///< m
+};
 
 /// How one arm is built and what it may do. Joint vectors in rad, or m for a prismatic joint.
 template <int N>
@@ -34,6 +42,8 @@ struct ArmModel {
   std::array<const char*, std::size_t{N}> joint_names;
   Joints home;        ///< where home() takes it
   Joints rate_limit;  ///< rad/s or m/s
+  /// Of moves; rad/s2 or m/s2.
+  Joints acceleration_limit = Joints::Constant(std::numeric_limits<double>::infinity());
   /// A joint that trails its set-point by more faults the arm.
   Joints following_error = Joints::Constant(std::numeric_limits<double>::infinity());
   /// What the drives may measure of the joints; the rates are those above.
@@ -41,6 +51,7 @@ struct ArmModel {
   Joints encoder_step = Joints::Zero();  ///< rad or m: what one count is of the joint
   DriveBounds tool = {};
   DriveWatchOptions watch = {};
+  std::optional<InsertionRule> insertion = {};
   /// s: a servo goal may lie so far from the set-point as the joints can move in this time.
   double servo_horizon = 0.1;
   /// The arm's own closed form, if it has one.
@@ -115,10 +126,13 @@ class ArmController {
   /// Takes what the drives measured, and goes where they lead: they stop, or fall silent.
   void take(const std::optional<DriveReading<N>>& drives);
   void obeyPower();
+  void obeyInsertion();
   /// The joint that trails its set-point by too much, if one does.
   std::optional<int> trailing() const;
   void fail(const DriveFault& fault, const char* activity);
   bool mayMove();
+  /// The same of Cartesian commands.
+  bool mayMoveTip();
   void warn(ArmWarning reason) { warnings_.warn(reason); }
   std::nullopt_t refused(ArmWarning reason) {
     warn(reason);
@@ -154,19 +168,21 @@ class ArmController {
   const ArmModel<N> model_;
   DriveWatch<N> watch_;
   DriveReading<N> reading_;  // what the drives measured last
+  bool inserted_;            // far enough for Cartesian control
   bool heard_ = false;       // in this cycle there is a reading
   suture::Time permitted_;   // by which permit of power the arm was enabled
   suture::Time lastStep_;
   Joints setpoint_;
+  SetpointRate<N> setpointRate_;
   suture::Time setpointStamp_;  // of the streamed goal it came from; unset otherwise
   std::optional<JointMove<N>> move_;
-  suture::Time moveStart_;            // of the cycle that began move_
+  suture::Time moveStart_;            // the cycle that its first set-point is of
   std::optional<JointLine<N>> line_;  // to the last goal that is interpolated
   bool homing_ = false;
   StreamWatch servoing_;                               // whatever else the arm does ends it
   const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed
   bool sliding_ = false;                               // along a joint limit
-  double moveRatio_ = 1;                               // of the rates that a move may use
+  MoveRatios moveRatios_;
 
   JointState measuredJs_, setpointJs_;
   PoseStamped measuredCp_, setpointCp_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 #include "arm_control/goals.h"
 #include "timing/seconds.h"
@@ -49,6 +50,13 @@ Joints withinRates(const Joints& step, const Joints& most) {
   return share * step;
 }
 
+/// Leaves lists empty whose quantity has no bound.
+void bound(double most, std::vector<double>& lower, std::vector<double>& upper) {
+  if (!std::isfinite(most)) return;
+  lower.push_back(-most);
+  upper.push_back(most);
+}
+
 template <class Data>
 void name(Data& data, suture::FrameId moving, suture::FrameId reference) {
   data.moving_frame = moving;
@@ -71,6 +79,9 @@ CrtkArm<N>::CrtkArm(ArmController<N>& arm) : arm_(arm), goalJs_(arm.setpoint_js(
     configuration_.position_max.push_back(model.chain.upper()[i]);
     configuration_.velocity_min.push_back(-rate);
     configuration_.velocity_max.push_back(rate);
+    bound(model.acceleration_limit[i], configuration_.acceleration_min,
+          configuration_.acceleration_max);
+    bound(model.effort_limit[i], configuration_.effort_min, configuration_.effort_max);
   }
   configuration_.valid = true;
   blank(bodyJacobian_, N);
@@ -221,7 +232,7 @@ void CrtkArm<N>::spatial_servo_cf(const WrenchGoal& goal) {
 template <int N>
 void CrtkArm<N>::drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
                        const char* activity, const Eigen::Matrix3d& axes) {
-  if (!arm_.mayMove()) return;
+  if (!arm_.mayMoveTip()) return;
   if (!goal) return arm_.warn(ArmWarning::Malformed);
   arm_.followStream(arm_.setpoint_, {}, activity);
   stream_.follow(kind, goal->twist, activity, goal->force, {.change = goal->change, .axes = axes});
@@ -245,19 +256,18 @@ void CrtkArm<N>::move_cr(const PoseStamped& step) {
 
 template <int N>
 void CrtkArm<N>::moveTo(const PoseStamped& goal) {
-  if (!arm_.mayMove()) return;
+  if (!arm_.mayMoveTip()) return;
   if (!isPose(goal)) return arm_.warn(ArmWarning::Malformed);
   const auto solution = arm_.model_.solve(goal.pose, arm_.setpoint_, kinematics::Postures::All);
   if (!solution.found) return arm_.warn(ArmWarning::OutOfReach);
   arm_.startMove(solution.q, false);
 }
 
-// The duration of a minimum-jerk move goes with 1 / velocity and with 1 / sqrt(acceleration).
 template <int N>
 void CrtkArm<N>::setRatios(double velocity, double acceleration) {
   ratioV_ = velocity;
   ratioA_ = acceleration;
-  arm_.moveRatio_ = std::min(velocity, std::sqrt(acceleration));
+  arm_.moveRatios_ = {velocity, acceleration};
   ratiosChanged_ = true;
 }
 
@@ -299,6 +309,7 @@ void CrtkArm<N>::advance(suture::Time now) {
   // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
   const bool paused = stream_.isActive() && dt > inSeconds(StreamWatch::kSilence);
   if (stream_.hasFallenSilent(now) || paused) return arm_.hold();
+  if (stream_.isOfTip() && !arm_.mayMoveTip()) return arm_.hold();
   const auto next = stream_.next(arm_.model_.chain, arm_.model_.inverse, arm_.setpoint_,
                                  arm_.reading_.position, dt);
   if (!next) return arm_.warn(ArmWarning::OutOfReach);
@@ -353,7 +364,7 @@ void CrtkArm<N>::publishForce(suture::Time now) {
 
 template <int N>
 void CrtkArm<N>::publishGoal(suture::Time now) {
-  const Joints goal = arm_.move_ ? arm_.move_->at(arm_.move_->duration()) : arm_.setpoint_;
+  const Joints goal = arm_.move_ ? arm_.move_->to() : arm_.setpoint_;
   std::copy_n(goal.data(), N, goalJs_.position.begin());
   goalJs_.stamp = now;
   goalJs_.valid = arm_.setpoint_js().valid;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "arm_control/drive_reading.h"
+#include "drives/coupling.h"
 #include "drives/drives.suture.h"
 #include "timing/cycle_watch.h"
 
@@ -21,7 +22,9 @@ class DriveLink {
  public:
   using Joints = typename DriveReading<N>::Joints;
 
-  explicit DriveLink(suture::Required<Drives>& drives) : drives_(drives) {
+  /// `coupling`: that of the actuators, and of the tool's behind them, with the joints.
+  explicit DriveLink(suture::Required<Drives>& drives, const Coupling<N + 1>& coupling = {})
+      : drives_(drives), coupling_(coupling) {
     goal_.joints = kChannels;
   }
   DriveLink(const DriveLink&) = delete;
@@ -35,15 +38,7 @@ class DriveLink {
     if (cycles_.missed(kSilence)) heard_ = now;
     if (sample && sample->joints == kChannels && sample->stamp != last_.stamp) {
       heard_ = now;
-      last_ = {Joints::Map(sample->position.data()),
-               Joints::Map(sample->velocity.data()),
-               sample->power,
-               sample->permitted,
-               sample->stamp,
-               {.position = sample->position[N],
-                .velocity = sample->velocity[N],
-                .effort = sample->effort[N]},
-               Joints::Map(sample->effort.data())};
+      last_ = ofJoints(*sample);
     }
     isHeard_ = last_.stamp != suture::Time{} && now - heard_ <= kSilence;
     return isHeard_ ? std::optional(last_) : std::nullopt;
@@ -56,17 +51,34 @@ class DriveLink {
     if (powered && last_.power == DrivePower::Off) (void)drives_.power_on(last_.permitted);
     if (!powered && last_.power == DrivePower::On) (void)drives_.power_off();
     if (!powered || !isHeard_) return;
-    Joints::Map(goal_.position.data()) = setpoint;
-    goal_.position[N] = tool;
+    All joints;
+    joints << setpoint, tool;
+    All::Map(goal_.position.data()) = coupling_.actuators(joints);
     (void)drives_.servo_jp(goal_);
   }
 
  private:
+  using All = typename Coupling<N + 1>::Vector;
+
+  DriveReading<N> ofJoints(const DriveFeedback& told) const {
+    const All position = coupling_.joints(All::Map(told.position.data()));
+    const All velocity = coupling_.joints(All::Map(told.velocity.data()));
+    const All effort = coupling_.jointEfforts(All::Map(told.effort.data()));
+    return {.position = position.template head<N>(),
+            .velocity = velocity.template head<N>(),
+            .power = told.power,
+            .permitted = told.permitted,
+            .stamp = told.stamp,
+            .tool = {.position = position[N], .velocity = velocity[N], .effort = effort[N]},
+            .effort = effort.template head<N>()};
+  }
+
   static constexpr std::uint32_t kChannels = N + 1;  // the last is that of the tool
   static_assert(kChannels <= kMaxJoints);
   static constexpr suture::Duration kSilence = std::chrono::milliseconds(250);
 
   suture::Required<Drives>& drives_;
+  const Coupling<N + 1> coupling_;
   CycleWatch cycles_;
   DriveReading<N> last_;
   suture::Time heard_;  // when that was new, or the arm began to look again

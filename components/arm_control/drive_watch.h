@@ -61,6 +61,9 @@ class DriveWatch {
   void forgive() { overloaded_.fill(0); }
 
  private:
+  // A motor may give all that it can for as long as it likes, and couplings round.
+  static constexpr double kRounding = 1 + 1e-9;
+
   static double positionOf(int joint, const DriveReading<N>& reading) {
     return joint < N ? reading.position[joint] : reading.tool.position;
   }
@@ -74,7 +77,8 @@ class DriveWatch {
   }
   bool overloads(int joint, const DriveReading<N>& reading, double dt) {
     const auto i = static_cast<std::size_t>(joint);
-    const bool isAbove = std::abs(effortOf(joint, reading)) > bounds_[i].effort_limit;
+    const double most = kRounding * bounds_[i].effort_limit;
+    const bool isAbove = std::abs(effortOf(joint, reading)) > most;
     overloaded_[i] = isAbove ? overloaded_[i] + dt : 0;
     return overloaded_[i] > options_.overload_time;
   }

@@ -12,11 +12,14 @@ namespace robots {
 JawController::JawController(const JawModel& model, const ArmController<6>& arm)
     : model_(model),
       arm_(arm),
+      setpointRate_(Joint(model.rate_limit)),
       configuration_(toolConfiguration("jaw", model.lower, model.upper)),
       measuredJs_(blankToolState("jaw")),
       setpointJs_(measuredJs_) {
   configuration_.velocity_min.assign(1, -model.rate_limit);
   configuration_.velocity_max.assign(1, model.rate_limit);
+  configuration_.acceleration_min.assign(1, -model.acceleration_limit);
+  configuration_.acceleration_max.assign(1, model.acceleration_limit);
   configuration_.effort_min.assign(1, -model.effort_limit);
   configuration_.effort_max.assign(1, model.effort_limit);
   measuredJs_.velocity.assign(1, 0);
@@ -59,8 +62,14 @@ void JawController::move_jp(const JointGoal& goal) {
     return warnings_.warn(ArmWarning::OutOfReach);
   }
   begin(Activity::Moving);
-  move_.emplace(Joint(setpoint_), *q, Joint(model_.rate_limit));
-  moveStart_ = {};
+  const JointMove<1>::Limits limits{Joint(model_.rate_limit), Joint(model_.acceleration_limit)};
+  move_ = JointMove<1>({Joint(setpoint_), setpointRate_.rate()}, *q, limits);
+  moveStart_ = lastStep_;
+}
+
+void JawController::hold() {
+  begin(Activity::Holding);
+  setpointRate_.rest(Joint(setpoint_));
 }
 
 void JawController::begin(Activity activity) {
@@ -100,9 +109,13 @@ void JawController::step(suture::Time now, const std::optional<DriveReading<6>>&
     measuredJs_.velocity[0] = drives->tool.velocity;
     measuredJs_.effort[0] = drives->tool.effort;
     measuredJs_.stamp = drives->stamp;
-    if (!isEnabled() || paused || !wasHeard) setpoint_ = drives->tool.position;
+    if (!isEnabled() || paused || !wasHeard) {
+      setpoint_ = drives->tool.position;
+      setpointRate_.rest(Joint(setpoint_));
+    }
   }
   advance(now, dt);
+  setpointRate_.update(now, Joint(setpoint_));
   publish(now);
 }
 
@@ -116,9 +129,8 @@ void JawController::advance(suture::Time now, double dt) {
                most * std::abs(effort_) / model_.effort_limit);
       break;
     case Activity::Moving:
-      if (moveStart_ == suture::Time{}) moveStart_ = now;
       const double t = secondsBetween(moveStart_, now);
-      setpoint_ = move_->at(t).value();
+      setpoint_ = std::clamp(move_->at(t).value(), model_.lower, model_.upper);
       if (t < move_->duration()) break;
       endMove(true);
       hold();

@@ -11,6 +11,7 @@
 #include "arm/jaw.h"
 #include "arm_control/arm_controller.h"
 #include "arm_control/joint_move.h"
+#include "arm_control/setpoint_rate.h"
 #include "arm_control/tool_state.h"
 #include "arm_control/warnings.h"
 #include "timing/stream_watch.h"
@@ -18,9 +19,10 @@
 namespace robots {
 
 struct JawModel {
-  double lower, upper;  ///< rad
-  double rate_limit;    ///< rad/s
-  double effort_limit;  ///< N.m
+  double lower, upper;        ///< rad
+  double rate_limit;          ///< rad/s
+  double acceleration_limit;  ///< rad/s2, of moves
+  double effort_limit;        ///< N.m
 };
 
 /// Commands, reads and the methods below belong to the arm's thread; only the constructor
@@ -64,7 +66,7 @@ class JawController final : public Jaw {
   bool mayMove();
   void begin(Activity activity);
   void endMove(bool reached);
-  void hold() { begin(Activity::Holding); }
+  void hold();
   /// Moves the set-point as what it does asks for; `dt` in s.
   void advance(suture::Time now, double dt);
   void approach(double goal, double most);
@@ -77,7 +79,8 @@ class JawController final : public Jaw {
   double goal_ = 0;    // rad, of servo_jp
   double effort_ = 0;  // N.m, of servo_jf
   std::optional<JointMove<1>> move_;
-  suture::Time moveStart_;  // of the cycle that began move_
+  SetpointRate<1> setpointRate_;
+  suture::Time moveStart_;  // the cycle that its first set-point is of
   suture::Time lastStep_;
   StreamWatch stream_;
   const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed

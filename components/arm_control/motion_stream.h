@@ -43,6 +43,8 @@ class MotionStream {
   void end();
 
   bool isActive() const { return kind_ != Kind::None; }
+  /// It moves the tip, not single joints.
+  bool isOfTip() const { return kind_ == Kind::BodyTwist || kind_ == Kind::SpatialTwist; }
   std::string_view activity() const { return activity_; }
 
   /// Counts a cycle; true: the stream has been silent for too long. free() needs no repeating.

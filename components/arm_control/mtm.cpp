@@ -15,6 +15,7 @@ ArmModel<7> model(const MtmParameters& parameters) {
                       "wrist_yaw", "roll"},
       .home = kinematics::mtmHome(),
       .rate_limit = ArmModel<7>::Joints::Constant(parameters.angular_rate),
+      .acceleration_limit = ArmModel<7>::Joints::Constant(parameters.angular_acceleration),
       .following_error = ArmModel<7>::Joints::Constant(parameters.following_error),
       .effort_limit = dynamics::mtmMechanics().effort_limit,
       .encoder_step = dynamics::mtmMechanics().encoder_step,

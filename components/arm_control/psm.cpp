@@ -10,6 +10,10 @@ namespace {
 
 constexpr double kJawEffort = 0.16;  // N.m; LARGE_NEEDLE_DRIVER_400006.json: jaw, ftmax
 
+// Of the wrist pitch, which follows four joints. jhu-dvrk/sawIntuitiveResearchKit,
+// mtsIntuitiveResearchKit.h: PSM::SafeDistanceFromRCM and SafeDistanceFromRCMBuffer.
+constexpr InsertionRule kInsertionRule{.joints = 4, .least = 0.045, .buffer = 0.002};
+
 ArmModel<6> model(const PsmParameters& parameters) {
   constexpr int kInsertion = 2;
   ArmModel<6> model{
@@ -17,17 +21,19 @@ ArmModel<6> model(const PsmParameters& parameters) {
       .joint_names = {"yaw", "pitch", "insertion", "roll", "wrist_pitch", "wrist_yaw"},
       .home = ArmModel<6>::Joints::Zero(),
       .rate_limit = ArmModel<6>::Joints::Constant(parameters.angular_rate),
+      .acceleration_limit = ArmModel<6>::Joints::Constant(parameters.angular_acceleration),
       .following_error = ArmModel<6>::Joints::Constant(parameters.following_error),
       .effort_limit = dynamics::psmMechanics().effort_limit,
       .encoder_step = dynamics::psmMechanics().encoder_step,
       .tool = {.rate_limit = parameters.jaw_rate, .effort_limit = kJawEffort},
       .watch = {.jump_factor = parameters.jump_factor, .overload_time = parameters.overload_time},
+      .insertion = kInsertionRule,
       .servo_horizon = parameters.servo_horizon,
       .inverse = kinematics::psmInverse,
   };
-  // Inside the patient from the start: the cannula is not simulated.
-  model.home[kInsertion] = 0.12;
+  model.home[kInsertion] = parameters.home_insertion;
   model.rate_limit[kInsertion] = parameters.insertion_rate;
+  model.acceleration_limit[kInsertion] = parameters.insertion_acceleration;
   model.following_error[kInsertion] = parameters.insertion_following_error;
   return model;
 }
@@ -36,6 +42,7 @@ JawModel jawModel(const PsmParameters& parameters) {
   return {.lower = kinematics::kPsmJaw.lower,
           .upper = kinematics::kPsmJaw.upper,
           .rate_limit = parameters.jaw_rate,
+          .acceleration_limit = parameters.jaw_acceleration,
           .effort_limit = kJawEffort};
 }
 

@@ -22,6 +22,9 @@ struct SUTURE_TYPE() PsmParameters {
   suture::Duration period = std::chrono::milliseconds(1);
   /// Rate limit of the rotating joints.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
+  /// How deep home() inserts the instrument. Cartesian control needs 0.063 m: then the wrist is 47
+  /// mm beyond the remote centre.
+  SUTURE_FIELD(unit("m"), range(0, 0.24)) double home_insertion = 0.12;
   /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
   /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
   SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
@@ -29,6 +32,13 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
   /// The same bound for the insertion.
   SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
+  /// Of moves: how fast the rotating joints may speed up and slow down. Nothing is published of
+  /// what the joints can, so this is our own, as are the two below.
+  SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
+  /// The same of the insertion.
+  SUTURE_FIELD(unit("m/s2"), range(0.01, 100)) double insertion_acceleration = 4;
+  /// The same of the jaw.
+  SUTURE_FIELD(unit("rad/s2"), range(0.1, 10000)) double jaw_acceleration = 200;
   /// Rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
   /// A joint whose encoder tells more than this many times what the joint can move faults the arm.
@@ -59,7 +69,7 @@ class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmCont
 
   CrtkArm<6> contract_{*this};
   suture::Required<Drives> drives_{*this, "Drives"};
-  DriveLink<6> link_{drives_};
+  DriveLink<6> link_{drives_, psmCoupling()};
   suture::Provided<Arm> arm_{*this, "Arm", contract_};
   JawController jaw_;
   suture::Provided<Jaw> jawPort_{*this, "Jaw", jaw_};

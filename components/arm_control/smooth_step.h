@@ -16,4 +16,7 @@ inline double smoothStep(double s) {
 /// The greatest slope of smoothStep, at s = 1/2.
 constexpr double kSmoothStepPeakSlope = 1.875;
 
+/// The greatest second derivative of smoothStep, 10 / sqrt(3).
+constexpr double kSmoothStepPeakCurvature = 5.7735026918962577;
+
 }  // namespace robots

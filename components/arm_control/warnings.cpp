@@ -24,6 +24,8 @@ std::string_view textOf(ArmWarning reason) {
       return "its encoder jumped farther than it can move; enable or disable the arm";
     case ArmWarning::OverCurrent:
       return "its effort was above its limit for too long; enable or disable the arm";
+    case ArmWarning::NotInserted:
+      return "Cartesian control needs the wrist farther beyond the remote centre; insert it";
     case ArmWarning::InMotion: return "the base of an arm that moves stays as it is; hold it first";
   }
   return "";

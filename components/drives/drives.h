@@ -19,9 +19,10 @@ enum class SUTURE_TYPE() DrivePower : std::uint8_t {
   On,        ///< the joints follow their goals
 };
 
-/// The drives measure this in each of their cycles. Joints are in chain order, and behind them is
-/// the one of the tool: a slave's jaw, or a master's gripper, which nothing drives. A prismatic one
-/// has m and m/s.
+/// The drives measure this in each of their cycles. It is of actuators, in the order of the joints
+/// of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which nothing
+/// drives. What the actuators of an arm are to its joints is in coupling.h; most are their joint.
+/// One of a prismatic joint has m, m/s and N.
 struct SUTURE_TYPE() DriveFeedback {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
@@ -33,12 +34,11 @@ struct SUTURE_TYPE() DriveFeedback {
   suture::Time permitted;
   /// The drives' cycle.
   suture::Time stamp;
-  /// What the motors give, as their currents tell; N for a prismatic joint. 0 of joints that are
-  /// simulated without mass.
+  /// What the motors give, as their currents tell. 0 of joints that are simulated without mass.
   SUTURE_FIELD(unit("N.m")) std::array<double, kMaxJoints> effort{};
 };
 
-/// Where the joints shall be, in the same order. What is there for a gripper counts for nothing.
+/// Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.
 struct SUTURE_TYPE() DriveGoal {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};

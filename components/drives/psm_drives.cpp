@@ -36,7 +36,8 @@ std::shared_ptr<SimulatedJoints<1>> jaw(const PsmDrivesParameters& parameters) {
 
 PsmDrives::PsmDrives(const PsmDrivesParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
-      SimulatedDrives(std::make_unique<JointsAndTool<6>>(joints(parameters), jaw(parameters))),
+      SimulatedDrives(std::make_unique<JointsAndTool<6>>(joints(parameters), jaw(parameters)),
+                      psmCoupling()),
       permit_(stop_, parameters.permit) {}
 
 void PsmDrives::run() {

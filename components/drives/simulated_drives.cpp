@@ -8,8 +8,9 @@
 namespace robots {
 
 template <int N>
-SimulatedDrives<N>::SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints)
-    : joints_(std::move(joints)), goal_(joints_->measured()) {
+SimulatedDrives<N>::SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints,
+                                    const Coupling<N>& coupling)
+    : joints_(std::move(joints)), coupling_(coupling), goal_(joints_->measured()) {
   static_assert(N <= int{kMaxJoints});
   feedback_.joints = N;
 }
@@ -32,7 +33,7 @@ void SimulatedDrives<N>::power_off() {
 
 template <int N>
 void SimulatedDrives<N>::servo_jp(const DriveGoal& goal) {
-  const Joints q = Joints::Map(goal.position.data());
+  const Joints q = coupling_.joints(Joints::Map(goal.position.data()));
   if (feedback_.power != DrivePower::On || goal.joints != N || !q.allFinite()) return;
   goal_ = q;
   stream_.ask();
@@ -69,9 +70,9 @@ void SimulatedDrives<N>::step(suture::Time now) {
     hold();  // where they are now, not when that was decided
     joints_->brake();
   }
-  Joints::Map(feedback_.position.data()) = joints_->measured();
-  Joints::Map(feedback_.velocity.data()) = joints_->velocity();
-  Joints::Map(feedback_.effort.data()) = joints_->effort();
+  Joints::Map(feedback_.position.data()) = coupling_.actuators(joints_->measured());
+  Joints::Map(feedback_.velocity.data()) = coupling_.actuators(joints_->velocity());
+  Joints::Map(feedback_.effort.data()) = coupling_.actuatorEfforts(joints_->effort());
   feedback_.stamp = now;
 }
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "drives/coupling.h"
 #include "drives/drives.h"
 #include "drives/simulated_joints.h"
 #include "timing/stream_watch.h"
@@ -31,7 +32,8 @@ class SimulatedDrives : public Drives {
   using Joints = Eigen::Matrix<double, N, 1>;
 
   /// Without power, and not permitted to have any.
-  explicit SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints);
+  explicit SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints,
+                           const Coupling<N>& coupling = {});
   /// The same of parked joints that trail their goals. Throws std::invalid_argument for impossible
   /// dynamics.
   explicit SimulatedDrives(const DriveModel<N>& model);
@@ -63,6 +65,7 @@ class SimulatedDrives : public Drives {
   void hold() { goal_ = joints_->measured(); }
 
   std::unique_ptr<SimulatedJoints<N>> joints_;
+  const Coupling<N> coupling_;  // goals and feedback are of actuators
   Joints goal_;
   StreamWatch stream_;
   suture::Time lastStep_;

@@ -33,8 +33,9 @@ struct AngleRange {
 /// below 0.
 constexpr AngleRange kPsmJaw{-0.698132, 1.39626};
 
-/// The gripper of a master: the angle between its handles. Its range is an estimate of our own, as
-/// none is published: real ones are calibrated one by one.
-constexpr AngleRange kMtmGripper{-0.2, 1.05};
+/// The gripper of a master: the angle between its handles. Published is 0 to 60 degrees
+/// (mtsIntuitiveResearchKitMTM.cpp: m_gripper_configuration_js); that it can be squeezed harder, to
+/// less than 0, is our own.
+constexpr AngleRange kMtmGripper{-0.2, 1.0471976};
 
 }  // namespace robots::kinematics

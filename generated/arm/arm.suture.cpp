@@ -2289,7 +2289,7 @@ constexpr EventInfo kArmEvents[] = {
 // The self-description, as in arm/arm.suture.json.
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
-"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. An arm starts, and restarts, undefined; once it hears of its drives, and they may have\npower, it is disabled and not homed. Until it is enabled it ignores motion commands.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base; the two are one until somebody sets\nanother. A motion command replaces the one before it, of whichever space; relative goals are\nrelative to the set-point. A servo stream that falls silent for 0.1 s ends as hold(), and so\ndoes any stream whose client is gone.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h) where the arm refuses a command or something has befallen it; each reason is\ntold once until the arm obeys again, a refused state command each time.",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. An arm starts, and restarts, undefined; once it hears of its drives, and they may have\npower, it is disabled and not homed. Until it is enabled it ignores motion commands.\n\nAn arm that works through a cannula refuses Cartesian motion, servo, interpolation and moves,\nuntil its wrist is far enough beyond the remote centre: a da Vinci's is 45 mm beyond it, and 2\nmm more to begin. Joint commands and homing are what inserts it.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base; the two are one until somebody sets\nanother. A motion command replaces the one before it, of whichever space; relative goals are\nrelative to the set-point. A servo stream that falls silent for 0.1 s ends as hold(), and so\ndoes any stream whose client is gone.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h) where the arm refuses a command or something has befallen it; each reason is\ntold once until the arm obeys again, a refused state command each time.",
 "hash": "01d839824ecc91650f9758cc15eb526a", "version": 2, "major": 2, "base": "suture::Messages",
 "crtk": true, "commands": [{"name": "enable", "kind": "void", "ordinal": 1,
 "doc": "Gives the drives power; the arm holds its position.", "queue": 16}, {"name": "disable",
@@ -2308,7 +2308,7 @@ constexpr char kArmDescription[] = R"json(
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 7,
 "wire": "moveJp",
-"doc": "Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.",
+"doc": "Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:\none may begin while it moves. Each ends at rest and with goal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16}, {"name": "measured_js", "kind": "read", "ordinal": 8, "wire": "measuredJs",
 "doc": "Where the joints are. Stamp: the drives' cycle that measured them.", "result": {"type": {
@@ -2331,7 +2331,8 @@ constexpr char kArmDescription[] = R"json(
 "doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
 "name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
 "kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {"name": "configuration_js",
-"kind": "read", "ordinal": 15, "wire": "configurationJs", "doc": "What the joints are and may do.",
+"kind": "read", "ordinal": 15, "wire": "configurationJs",
+"doc": "What the joints are and may do. Velocities are their rate limits, accelerations those of\nmoves. Efforts are the most that the motors give; of a da Vinci they are published\n(dynamics/davinci_inertia.cpp: ftmax), accelerations are not. Where nothing is bounded the\nlists are empty.",
 "result": {"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
 "name": "period_statistics", "kind": "read", "ordinal": 16, "wire": "periodStatistics",
 "doc": "How regularly the arm's task ran in the last second.", "result": {"type": {

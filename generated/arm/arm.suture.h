@@ -310,7 +310,8 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
   Command<&Contract::servo_jp, robots::ArmServoJpArguments> servo_jp{
       *this, static_cast<std::uint16_t>(Id::servo_jp)};
-  /// Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.
+  /// Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:
+  /// one may begin while it moves. Each ends at rest and with goal_reached.
   Command<&Contract::move_jp, robots::ArmMoveJpArguments> move_jp{
       *this, static_cast<std::uint16_t>(Id::move_jp)};
   /// Where the joints are. Stamp: the drives' cycle that measured them.
@@ -336,7 +337,10 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   QualifiedReadCommand<&Contract::inverse_kinematics, robots::ArmInverseKinematicsArguments,
                        robots::JointSolutionSlot> inverse_kinematics{
       *this, static_cast<std::uint16_t>(Id::inverse_kinematics)};
-  /// What the joints are and may do.
+  /// What the joints are and may do. Velocities are their rate limits, accelerations those of
+  /// moves. Efforts are the most that the motors give; of a da Vinci they are published
+  /// (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. Where nothing is bounded the
+  /// lists are empty.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
       *this, static_cast<std::uint16_t>(Id::configuration_js)};
   /// How regularly the arm's task ran in the last second.

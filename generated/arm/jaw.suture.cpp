@@ -468,9 +468,9 @@ constexpr char kJawDescription[] = R"json(
 "doc": "The arm that holds the instrument provides it as an interface of its own, \"Jaw\". Commands run in\nthe arm's thread before its next cycle; reads are from the end of its last one. Joint vectors\nhave one entry, the angle between the blades in rad: 0 is closed, and less presses them\ntogether. It may be -0.698 to 1.396 rad (-40 to 80 degrees) on the large needle driver of a da\nVinci.\n\nThe jaw has the power of its arm, and needs one that is enabled: otherwise it ignores commands\nof motion and says so in a warning, once until it obeys again. When its arm stops being enabled,\nit stops where it is. Homing the arm leaves it as it is.\n\nA command replaces the one before it. A servo stream that falls silent for 0.1 s, or whose\nclient is gone, leaves the set-point where it is.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h).",
 "hash": "dcf774a8ad86ab07aff148b6608f7e9d", "base": "suture::Messages", "crtk": true, "commands": [
 {"name": "configuration_js", "kind": "read", "ordinal": 1, "wire": "configurationJs",
-"doc": "What the joint is and may do.", "result": {"type": {"kind": "struct",
-"name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "measured_js", "kind": "read",
-"ordinal": 2, "wire": "measuredJs",
+"doc": "What the joint is and may do. Its effort limit is published\n(LARGE_NEEDLE_DRIVER_400006.json), its acceleration limit, which is that of moves, is not.",
+"result": {"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
+"name": "measured_js", "kind": "read", "ordinal": 2, "wire": "measuredJs",
 "doc": "Where it is. Stamp: the drives' cycle that measured it.", "result": {"type": {
 "kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js",
 "kind": "read", "ordinal": 3, "wire": "setpointJs",
@@ -485,7 +485,7 @@ constexpr char kJawDescription[] = R"json(
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 6,
 "wire": "moveJp",
-"doc": "Plans and executes a smooth motion from the set-point. Ends with goal_reached.",
+"doc": "Plans and executes a smooth motion from the set-point and the velocity that it has. Ends with\ngoal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16}], "events": [{"name": "status", "kind": "write", "ordinal": 1,
 "doc": "All is well; something has been done.", "payload": {"type": {"kind": "struct",

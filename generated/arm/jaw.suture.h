@@ -70,7 +70,8 @@ class Required<robots::Jaw> : public Required<suture::Messages> {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// What the joint is and may do.
+  /// What the joint is and may do. Its effort limit is published
+  /// (LARGE_NEEDLE_DRIVER_400006.json), its acceleration limit, which is that of moves, is not.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
       *this, static_cast<std::uint16_t>(Id::configuration_js)};
   /// Where it is. Stamp: the drives' cycle that measured it.
@@ -87,7 +88,8 @@ class Required<robots::Jaw> : public Required<suture::Messages> {
   /// moves the set-point at a speed proportional to it.
   Command<&Contract::servo_jf, robots::JawServoJfArguments> servo_jf{
       *this, static_cast<std::uint16_t>(Id::servo_jf)};
-  /// Plans and executes a smooth motion from the set-point. Ends with goal_reached.
+  /// Plans and executes a smooth motion from the set-point and the velocity that it has. Ends with
+  /// goal_reached.
   Command<&Contract::move_jp, robots::JawMoveJpArguments> move_jp{
       *this, static_cast<std::uint16_t>(Id::move_jp)};
 

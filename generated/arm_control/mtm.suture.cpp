@@ -30,6 +30,7 @@ static_assert(static_cast<std::uint8_t>(MtmSide::Right) == 1);
 static_assert(std::is_same_v<decltype(MtmParameters::side), MtmSide>);
 static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
+static_assert(std::is_same_v<decltype(MtmParameters::angular_acceleration), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::jump_factor), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::overload_time), double>);
@@ -44,6 +45,7 @@ bool store(const MtmParameters& value, MtmParametersSlot& slot) {
   fits &= store(value.side, slot.side);
   fits &= store(value.period, slot.period);
   fits &= store(value.angular_rate, slot.angular_rate);
+  fits &= store(value.angular_acceleration, slot.angular_acceleration);
   fits &= store(value.following_error, slot.following_error);
   fits &= store(value.jump_factor, slot.jump_factor);
   fits &= store(value.overload_time, slot.overload_time);
@@ -57,6 +59,7 @@ void load(const MtmParametersSlot& slot, MtmParameters& value) {
   load(slot.side, value.side);
   load(slot.period, value.period);
   load(slot.angular_rate, value.angular_rate);
+  load(slot.angular_acceleration, value.angular_acceleration);
   load(slot.following_error, value.following_error);
   load(slot.jump_factor, value.jump_factor);
   load(slot.overload_time, value.overload_time);
@@ -96,6 +99,7 @@ void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
   out.setSide(wireMtmSide(slot.side));
   out.setPeriod(slot.period);
   out.setAngularRate(slot.angular_rate);
+  out.setAngularAcceleration(slot.angular_acceleration);
   out.setFollowingError(slot.following_error);
   out.setJumpFactor(slot.jump_factor);
   out.setOverloadTime(slot.overload_time);
@@ -107,6 +111,7 @@ void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
 Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
   slot.angular_rate = in.getAngularRate();
+  slot.angular_acceleration = in.getAngularAcceleration();
   slot.following_error = in.getFollowingError();
   slot.jump_factor = in.getJumpFactor();
   slot.overload_time = in.getOverloadTime();
@@ -119,6 +124,9 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
 bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
   if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
+  if (!inRange(slot.angular_acceleration, 0.1, 1000)) {
+    return refusedAt(path, "angular_acceleration");
+  }
   if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
   if (!inRange(slot.jump_factor, 1, 1000)) return refusedAt(path, "jump_factor");
   if (!inRange(slot.overload_time, 0.001, 10)) return refusedAt(path, "overload_time");
@@ -142,6 +150,7 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value) {
   reader.field("side", value.side);
   reader.field("period", value.period);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.field("angular_acceleration", value.angular_acceleration, 0.1, 1000);
   reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("jump_factor", value.jump_factor, 1, 1000);
   reader.field("overload_time", value.overload_time, 0.001, 10);

@@ -16,10 +16,11 @@ class JsonReader;
 namespace robots {
 
 struct MtmParametersSlot {
-  std::uint8_t side;       // MtmSide
-  std::int64_t period;     // std::chrono::nanoseconds, ns
-  double angular_rate;     // rad/s
-  double following_error;  // rad
+  std::uint8_t side;            // MtmSide
+  std::int64_t period;          // std::chrono::nanoseconds, ns
+  double angular_rate;          // rad/s
+  double angular_acceleration;  // rad/s2
+  double following_error;       // rad
   double jump_factor;
   double overload_time;     // s
   double servo_horizon;     // s

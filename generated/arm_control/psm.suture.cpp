@@ -26,9 +26,13 @@ namespace {
 // What this compiler sees must be what suturec read.
 static_assert(std::is_same_v<decltype(PsmParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(PsmParameters::angular_rate), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::home_insertion), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::following_error), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::insertion_following_error), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::angular_acceleration), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::insertion_acceleration), double>);
+static_assert(std::is_same_v<decltype(PsmParameters::jaw_acceleration), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::jaw_rate), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::jump_factor), double>);
 static_assert(std::is_same_v<decltype(PsmParameters::overload_time), double>);
@@ -40,9 +44,13 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
   bool fits = true;
   fits &= store(value.period, slot.period);
   fits &= store(value.angular_rate, slot.angular_rate);
+  fits &= store(value.home_insertion, slot.home_insertion);
   fits &= store(value.following_error, slot.following_error);
   fits &= store(value.insertion_rate, slot.insertion_rate);
   fits &= store(value.insertion_following_error, slot.insertion_following_error);
+  fits &= store(value.angular_acceleration, slot.angular_acceleration);
+  fits &= store(value.insertion_acceleration, slot.insertion_acceleration);
+  fits &= store(value.jaw_acceleration, slot.jaw_acceleration);
   fits &= store(value.jaw_rate, slot.jaw_rate);
   fits &= store(value.jump_factor, slot.jump_factor);
   fits &= store(value.overload_time, slot.overload_time);
@@ -53,9 +61,13 @@ bool store(const PsmParameters& value, PsmParametersSlot& slot) {
 void load(const PsmParametersSlot& slot, PsmParameters& value) {
   load(slot.period, value.period);
   load(slot.angular_rate, value.angular_rate);
+  load(slot.home_insertion, value.home_insertion);
   load(slot.following_error, value.following_error);
   load(slot.insertion_rate, value.insertion_rate);
   load(slot.insertion_following_error, value.insertion_following_error);
+  load(slot.angular_acceleration, value.angular_acceleration);
+  load(slot.insertion_acceleration, value.insertion_acceleration);
+  load(slot.jaw_acceleration, value.jaw_acceleration);
   load(slot.jaw_rate, value.jaw_rate);
   load(slot.jump_factor, value.jump_factor);
   load(slot.overload_time, value.overload_time);
@@ -67,9 +79,13 @@ void load(const PsmParametersSlot& slot, PsmParameters& value) {
 void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
   out.setPeriod(slot.period);
   out.setAngularRate(slot.angular_rate);
+  out.setHomeInsertion(slot.home_insertion);
   out.setFollowingError(slot.following_error);
   out.setInsertionRate(slot.insertion_rate);
   out.setInsertionFollowingError(slot.insertion_following_error);
+  out.setAngularAcceleration(slot.angular_acceleration);
+  out.setInsertionAcceleration(slot.insertion_acceleration);
+  out.setJawAcceleration(slot.jaw_acceleration);
   out.setJawRate(slot.jaw_rate);
   out.setJumpFactor(slot.jump_factor);
   out.setOverloadTime(slot.overload_time);
@@ -79,9 +95,13 @@ void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
 Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration) {
   slot.period = in.getPeriod();
   slot.angular_rate = in.getAngularRate();
+  slot.home_insertion = in.getHomeInsertion();
   slot.following_error = in.getFollowingError();
   slot.insertion_rate = in.getInsertionRate();
   slot.insertion_following_error = in.getInsertionFollowingError();
+  slot.angular_acceleration = in.getAngularAcceleration();
+  slot.insertion_acceleration = in.getInsertionAcceleration();
+  slot.jaw_acceleration = in.getJawAcceleration();
   slot.jaw_rate = in.getJawRate();
   slot.jump_factor = in.getJumpFactor();
   slot.overload_time = in.getOverloadTime();
@@ -91,11 +111,19 @@ Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration)
 
 bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
+  if (!inRange(slot.home_insertion, 0, 0.24)) return refusedAt(path, "home_insertion");
   if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
   if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
   if (!inRange(slot.insertion_following_error, 0.0001, 1)) {
     return refusedAt(path, "insertion_following_error");
   }
+  if (!inRange(slot.angular_acceleration, 0.1, 1000)) {
+    return refusedAt(path, "angular_acceleration");
+  }
+  if (!inRange(slot.insertion_acceleration, 0.01, 100)) {
+    return refusedAt(path, "insertion_acceleration");
+  }
+  if (!inRange(slot.jaw_acceleration, 0.1, 10000)) return refusedAt(path, "jaw_acceleration");
   if (!inRange(slot.jaw_rate, 0.01, 50)) return refusedAt(path, "jaw_rate");
   if (!inRange(slot.jump_factor, 1, 1000)) return refusedAt(path, "jump_factor");
   if (!inRange(slot.overload_time, 0.001, 10)) return refusedAt(path, "overload_time");
@@ -110,9 +138,13 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value) {
   suture::JsonReader reader = in;
   reader.field("period", value.period);
   reader.field("angular_rate", value.angular_rate, 0.01, 20);
+  reader.field("home_insertion", value.home_insertion, 0, 0.24);
   reader.field("following_error", value.following_error, 0.001, 10);
   reader.field("insertion_rate", value.insertion_rate, 0.001, 2);
   reader.field("insertion_following_error", value.insertion_following_error, 0.0001, 1);
+  reader.field("angular_acceleration", value.angular_acceleration, 0.1, 1000);
+  reader.field("insertion_acceleration", value.insertion_acceleration, 0.01, 100);
+  reader.field("jaw_acceleration", value.jaw_acceleration, 0.1, 10000);
   reader.field("jaw_rate", value.jaw_rate, 0.01, 50);
   reader.field("jump_factor", value.jump_factor, 1, 1000);
   reader.field("overload_time", value.overload_time, 0.001, 10);

@@ -18,9 +18,13 @@ namespace robots {
 struct PsmParametersSlot {
   std::int64_t period;               // std::chrono::nanoseconds, ns
   double angular_rate;               // rad/s
+  double home_insertion;             // m
   double following_error;            // rad
   double insertion_rate;             // m/s
   double insertion_following_error;  // m
+  double angular_acceleration;       // rad/s2
+  double insertion_acceleration;     // m/s2
+  double jaw_acceleration;           // rad/s2
   double jaw_rate;                   // rad/s
   double jump_factor;
   double overload_time;  // s

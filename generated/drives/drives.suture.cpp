@@ -450,11 +450,11 @@ constexpr char kDrivesDescription[] = R"json(
 "doc": "without power, as they are permitted to have: the brakes hold the joints"}, {"name": "On",
 "value": 3, "wire": "on", "doc": "the joints follow their goals"}]}], "structs": [{
 "name": "robots::DriveGoal",
-"doc": "Where the joints shall be, in the same order. What is there for a gripper counts for nothing.",
+"doc": "Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
 "type": {"kind": "UInt32"}, "default": 0}]}, {"name": "robots::DriveFeedback",
-"doc": "The drives measure this in each of their cycles. Joints are in chain order, and behind them is\nthe one of the tool: a slave's jaw, or a master's gripper, which nothing drives. A prismatic one\nhas m and m/s.",
+"doc": "The drives measure this in each of their cycles. It is of actuators, in the order of the joints\nof the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which nothing\ndrives. What the actuators of an arm are to its joints is in coupling.h; most are their joint.\nOne of a prismatic joint has m, m/s and N.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "velocity",
 "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad/s"}, {
@@ -463,7 +463,7 @@ constexpr char kDrivesDescription[] = R"json(
 "doc": "When they were last permitted to have power. Another moment than before: they have stopped\nmeanwhile, or are others, which an arm may not have seen.",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "stamp", "doc": "The drives' cycle.",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "effort",
-"doc": "What the motors give, as their currents tell; N for a prismatic joint. 0 of joints that are\nsimulated without mass.",
+"doc": "What the motors give, as their currents tell. 0 of joints that are simulated without mass.",
 "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "N.m"}]}], "wire": [
 {"id": "@0x91efda82df1adc01", "kind": "interface", "name": "Drives", "cxx": "robots::Drives",
 "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",

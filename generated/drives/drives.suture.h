@@ -11,9 +11,10 @@
 
 namespace robots {
 
-/// The drives measure this in each of their cycles. Joints are in chain order, and behind them is
-/// the one of the tool: a slave's jaw, or a master's gripper, which nothing drives. A prismatic one
-/// has m and m/s.
+/// The drives measure this in each of their cycles. It is of actuators, in the order of the joints
+/// of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which nothing
+/// drives. What the actuators of an arm are to its joints is in coupling.h; most are their joint.
+/// One of a prismatic joint has m, m/s and N.
 struct DriveFeedbackSlot {
   std::array<double, 8> position;  // rad
   std::array<double, 8> velocity;  // rad/s
@@ -28,7 +29,7 @@ bool store(const DriveFeedback& value, DriveFeedbackSlot& slot);
 void load(const DriveFeedbackSlot& slot, DriveFeedback& value);
 void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift);
 
-/// Where the joints shall be, in the same order. What is there for a gripper counts for nothing.
+/// Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.
 struct DriveGoalSlot {
   std::array<double, 8> position;  // rad
   std::uint32_t joints;

@@ -34,6 +34,10 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # one. An arm starts, and restarts, undefined; once it hears of its drives, and they may have
   # power, it is disabled and not homed. Until it is enabled it ignores motion commands.
   #
+  # An arm that works through a cannula refuses Cartesian motion, servo, interpolation and moves,
+  # until its wrist is far enough beyond the remote centre: a da Vinci's is 45 mm beyond it, and 2
+  # mm more to begin. Joint commands and homing are what inserts it.
+  #
   # `local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of
   # the interface, in which base_frame() is the arm's base; the two are one until somebody sets
   # another. A motion command replaces the one before it, of whichever space; relative goals are
@@ -64,7 +68,8 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
   moveJp @7 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jp") $Meta.kind("write")
       $Meta.queue(16);
-  # Moves plan and execute a smooth motion from the set-point. Each ends with goal_reached.
+  # Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:
+  # one may begin while it moves. Each ends at rest and with goal_reached.
   measuredJs @8 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
   # Where the joints are. Stamp: the drives' cycle that measured them.
@@ -88,7 +93,10 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # A joint vector for a tool tip, searched from the present set-point.
   configurationJs @15 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration, stamp :Int64)
       $Meta.cxx("configuration_js") $Meta.kind("read");
-  # What the joints are and may do.
+  # What the joints are and may do. Velocities are their rate limits, accelerations those of
+  # moves. Efforts are the most that the motors give; of a da Vinci they are published
+  # (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. Where nothing is bounded the
+  # lists are empty.
   periodStatistics @16 (sent :Rpc.Sent) -> (value :Messages.IntervalStatistics, stamp :Int64)
       $Meta.cxx("period_statistics") $Meta.kind("read");
   # How regularly the arm's task ran in the last second.

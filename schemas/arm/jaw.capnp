@@ -31,7 +31,8 @@ interface Jaw @0xf5776c4cb1ab9076 extends(Messages.Messages) $Meta.cxx("robots::
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   configurationJs @1 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration, stamp :Int64)
       $Meta.cxx("configuration_js") $Meta.kind("read");
-  # What the joint is and may do.
+  # What the joint is and may do. Its effort limit is published
+  # (LARGE_NEEDLE_DRIVER_400006.json), its acceleration limit, which is that of moves, is not.
   measuredJs @2 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
   # Where it is. Stamp: the drives' cycle that measured it.
@@ -48,7 +49,8 @@ interface Jaw @0xf5776c4cb1ab9076 extends(Messages.Messages) $Meta.cxx("robots::
   # moves the set-point at a speed proportional to it.
   moveJp @6 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jp") $Meta.kind("write")
       $Meta.queue(16);
-  # Plans and executes a smooth motion from the set-point. Ends with goal_reached.
+  # Plans and executes a smooth motion from the set-point and the velocity that it has. Ends with
+  # goal_reached.
 }
 
 interface JawEvents @0xd6c2953fc4455ac0 $Meta.eventsOf("robots::Jaw") {

@@ -34,4 +34,18 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   overloadTime @8 :Float64 = 0.1 $Meta.cxx("overload_time")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
   # So does an effort that is above what the joint may take for longer than this.
+  angularAcceleration @9 :Float64 = 40.0 $Meta.cxx("angular_acceleration")
+      $Meta.range(lowest = 0.1, highest = 1000) $Meta.unit("rad/s2");
+  # Of moves: how fast the rotating joints may speed up and slow down. Nothing is published of
+  # what the joints can, so this is our own, as are the two below.
+  insertionAcceleration @10 :Float64 = 4.0 $Meta.cxx("insertion_acceleration")
+      $Meta.range(lowest = 0.01, highest = 100) $Meta.unit("m/s2");
+  # The same of the insertion.
+  jawAcceleration @11 :Float64 = 200.0 $Meta.cxx("jaw_acceleration")
+      $Meta.range(lowest = 0.1, highest = 10000) $Meta.unit("rad/s2");
+  # The same of the jaw.
+  homeInsertion @12 :Float64 = 0.12 $Meta.cxx("home_insertion")
+      $Meta.range(lowest = 0, highest = 0.24) $Meta.unit("m");
+  # How deep home() inserts the instrument. Cartesian control needs 0.063 m: then the wrist is 47
+  # mm beyond the remote centre.
 }

@@ -19,9 +19,10 @@ enum DrivePower @0xd2f9073be1a76833 $Meta.cxx("robots::DrivePower") $Meta.underl
 }
 
 struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
-  # The drives measure this in each of their cycles. Joints are in chain order, and behind them is
-  # the one of the tool: a slave's jaw, or a master's gripper, which nothing drives. A prismatic one
-  # has m and m/s.
+  # The drives measure this in each of their cycles. It is of actuators, in the order of the joints
+  # of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which nothing
+  # drives. What the actuators of an arm are to its joints is in coupling.h; most are their joint.
+  # One of a prismatic joint has m, m/s and N.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
@@ -34,12 +35,11 @@ struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
   stamp @5 :Int64 $Meta.clock("steady");
   # The drives' cycle.
   effort @6 :List(Float64) $Meta.shape("8") $Meta.unit("N.m");
-  # What the motors give, as their currents tell; N for a prismatic joint. 0 of joints that are
-  # simulated without mass.
+  # What the motors give, as their currents tell. 0 of joints that are simulated without mass.
 }
 
 struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {
-  # Where the joints shall be, in the same order. What is there for a gripper counts for nothing.
+  # Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "arm/arm_warning.h"
+#include "drives/coupling.h"
 #include "integration/teleoperation/driven_arm.h"
 #include "support/pass.h"
 #include "support/stepped.h"
@@ -74,6 +75,11 @@ class Tool : public testing::TestWithParam<suture::Lane> {
     }
   }
   double jaw() { return angle(fingers_.jaw.measured_js); }
+  /// Where the jaw is by what the drives measure of their actuators.
+  double turnedByDiscs() {
+    const auto& discs = slave_.drives.feedback().position;
+    return psmCoupling().joints(Coupling<7>::Vector::Map(discs.data()))[6];
+  }
   double gripper() { return angle(fingers_.gripper.measured_js); }
 
   Fingers fingers_;
@@ -122,6 +128,7 @@ TEST_P(Tool, AJawGoesWhereItIsSent) {
   enable();
   servoJaw(0.8, 300);
   EXPECT_NEAR(jaw(), 0.8, 1e-6);
+  EXPECT_NEAR(turnedByDiscs(), 0.8, 1e-6);
   EXPECT_TRUE(fingers_.jaw.move_jp({{-0.3}, suture::now()}));
   pass(2s);
   EXPECT_NEAR(jaw(), -0.3, 1e-6);

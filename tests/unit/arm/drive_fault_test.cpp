@@ -80,6 +80,12 @@ TEST_F(DriveFaultTest, AnEffortThatFallsBelowItsLimitMayRiseAnew) {
   EXPECT_EQ(state(), ArmState::Enabled);
 }
 
+TEST_F(DriveFaultTest, AnEffortAtItsLimitMayLast) {
+  joints_.draw(kPitch, 0.3 * (1 + 1e-15));
+  cycles(200);
+  EXPECT_EQ(state(), ArmState::Enabled);
+}
+
 TEST_F(DriveFaultTest, IsLeftByEnableAndDisableAlone) {
   joints_.displace(kPitch, 0.05);
   cycles(2);

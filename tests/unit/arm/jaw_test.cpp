@@ -12,7 +12,8 @@
 namespace robots::test {
 namespace {
 
-constexpr JawModel kJaw{.lower = -0.7, .upper = 1.4, .rate_limit = 2, .effort_limit = 0.16};
+constexpr JawModel kJaw{
+    .lower = -0.7, .upper = 1.4, .rate_limit = 2, .acceleration_limit = 20, .effort_limit = 0.16};
 
 class JawTest : public CrtkArmTest {
  protected:
@@ -185,6 +186,7 @@ TEST_F(JawTest, TellsWhatItMayDo) {
   EXPECT_EQ(may.position_min, std::vector{kJaw.lower});
   EXPECT_EQ(may.position_max, std::vector{kJaw.upper});
   EXPECT_EQ(may.velocity_max, std::vector{kJaw.rate_limit});
+  EXPECT_EQ(may.acceleration_max, std::vector{kJaw.acceleration_limit});
   EXPECT_EQ(may.effort_max, std::vector{kJaw.effort_limit});
 }
 

@@ -1,0 +1,56 @@
+#pragma once
+// How fast a set-point moves, whatever moves it.
+
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+
+#include "timing/seconds.h"
+
+namespace robots {
+
+/// Looks at the set-point in each cycle. Goals may come more slowly than cycles: the velocity is
+/// that between the last two changes, until no change has come for twice the time between those. A
+/// joint whose set-point jumped has none. Confined to one thread; never allocates.
+template <int N>
+class SetpointRate {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  /// `limit`: what is faster is a jump; per second.
+  explicit SetpointRate(const Joints& limit) : limit_(limit) {}
+
+  /// Once a cycle.
+  void update(suture::Time now, const Joints& setpoint) {
+    const suture::Duration since = now - changed_;
+    if (setpoint == last_) {
+      if (since > 2 * interval_) rate_.setZero();
+      return;
+    }
+    if (since <= suture::Duration{0}) return;
+    rate_ = (setpoint - last_) / inSeconds(since);
+    rate_ = (rate_.array().abs() <= kTolerance * limit_.array()).select(rate_, 0);
+    interval_ = since;
+    changed_ = now;
+    last_ = setpoint;
+  }
+  /// It has been stopped there.
+  void rest(const Joints& setpoint) {
+    rate_.setZero();
+    last_ = setpoint;
+    interval_ = {};
+  }
+
+  /// Per second, within the limit.
+  Joints rate() const { return rate_.cwiseMin(limit_).cwiseMax(-limit_); }
+
+ private:
+  static constexpr double kTolerance = 1.001;  // of rounding, for what moves at the limit
+
+  const Joints limit_;
+  Joints last_ = Joints::Zero(), rate_ = Joints::Zero();
+  suture::Time changed_;
+  suture::Duration interval_{0};  // between the last two changes
+};
+
+}  // namespace robots

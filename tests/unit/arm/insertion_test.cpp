@@ -1,0 +1,119 @@
+// Cartesian control of an arm that works through a cannula.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "unit/arm/crtk_arm_fixture.h"
+
+namespace robots::test {
+namespace {
+
+ArmModel<6> cannulaModel() {
+  ArmModel<6> model = psmModel();
+  model.insertion = InsertionRule{.joints = 4, .least = 0.045, .buffer = 0.002};
+  return model;
+}
+
+class InsertionTest : public CrtkArmTest {
+ protected:
+  static constexpr double kShaft =
+      0.4318 - 0.4162;  // m: so much less is the wrist beyond the centre
+
+  InsertionTest() : CrtkArmTest(cannulaModel()) {}
+
+  /// By a joint move.
+  void insert(double wristBeyondCentre) {
+    JointGoal goal = joints(0.1);
+    goal.position[2] = wristBeyondCentre + kShaft;
+    heard_ = {};
+    crtk_.move_jp(goal);
+    while (heard_.goals.empty()) cycles(1);
+    cycles(200);
+    heard_ = {};
+  }
+  bool obeysServo() {
+    heard_ = {};
+    crtk_.servo_cp(crtk_.setpoint_cp());
+    cycles(1);
+    const bool obeys = crtk_.operating_state().sub_state == "servo_cp";
+    EXPECT_EQ(obeys, heard_.codes.empty());
+    crtk_.hold();
+    cycles(1);
+    return obeys;
+  }
+};
+
+TEST_F(InsertionTest, WithoutItCartesianCommandsAreRefused) {
+  insert(0.04);
+  const std::vector<double> before = positions();
+  const PoseStamped there = crtk_.setpoint_cp(), small = step({0, 0, 1e-4});
+  TwistGoal twist;
+  twist.linear.z() = 0.01;
+  WrenchGoal wrench;
+  wrench.force.z() = 1;
+  const std::vector<std::pair<const char*, std::function<void()>>> commands{
+      {"servo_cp", [&] { crtk_.servo_cp(there); }},
+      {"servo_cr", [&] { crtk_.servo_cr(small); }},
+      {"servo_cv", [&] { crtk_.servo_cv(twist); }},
+      {"body_servo_cf", [&] { crtk_.body_servo_cf(wrench); }},
+      {"spatial_servo_cf", [&] { crtk_.spatial_servo_cf(wrench); }},
+      {"interpolate_cp", [&] { crtk_.interpolate_cp(there); }},
+      {"interpolate_cr", [&] { crtk_.interpolate_cr(small); }},
+      {"move_cp", [&] { crtk_.move_cp(there); }},
+      {"move_cr", [&] { crtk_.move_cr(small); }},
+  };
+  for (const auto& [name, command] : commands) {
+    heard_ = {};
+    for (int i = 0; i < 5; ++i) {
+      command();
+      cycles(1);
+    }
+    EXPECT_EQ(heard_.codes, std::vector{ArmWarning::NotInserted}) << name << ": once";
+    EXPECT_EQ(positions(), before) << name;
+    crtk_.servo_jp({before, {}});  // obeyed, so the next refusal is news
+    cycles(1);
+    crtk_.hold();
+  }
+}
+
+TEST_F(InsertionTest, BeginsBeyondItsBuffer) {
+  insert(0.04);
+  EXPECT_FALSE(obeysServo());
+  insert(0.046);
+  EXPECT_FALSE(obeysServo());
+  insert(0.048);
+  EXPECT_TRUE(obeysServo());
+  insert(0.046);
+  EXPECT_TRUE(obeysServo()) << "it has begun";
+  insert(0.044);
+  EXPECT_FALSE(obeysServo());
+}
+
+TEST_F(InsertionTest, ThatAStreamOfVelocitiesGivesUpEndsItAsHold) {
+  insert(0.05);
+  TwistGoal outwards;
+  outwards.linear = -0.02 * crtk_.setpoint_cp().pose.translation().normalized();
+  for (int i = 0; i < 1000 && heard_.codes.empty(); ++i) {
+    crtk_.servo_cv(outwards);
+    cycles(1);
+  }
+  EXPECT_EQ(heard_.codes, std::vector{ArmWarning::NotInserted});
+  cycles(1);
+  EXPECT_EQ(crtk_.operating_state().sub_state, "holding");
+  EXPECT_NEAR(setpoint(2), 0.045 + kShaft, 1e-3);
+}
+
+TEST_F(InsertionTest, IsTheBusinessOfHoming) {
+  insert(0.03);
+  crtk_.home();
+  while (heard_.goals.empty()) cycles(1);
+  cycles(50);
+  EXPECT_TRUE(obeysServo());
+}
+
+}  // namespace
+}  // namespace robots::test
