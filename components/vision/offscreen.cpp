@@ -14,7 +14,7 @@ namespace robots {
 namespace {
 
 constexpr int kSamples = 4;  // a pixel: what Mesa's renderer has
-constexpr int kChannels = 3, kDepthBits = 24;
+constexpr int kChannels = 3;
 
 void attach(GLenum where, GLenum format, int width, int height) {
   GLuint buffer = 0;
@@ -36,7 +36,7 @@ void Offscreen::Closer::operator()(osmesa_context* context) const { OSMesaDestro
 Offscreen::Offscreen(int width, int height)
     : width_(width),
       height_(height),
-      context_(OSMesaCreateContextExt(OSMESA_RGBA, kDepthBits, 0, 0, nullptr)),
+      context_(OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr)),
       pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
   if (!context_) refuse("Mesa makes no context");
   makeCurrent();
@@ -55,27 +55,44 @@ void Offscreen::makeFramebuffer() {
   glGenFramebuffers(1, &framebuffer_);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, width_, height_);
-  attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, width_, height_);
+  attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT16, width_, height_);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     refuse("Mesa has no framebuffer of four samples a pixel");
   }
 }
 
-void Offscreen::draw(const std::function<void()>& draw, ImageFrame& image) {
+void Offscreen::draw(const std::function<void()>& background, const std::function<void()>& all,
+                     Rows rows, ImageFrame& image) {
   makeCurrent();
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, width_, height_);
-  draw();
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  background();
+  if (rows.first < rows.last) drawSmooth(all, rows);
   glFinish();
   OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
+  copyTo(image);
+}
+
+/// OpenGL counts rows from below.
+void Offscreen::drawSmooth(const std::function<void()>& all, Rows rows) {
+  const int bottom = height_ - rows.last, top = height_ - rows.first;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glScissor(0, bottom, width_, top - bottom);
+  glEnable(GL_SCISSOR_TEST);
+  all();
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, bottom, width_, top, 0, bottom, width_, top, GL_COLOR_BUFFER_BIT,
+                    GL_NEAREST);
+}
+
+void Offscreen::copyTo(ImageFrame& image) const {
   image.width = static_cast<std::uint32_t>(width_);
   image.height = static_cast<std::uint32_t>(height_);
   image.channels = kChannels;
   image.data.resize(std::size_t{kChannels} * image.width * image.height);
-  cv::cvtColor(cv::Mat(height_, width_, CV_8UC4, pixels_.data()),
-               cv::Mat(height_, width_, CV_8UC3, image.data.data()), cv::COLOR_RGBA2RGB);
+  const cv::Mat drawn(height_, width_, CV_8UC4, const_cast<std::uint8_t*>(pixels_.data()));
+  cv::cvtColor(drawn, cv::Mat(height_, width_, CV_8UC3, image.data.data()), cv::COLOR_RGBA2RGB);
   image.valid = true;
 }
 

@@ -12,16 +12,23 @@ struct osmesa_context;
 
 namespace robots {
 
-/// A framebuffer in memory that Mesa's software renderer fills, with smooth edges. It is made in
-/// the thread that draws, and draws in that thread alone.
+/// Rows of an image, from the upper one on; `last` is the first that is not among them.
+struct Rows {
+  int first, last;
+};
+
+/// A framebuffer in memory that Mesa's software renderer fills. It is made in the thread that
+/// draws, and draws in that thread alone.
 class Offscreen {
  public:
   /// px. Throws suture::SetupError if Mesa has none.
   Offscreen(int width, int height);
 
-  /// Calls `draw` while OpenGL draws here, and fills all of `image` but its stamp with what it has
-  /// drawn: the upper left pixel first. Allocates.
-  void draw(const std::function<void()>& draw, ImageFrame& image);
+  /// Fills all of `image` but its stamp, the upper left pixel first, with what `background` draws
+  /// while OpenGL draws here, and the rows with what `all` draws, with smooth edges. To have those
+  /// takes several times as long, so the rows are to be no more than need them. Allocates.
+  void draw(const std::function<void()>& background, const std::function<void()>& all, Rows rows,
+            ImageFrame& image);
 
  private:
   struct Closer {
@@ -30,6 +37,8 @@ class Offscreen {
 
   void makeCurrent();
   void makeFramebuffer();
+  void drawSmooth(const std::function<void()>& all, Rows rows);
+  void copyTo(ImageFrame& image) const;
 
   const int width_, height_;
   std::unique_ptr<osmesa_context, Closer> context_;

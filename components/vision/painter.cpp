@@ -2,6 +2,7 @@
 
 #include <GL/gl.h>
 
+#include <algorithm>
 #include <array>
 
 #include "vision/markers.h"
@@ -43,7 +44,8 @@ void light(const CameraPair& cameras) {
   glLightModelfv(GL_LIGHT_MODEL_AMBIENT, around.data());
   glLightfv(GL_LIGHT0, GL_DIFFUSE, fromEyes.data());
   glLightfv(GL_LIGHT0, GL_POSITION, place.data());
-  for (const GLenum each : {GL_DEPTH_TEST, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE})
+  for (const GLenum each :
+       {GL_DEPTH_TEST, GL_CULL_FACE, GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE})
     glEnable(each);
 }
 
@@ -53,30 +55,61 @@ void drawStrand(const Solids& solids, const Strand::Nodes& strand) {
   }
 }
 
-/// A jaw and its shaft, which come from the side that is away from the other tip.
-void drawInstrument(const Solids& solids, const Vector3d& tip, const Vector3d& other) {
-  const Vector3d away = (tip - other).normalized();
-  const Vector3d wrist = tip + kJawLength * away;
-  solids.tube(tip, wrist, kJawRadius, kMetalColour);
-  solids.ball(wrist, kShaftRadius, kMetalColour);
-  solids.tube(wrist, wrist + kShaftLength * away, kShaftRadius, kMetalColour);
+/// It comes from the side that is away from the other tip.
+struct Instrument {
+  Instrument(const Vector3d& its, const Vector3d& other)
+      : tip(its),
+        wrist(tip + kJawLength * (tip - other).normalized()),
+        end(wrist + kShaftLength * (tip - other).normalized()) {}
+
+  Vector3d tip, wrist, end;
+};
+
+std::array<Instrument, 2> instrumentsOf(const View& view) {
+  const Vector3d left = view.strand.col(0), right = view.strand.col(Strand::kNodes - 1);
+  return {Instrument(left, right), Instrument(right, left)};
 }
 
-void draw(const Solids& solids, const View& view) {
-  const Strand::Nodes& strand = view.strand;
-  const Vector3d left = strand.col(0), right = strand.col(Strand::kNodes - 1);
+void drawGround(const Solids& solids, const View& view) {
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  solids.ground(view.tissue, strand.col(Strand::kKnot), kGroundReach, kTissueColour);
-  drawStrand(solids, strand);
-  drawInstrument(solids, left, right);
-  drawInstrument(solids, right, left);
-  const auto mark = [&](Marker marker, const Vector3d& centre) {
-    solids.ball(centre, radiusOf(marker), colourOf(marker));
+  solids.ground(view.tissue, view.strand.col(Strand::kKnot), kGroundReach, kTissueColour);
+}
+
+void drawThings(const Solids& solids, const View& view) {
+  drawStrand(solids, view.strand);
+  for (const Instrument& one : instrumentsOf(view)) {
+    solids.tube(one.tip, one.wrist, kJawRadius, kMetalColour);
+    solids.ball(one.wrist, kShaftRadius, kMetalColour);
+    solids.tube(one.wrist, one.end, kShaftRadius, kMetalColour);
+  }
+  const auto mark = [&](Marker marker, int node) {
+    solids.ball(view.strand.col(node), radiusOf(marker), colourOf(marker));
   };
-  mark(Marker::LeftTip, left);
-  mark(Marker::Knot, strand.col(Strand::kKnot));
-  mark(Marker::RightTip, right);
+  mark(Marker::LeftTip, 0);
+  mark(Marker::Knot, Strand::kKnot);
+  mark(Marker::RightTip, Strand::kNodes - 1);
+}
+
+/// Where anything but ground is: all rows, if a part of that is beside or behind the camera.
+Rows rowsOfThings(const CameraPair& cameras, Eye eye, const View& view) {
+  double upper = cameras.height, lower = 0;
+  const auto add = [&](const Vector3d& centre) {
+    const double z = (cameras.inFrameOf(eye) * centre).z();
+    if (z < CameraPair::kNearest + kShaftRadius) {
+      upper = 0;
+      lower = cameras.height;
+      return;
+    }
+    const double row = cameras.project(eye, centre).y();
+    const double reach = cameras.focal * kShaftRadius / (z - kShaftRadius) + 2;
+    upper = std::min(upper, row - reach);
+    lower = std::max(lower, row + reach);
+  };
+  for (int node = 0; node < Strand::kNodes; ++node) add(view.strand.col(node));
+  for (const Instrument& one : instrumentsOf(view)) add(one.end);
+  return {static_cast<int>(std::clamp<double>(upper, 0, cameras.height)),
+          static_cast<int>(std::clamp<double>(lower, 0, cameras.height))};
 }
 
 }  // namespace
@@ -101,12 +134,16 @@ Painter::~Painter() = default;
 
 void Painter::paint(Eye eye, const View& view, ImageFrame& image) {
   if (!studio_) studio_ = std::make_unique<Studio>(cameras_);
-  const auto drawAll = [&] {
+  const auto ground = [&] {
     look(cameras_, eye);
     light(cameras_);
-    draw(studio_->solids, view);
+    drawGround(studio_->solids, view);
   };
-  studio_->offscreen.draw(drawAll, image);
+  const auto all = [&] {
+    drawGround(studio_->solids, view);
+    drawThings(studio_->solids, view);
+  };
+  studio_->offscreen.draw(ground, all, rowsOfThings(cameras_, eye, view), image);
 }
 
 }  // namespace robots

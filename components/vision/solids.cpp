@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 // So many corners about an axis that the outline is round to a hundredth of a pixel.
-constexpr int kCorners = 32, kTubeCorners = 12;
+constexpr int kCorners = 24, kTubeCorners = 12;
 constexpr int kGround = 24;  // squares along a side, each lit at its corners
 
 Vector3d onCircle(int corner, int corners) {
@@ -57,8 +57,8 @@ void unitTube() {
   glBegin(GL_TRIANGLE_STRIP);
   for (int corner = 0; corner <= kTubeCorners; ++corner) {
     const Vector3d side = onCircle(corner, kTubeCorners);
-    vertex(side, side);
     vertex(side, side + Vector3d::UnitZ());
+    vertex(side, side);
   }
   glEnd();
 }
@@ -105,8 +105,8 @@ void Solids::ground(const Eigen::Hyperplane<double, 3>& plane, const Vector3d& c
   for (int row = 0; row < kGround; ++row) {
     glBegin(GL_TRIANGLE_STRIP);
     for (int column = 0; column <= kGround; ++column) {
-      corner(row, column);
       corner(row + 1, column);
+      corner(row, column);
     }
     glEnd();
   }

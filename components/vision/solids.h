@@ -7,7 +7,8 @@
 
 namespace robots {
 
-/// Shapes of one colour, lit by what light there is. All points are in the frame that the model
+/// Shapes of one colour, lit by what light there is, and to be seen from outside alone, the ground
+/// from the side of its normal. All points are in the frame that the model
 /// view matrix is for, m. Belongs to the context of OpenGL in which it was made, and draws while
 /// that is current.
 class Solids {
