@@ -19,8 +19,9 @@ void KnotTracker::run() {
 }
 
 void KnotTracker::look() {
+  const auto exposed = images_.exposed();
+  if (exposed && *exposed != suture::Time{} && *exposed == sighting_.stamp) return;
   if (!images_.images(pair_) || !isPairOfTheCameras()) return see({});
-  if (pair_.left.stamp == sighting_.stamp) return;
   sighting_.stamp = pair_.left.stamp;
   see(locate(cameras_, detect(pair_.left), detect(pair_.right)));
 }

@@ -2,6 +2,7 @@
 // The contract of a stereo endoscope: what both eyes see.
 
 #include <suture/annotate.h>
+#include <suture/base/time.h>
 
 #include "robot_types/vision.h"
 
@@ -19,6 +20,9 @@ class SUTURE_INTERFACE() StereoImages {
 
   /// The last pair; invalid while there is nothing to see.
   SUTURE_COMMAND() virtual const StereoPair& images() const = 0;
+  /// The stamp of the last pair, and 0 while there is nothing to see: who asks this first copies
+  /// megabytes only if they are new.
+  SUTURE_COMMAND() virtual suture::Time exposed() const = 0;
 };
 
 }  // namespace robots

@@ -31,7 +31,7 @@ struct SUTURE_TYPE() EndoscopeParameters {
   SUTURE_FIELD(range(0, 1)) double dropout = 0.01;
   /// From the exposure until a pair is there; the time that drawing takes comes on top. Beyond what
   /// the strand keeps of its past, half a second, nothing is seen.
-  suture::Duration latency = std::chrono::milliseconds(30);
+  suture::Duration latency = std::chrono::milliseconds(10);
   /// By how much the right camera is turned toward the left one's axis, which nobody is told.
   SUTURE_FIELD(unit("rad"), range(-0.1, 0.1)) double vergence = 0;
 };
@@ -44,6 +44,9 @@ class SUTURE_COMPONENT() SyntheticEndoscope final : public suture::PeriodicTask,
   explicit SyntheticEndoscope(const EndoscopeParameters& parameters);
 
   const StereoPair& images() const override { return pair_; }
+  suture::Time exposed() const override {
+    return pair_.left.valid ? pair_.left.stamp : suture::Time{};
+  }
 
   void run() override;
 

@@ -33,6 +33,7 @@ using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::numberOf;
+using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -111,6 +112,10 @@ class StereoImagesSink final : public suture::rpc::EventSink {
       const auto& slot = slotIn<StereoPairSlot>(columns[0]);
       toWire(slot, out.initImages());
     }
+    if (row.hasValue(1)) {
+      const auto& slot = slotIn<std::int64_t>(columns[1]);
+      out.setExposed(slot);
+    }
     return request.send().ignoreResult();
   }
 
@@ -143,6 +148,18 @@ class StereoImagesServant final : public wire::StereoImages::Server {
                        [](std::byte*) { return Errc{}; }, kj::mv(take));
   }
 
+  kj::Promise<void> exposed(ExposedContext context) override {
+    auto in = context.getParams();
+    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
+      const auto& slot = slotIn<std::int64_t>(result);
+      auto out = context.getResults();
+      out.setValue(slot);
+      out.setStamp(suture::toNanoseconds(stamp));
+    };
+    return port_->call(numberOf(StereoImagesCommand::exposed), in.getSent(),
+                       [](std::byte*) { return Errc{}; }, kj::mv(take));
+  }
+
  private:
   kj::Own<ServantPort> port_;
 };
@@ -163,6 +180,10 @@ class StereoImagesReceiver final : public wire::StereoImagesEvents::Server {
       const Errc error =
           in.hasImages() ? fromWire(in.getImages(), slot, port_->shift()) : Errc::Invalid;
       columns.enter(0, error);
+    }
+    if (columns.hasValue(1)) {
+      auto& slot = port_->column<std::int64_t>(1);
+      slot = suture::rpc::shifted(in.getExposed(), port_->shift());
     }
     port_->publish(in.getStamp(), columns);
     return kj::READY_NOW;
@@ -198,6 +219,16 @@ class StereoImagesProxy final : public suture::rpc::Proxy {
           });
         });
       }
+      case StereoImagesCommand::exposed: {
+        auto request = provider_.exposedRequest();
+        suture::rpc::fill(request.initSent(), record);
+        return request.send().then([this, call = record.call](auto&& response) {
+          port_.answer<std::int64_t>(call, response.getStamp(), [&](std::int64_t& answer) {
+            answer = suture::rpc::shifted(response.getValue(), port_.shift());
+            return Errc{};
+          });
+        });
+      }
     }
     return kj::READY_NOW;
   }
@@ -229,6 +260,10 @@ const suture::rpc::Binding& stereoImagesBinding() {
   return kBinding;
 }
 
+void shiftStereoImagesExposedResult(std::int64_t& slot, Duration shift) {
+  slot = shifted(slot, shift);
+}
+
 constexpr CommandInfo kStereoImagesCommands[] = {
     {.name = "images",
      .kind = CommandKind::Read,
@@ -237,14 +272,23 @@ constexpr CommandInfo kStereoImagesCommands[] = {
      .column = 0,
      .acceptsResult = checkSlot<StereoPairSlot, isValid>,
      .shiftResult = shiftSlot<StereoPairSlot>},
+    {.name = "exposed",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<std::int64_t>,
+     .depth = 16,
+     .column = 1,
+     .shiftResult = shiftSlot<std::int64_t, shiftStereoImagesExposedResult>},
 };
 
 // The self-description, as in vision/stereo_images.suture.json.
 constexpr char kStereoImagesDescription[] = R"json(
-{"name": "robots::StereoImages", "hash": "48ff1933fc9d50168ee1bbde63a80c13", "commands": [{
+{"name": "robots::StereoImages", "hash": "afed174675115ccf925dea30a59e7bd5", "commands": [{
 "name": "images", "kind": "read", "ordinal": 1,
 "doc": "The last pair; invalid while there is nothing to see.", "result": {"type": {
-"kind": "struct", "name": "robots::StereoPair"}}, "queue": 16}], "events": [], "enums": [],
+"kind": "struct", "name": "robots::StereoPair"}}, "queue": 16}, {"name": "exposed", "kind": "read",
+"ordinal": 2,
+"doc": "The stamp of the last pair, and 0 while there is nothing to see: who asks this first copies\nmegabytes only if they are new.",
+"result": {"type": {"kind": "time", "clock": "steady"}}, "queue": 16}], "events": [], "enums": [],
 "structs": [{"name": "robots::ImageFrame", "doc": "prmImageFrame.", "fields": [{"name": "width",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "height", "type": {"kind": "UInt32"},
 "default": 0}, {"name": "channels", "type": {"kind": "UInt32"}, "default": 0}, {"name": "data",
@@ -260,15 +304,19 @@ constexpr char kStereoImagesDescription[] = R"json(
 "name": "events", "is": "@0xed57a378bacd9ffb"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
 "at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "images", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "@0xc5ad7542a285d330"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"name": "value", "is": "@0xc5ad7542a285d330"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 2, "name": "exposed", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Int64 clock \"steady\""}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
 "id": "@0xed57a378bacd9ffb", "kind": "interface", "name": "StereoImagesEvents", "members": [{
 "at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xe5a2d9c7d98a1e0c"}]}]},
 {"id": "@0xe5a2d9c7d98a1e0c", "kind": "struct", "name": "StereoImagesStateRow", "members": [{
 "at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "images", "is": "@0xc5ad7542a285d330"}]}, {
-"id": "@0xc5ad7542a285d330", "kind": "struct", "name": "StereoPair", "members": [{"at": 0,
-"name": "left", "is": "@0xbc8f68d82913b3fb"}, {"at": 1, "name": "right", "is": "@0xbc8f68d82913b3fb"
-}]}, {"id": "@0xbc8f68d82913b3fb", "kind": "struct", "name": "ImageFrame", "members": [{"at": 0,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "images", "is": "@0xc5ad7542a285d330"}, {
+"at": 4, "name": "exposed", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc5ad7542a285d330",
+"kind": "struct", "name": "StereoPair", "members": [{"at": 0, "name": "left",
+"is": "@0xbc8f68d82913b3fb"}, {"at": 1, "name": "right", "is": "@0xbc8f68d82913b3fb"}]}, {
+"id": "@0xbc8f68d82913b3fb", "kind": "struct", "name": "ImageFrame", "members": [{"at": 0,
 "name": "width", "is": "UInt32"}, {"at": 1, "name": "height", "is": "UInt32"}, {"at": 2,
 "name": "channels", "is": "UInt32"}, {"at": 3, "name": "data", "is": "Data"}, {"at": 4,
 "name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 5, "name": "valid", "is": "Bool"}]}]})json";
@@ -282,7 +330,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::StereoImages>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::StereoImages",
-      .hash = "48ff1933fc9d50168ee1bbde63a80c13",
+      .hash = "afed174675115ccf925dea30a59e7bd5",
       .description = robots::kStereoImagesDescription,
       .commands = robots::kStereoImagesCommands,
       .events = {},
@@ -298,6 +346,10 @@ Errc Provided<robots::StereoImages>::execute(std::uint16_t command, const std::b
     case StereoImagesCommand::images: {
       auto& slot = newSlot<robots::StereoPairSlot>(result);
       return store(implementation_.images(), slot) ? Errc{} : Errc::TooLarge;
+    }
+    case StereoImagesCommand::exposed: {
+      auto& slot = newSlot<std::int64_t>(result);
+      return store(implementation_.exposed(), slot) ? Errc{} : Errc::TooLarge;
     }
   }
   return Errc::Invalid;

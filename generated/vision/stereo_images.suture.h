@@ -26,6 +26,7 @@ void shiftStamps(StereoPairSlot& slot, suture::Duration shift);
 /// The numbers of StereoImages's commands in every table and record.
 enum class StereoImagesCommand : std::uint16_t {
   images,
+  exposed,
 };
 
 }  // namespace robots
@@ -48,6 +49,10 @@ class Required<robots::StereoImages> : public RequiredBase {
   /// The last pair; invalid while there is nothing to see.
   ReadCommand<&Contract::images, robots::StereoPairSlot> images{
       *this, static_cast<std::uint16_t>(Id::images)};
+  /// The stamp of the last pair, and 0 while there is nothing to see: who asks this first copies
+  /// megabytes only if they are new.
+  ReadCommand<&Contract::exposed, std::int64_t> exposed{
+      *this, static_cast<std::uint16_t>(Id::exposed)};
 
  protected:
   // For contracts that derive from this one.

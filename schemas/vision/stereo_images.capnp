@@ -20,6 +20,10 @@ interface StereoImages @0xefa57eee714fcf37 $Meta.cxx("robots::StereoImages") {
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   images @1 (sent :Rpc.Sent) -> (value :StereoPair, stamp :Int64) $Meta.kind("read");
   # The last pair; invalid while there is nothing to see.
+  exposed @2 (sent :Rpc.Sent) -> (value :Int64 $Meta.clock("steady"), stamp :Int64)
+      $Meta.kind("read");
+  # The stamp of the last pair, and 0 while there is nothing to see: who asks this first copies
+  # megabytes only if they are new.
 }
 
 interface StereoImagesEvents @0xed57a378bacd9ffb $Meta.eventsOf("robots::StereoImages") {
@@ -39,4 +43,5 @@ struct StereoImagesStateRow @0xe5a2d9c7d98a1e0c $Meta.stateOf("robots::StereoIma
   tooLarge @2 :UInt64;
   # Bit i: column i did not fit its declared capacity.
   images @3 :StereoPair;
+  exposed @4 :Int64 $Meta.clock("steady");
 }

@@ -71,6 +71,7 @@ class Lens final : public suture::PeriodicTask, public StereoImages {
   Lens() : PeriodicTask({.period = kPeriod}) { images_.keepState({.rows = 4}); }
 
   const StereoPair& images() const override { return pair_; }
+  suture::Time exposed() const override { return pair_.left.stamp; }
   void run() override {
     if (!camera_.images(seen_) || seen_.left.stamp == pair_.left.stamp) return;
     pair_ = seen_;
@@ -257,6 +258,7 @@ class Projector final : public suture::PeriodicTask, public StereoImages {
   }
 
   const StereoPair& images() const override { return pair_; }
+  suture::Time exposed() const override { return pair_.left.stamp; }
   void run() override {
     if (next_ < film_.size()) pair_ = film_[next_++];
   }
