@@ -5,10 +5,13 @@
 #include <chrono>
 
 #include "arm_control/crtk_arm.h"
+#include "arm_control/gripper_reading.h"
+#include "arm_control/jaw_controller.h"
 #include "kinematics/davinci.h"
 #include "kinematics/mtm_inverse.h"
 #include "support/allocations.h"
 #include "unit/arm/deaf.h"
+#include "unit/arm/psm_model.h"
 #include "unit/arm/trailing_joints.h"
 
 namespace robots::test {
@@ -83,6 +86,79 @@ TEST(CrtkArm, NeverAllocatesInItsCycle) {
     crtk.announce(Deaf{});
   }
   EXPECT_EQ(allocations() - before, 0u);
+}
+
+struct DeafToTools {
+  void warning(const suture::Message&) {}
+  void goal_reached(bool) {}
+  void closed(bool) {}
+};
+
+TEST(JawController, NeverAllocatesInItsCycle) {
+  ArmController<6> arm(psmModel());
+  TrailingJoints<6> joints(psmModel(), psmParked());
+  JawController jaw(
+      {.lower = -1, .upper = 1, .rate_limit = 4, .acceleration_limit = 40, .effort_limit = 1}, arm);
+  const JointGoal open{{0.8}, {}}, none;
+  JointEffortGoal push;
+  push.effort = {-0.5};
+  suture::Time time = suture::fromNanoseconds(1);
+  const std::uint64_t before = allocations();
+
+  joints.step(arm, time);
+  arm.obey(StateCommand::Enable);
+  for (int i = 0; i < 1000; ++i) {
+    time += std::chrono::milliseconds(1);
+    switch (i / 100) {
+      case 0: jaw.servo_jp(open); break;
+      case 1: jaw.servo_jf(push); break;
+      case 2: jaw.servo_jp(none); break;
+      case 3: jaw.move_jp(open); break;
+      case 8: arm.obey(StateCommand::Disable); break;
+      default: jaw.move_jp(none);
+    }
+    joints.step(arm, time);
+    DriveReading<6> reading;
+    reading.stamp = time;
+    jaw.step(time, reading);
+    jaw.announce(DeafToTools{});
+  }
+  EXPECT_EQ(allocations() - before, 0u);
+}
+
+TEST(GripperReading, NeverAllocatesInItsCycle) {
+  GripperReading gripper({.lower = 0, .upper = 1, .closed = 0, .debounce = 0});
+  DriveReading<7> reading;
+  const std::uint64_t before = allocations();
+  for (int i = 1; i < 100; ++i) {
+    reading.stamp = suture::fromNanoseconds(i);
+    reading.tool.position = i % 2;
+    gripper.step(reading.stamp, reading);
+    gripper.announce(DeafToTools{});
+  }
+  EXPECT_EQ(allocations() - before, 0u);
+}
+
+/// An arm whose encoders jump composes a text that names the joint.
+TEST(CrtkArm, NeverAllocatesWhenItFails) {
+  ArmModel<6> model = psmModel();
+  model.watch = {.jump_factor = 2};
+  ArmController<6> arm(model);
+  TrailingJoints<6> joints(model, psmParked());
+  CrtkArm<6> crtk(arm);
+  suture::Time time = suture::fromNanoseconds(1);
+  joints.step(arm, time);
+  const std::uint64_t before = allocations();
+  crtk.enable();
+  for (int i = 0; i < 20; ++i) {
+    if (i == 10) joints.displace(1, 0.2);
+    time += std::chrono::milliseconds(1);
+    joints.step(arm, time);
+    crtk.publish(time);
+    crtk.announce(Deaf{});
+  }
+  EXPECT_EQ(allocations() - before, 0u);
+  EXPECT_EQ(crtk.operating_state().state, ArmState::Fault);
 }
 
 }  // namespace
