@@ -68,7 +68,7 @@ std::string unwelcome(const std::vector<ConnectionReport>& connections) {
     late += one.late;
   }
   if (dropped + late == 0) return "No command was dropped or late.";
-  return fmt::format("{} commands were dropped, {} were late.", dropped, late);
+  return fmt::format("Commands that were dropped: {}; that were late: {}.", dropped, late);
 }
 
 Table connectionTable(const Plan& plan, const std::vector<ConnectionReport>& connections) {
