@@ -25,11 +25,12 @@ void SyntheticEndoscope::run() {
   if (!strand || !strand->valid || !frames) return;
   const View view = seenFrom(frames->camera, strand->nodes, frames->tissue);
   if (view.strand.row(2).minCoeff() < CameraPair::kNearest) return;
-  take(Eye::Left, view, strand->stamp, pair_.left);
-  take(Eye::Right, view, strand->stamp, pair_.right);
+  expose(Eye::Left, view, strand->stamp, pair_.left);
+  expose(Eye::Right, view, strand->stamp, pair_.right);
 }
 
-void SyntheticEndoscope::take(Eye eye, const View& view, suture::Time exposed, ImageFrame& image) {
+void SyntheticEndoscope::expose(Eye eye, const View& view, suture::Time exposed,
+                                ImageFrame& image) {
   painter_.paint(eye, view, image);
   sensor_.expose(image);
   image.stamp = exposed;

@@ -51,7 +51,7 @@ class SUTURE_COMPONENT() SyntheticEndoscope final : public suture::PeriodicTask,
   void run() override;
 
  private:
-  void take(Eye eye, const View& view, suture::Time exposed, ImageFrame& image);
+  void expose(Eye eye, const View& view, suture::Time exposed, ImageFrame& image);
 
   const EndoscopeParameters parameters_;
   suture::Required<StrandView> strand_{*this, "Strand"};

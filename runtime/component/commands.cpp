@@ -146,6 +146,7 @@ Sample<void> RequiredBase::readAt(Time at, std::uint16_t command, std::byte* slo
   const Result<Time> stamp = channel_->state->readAt(at, column, slot);
   if (!stamp) return stamp.error();
   if (!admitsCopy(command, slot)) return Errc::Invalid;
+  countRead(*channel_, column);
   return Sample<void>(*stamp);
 }
 

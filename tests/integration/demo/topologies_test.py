@@ -44,7 +44,8 @@ class Topologies(unittest.TestCase):
 
         text = compared("fig3a", "fig3c")
         self.assertEqual(re.findall(r"(?m)^Teleop.*$", text),
-                         ["TeleopL/Slave  PSM2/Arm  PSM1/Arm", "TeleopR/Slave  PSM1/Arm  PSM2/Arm"])
+                         ["TeleopL/Jaw    PSM2/Jaw  PSM1/Jaw", "TeleopL/Slave  PSM2/Arm  PSM1/Arm",
+                          "TeleopR/Jaw    PSM1/Jaw  PSM2/Jaw", "TeleopR/Slave  PSM1/Arm  PSM2/Arm"])
         self.assertIn("19 of 19 components run in the same process, 36 of 40 connections are the same.", text)
         self.assertIn(hashlib.sha256((PROGRAMS / "suture-workstation").read_bytes()).hexdigest(), text)
         text = compared("single", "fig3a")
