@@ -130,7 +130,7 @@ void CrtkArm<N>::set_base_frame(const TransformStamped& base) {
   if (referenceFrame_ != 0 && base.reference_frame != referenceFrame_) {
     return arm_.warn(ArmWarning::WrongFrame);
   }
-  // What streams goals has taken them from the frame of before.
+  // A stream's goals were made in the frame of before, so it must not go on in the new one.
   const OperatingState& now = arm_.operating_state();
   if (now.state == ArmState::Enabled && now.sub_state != "holding") {
     return arm_.warn(ArmWarning::InMotion);

@@ -51,7 +51,8 @@ RigidBodyJoints<N>::RigidBodyJoints(const RigidBodyModel<N>& model)
 template <int N>
 void RigidBodyJoints<N>::advance(double dt) {
   if (!(dt > 0)) return;
-  // Of drives that are late all loses the same time: joints, encoders and set-point.
+  // Drives that are late lose the same time in joints, encoders and set-point, so these stay
+  // together.
   constexpr auto kMost = dynamics::JointMotion<N>::kMostSteps * dynamics::JointMotion<N>::kStep;
   dt = std::min(dt, kMost);
   if (!braked_) motion_.advance(dt, effort_);
