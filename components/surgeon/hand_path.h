@@ -12,14 +12,18 @@ struct HandPathShape {
   double ramp;       ///< s, until the full amplitude is reached
 };
 
-/// Around `start`: three sines of incommensurable frequencies along, and three about, the axes of
-/// the frame that `start` is expressed in, faded in by a minimum-jerk blend. So position, velocity
-/// and acceleration are continuous and the last two are zero at t = 0; speed never exceeds
-/// maxSpeed().
+/// Around `centre`: three sines of incommensurable frequencies along, and three about, the axes of
+/// the frame that `centre` is expressed in, faded in by a minimum-jerk blend. Another one leads
+/// from `start` to the centre meanwhile, in twice that time. So position, velocity and acceleration
+/// are continuous and the last two are zero at t = 0; speed never exceeds maxSpeed().
 class HandPath {
  public:
+  /// Its centre is where it starts.
   HandPath(const Eigen::Isometry3d& start, const HandPathShape& shape)
-      : start_(start), shape_(shape) {}
+      : HandPath(start, start, shape) {}
+  HandPath(const Eigen::Isometry3d& start, const Eigen::Isometry3d& centre,
+           const HandPathShape& shape)
+      : start_(start), centre_(centre), shape_(shape) {}
 
   /// The hand `t` seconds (>= 0) after it set out.
   Eigen::Isometry3d at(double t) const;
@@ -28,7 +32,9 @@ class HandPath {
   double maxSpeed() const;
 
  private:
-  Eigen::Isometry3d start_;
+  Eigen::Isometry3d centreAt(double t) const;
+
+  Eigen::Isometry3d start_, centre_;
   HandPathShape shape_;
 };
 

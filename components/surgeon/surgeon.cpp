@@ -31,7 +31,8 @@ void Surgeon::run() {
   if (!path_) {
     const auto start = master_.setpoint_cp();
     if (!start || !start->valid) return;
-    path_.emplace(start->pose, shape_);
+    if (!centre_) centre_ = start->pose;
+    path_.emplace(start->pose, *centre_, shape_);
     setOut_ = now;
   }
   const double t = secondsBetween(setOut_, now);

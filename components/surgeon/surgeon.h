@@ -31,10 +31,10 @@ struct SUTURE_TYPE() SurgeonParameters {
   SUTURE_FIELD(unit("s"), range(0.1, 100)) double ramp = 1.0;
 };
 
-/// Drives the arm it is connected to along a smooth path around where it finds it, from the moment
-/// the arm is ready; whenever it has not been, or the task was held up, it sets out anew from rest.
-/// Connected to a teleoperation it moves only while that follows; connected to a hand, it opens and
-/// closes the gripper meanwhile.
+/// Drives the arm it is connected to along a smooth path around where it first found it, from the
+/// moment the arm is ready; whenever it has not been, or the task was held up, it sets out anew
+/// from rest, where the arm is by then. Connected to a teleoperation it moves only while that
+/// follows; connected to a hand, it opens and closes the gripper meanwhile.
 class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
  public:
   explicit Surgeon(const SurgeonParameters& parameters);
@@ -52,6 +52,7 @@ class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
   SUTURE_REQUIRED(optional()) suture::Required<GripperHand> hand_{*this, "Hand"};
   ArmWatch watch_{master_};
   CycleWatch cycles_;
+  std::optional<Eigen::Isometry3d> centre_;  // of the path, or it would walk out of reach
   std::optional<HandPath> path_;
   suture::Time setOut_;
   bool follows_ = false;  // the slave

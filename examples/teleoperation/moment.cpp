@@ -11,6 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::Duration;
 
+constexpr Duration kReady = 2s;
 constexpr Duration kShortest = 1s;
 constexpr Duration kJudgedAfter = 3s;
 
@@ -33,6 +34,10 @@ std::optional<Moment> parseMoment(const std::string& text) {
 }
 
 void requireRoom(const std::string& asked, const Moment& moment, Duration runLength) {
+  if (moment.at < kReady) {
+    throw suture::SetupError(asked, "the arms get ready within the first 2 s, and nobody moves yet",
+                             "Let it be later");
+  }
   if (moment.length < kShortest) {
     throw suture::SetupError(asked, "that is over before anybody could tell who holds",
                              "Let it last for at least one second");

@@ -16,9 +16,9 @@ struct Moment {
 /// "4s", or "4s+1500ms"; none for any other text.
 std::optional<Moment> parseMoment(const std::string& text);
 
-/// Throws suture::SetupError, with `asked` as what was asked, if it lasts for less than a second,
-/// in which nobody could tell who holds, or ends less than three seconds before the run does, so
-/// that it can be judged.
+/// Throws suture::SetupError, with `asked` as what was asked, if it begins within two seconds,
+/// while the arms get ready, lasts for less than one, in which nobody could tell who holds, or ends
+/// less than three before the run does, so that it can be judged.
 void requireRoom(const std::string& asked, const Moment& moment, suture::Duration runLength);
 
 }  // namespace demo

@@ -29,16 +29,16 @@ class Break(unittest.TestCase):
             return {slave["name"] for slave in result["held"]}
 
     def test_a_workstation(self):
-        held = self.run_and_break("--topology", "fig3c", "--seconds", "6", "--break", "right@1s")
+        held = self.run_and_break("--topology", "fig3c", "--seconds", "8", "--break", "right@3s")
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
 
     def test_the_workstation_that_permits_power(self):
-        held = self.run_and_break("--topology", "fig3c", "--seconds", "6", "--break", "left@1s",
+        held = self.run_and_break("--topology", "fig3c", "--seconds", "8", "--break", "left@3s",
                                   real_time=True)
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
 
     def test_a_workstation_that_is_frozen(self):
-        held = self.run_and_break("--topology", "fig3c", "--network", "unix", "--seconds", "6", "--break", "right@1s")
+        held = self.run_and_break("--topology", "fig3c", "--network", "unix", "--seconds", "8", "--break", "right@3s")
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
 
     def test_cameras(self):
@@ -46,7 +46,7 @@ class Break(unittest.TestCase):
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
 
     def test_one_that_drives_nobody_elsewhere(self):
-        held = self.run_and_break("--topology", "fig3a", "--network", "tcp", "--seconds", "5", "--break", "right@1s")
+        held = self.run_and_break("--topology", "fig3a", "--network", "tcp", "--seconds", "7", "--break", "right@3s")
         self.assertEqual(held, set())
 
     def test_what_cannot_be_broken(self):
@@ -55,7 +55,8 @@ class Break(unittest.TestCase):
                           ("right@1.2.3", "--break right@1.2.3: that names no process and moment"),
                           ("right@.", "--break right@.: that names no process and moment"),
                           ("right@99999999s", "--break right@99999999s: that names no process and moment"),
-                          ("right@1s+500ms", "--break right@1s+500ms: that is over before anybody could tell who holds"),
+                          ("right@1s", "--break right@1s: the arms get ready within the first 2 s"),
+                          ("right@2s+500ms", "--break right@2s+500ms: that is over before anybody could tell who holds"),
                           ("right@8s", "--break right@8s: the run ends less than 3 s after that is over")):
             with self.subTest(text):
                 process = subprocess.run([PROGRAMS / "suture-demo", "--break", text],

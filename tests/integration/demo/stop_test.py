@@ -41,7 +41,8 @@ class Stop(unittest.TestCase):
     def test_what_is_no_stop(self):
         for text, why in (("never", "--stop never: that is no moment. Write for example 6s, or 6s+1500ms"),
                           ("right@1s", "--stop right@1s: that is no moment"),
-                          ("1s+500ms", "--stop 1s+500ms: that is over before anybody could tell who holds"),
+                          ("1s", "--stop 1s: the arms get ready within the first 2 s"),
+                          ("2s+500ms", "--stop 2s+500ms: that is over before anybody could tell who holds"),
                           ("8s", "--stop 8s: the run ends less than 3 s after that is over")):
             with self.subTest(text):
                 process = subprocess.run([PROGRAMS / "suture-demo", "--stop", text],

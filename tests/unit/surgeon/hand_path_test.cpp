@@ -61,6 +61,27 @@ TEST(HandPath, StaysWithinItsSpeedAndReach) {
   EXPECT_GT(reach, kShape.amplitude);
 }
 
+// Elsewhere is as far from the centre as the path goes, and turned.
+TEST(HandPath, ComesBackToItsCentreWithoutAJump) {
+  Eigen::Isometry3d elsewhere = somewhere();
+  elsewhere.translation() += Eigen::Vector3d(0.1, -0.08, 0.06);
+  elsewhere.rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));
+  const HandPath path(elsewhere, somewhere(), kShape), around(somewhere(), kShape);
+  EXPECT_TRUE(path.at(0).isApprox(elsewhere));
+  EXPECT_LT(velocity(path, 0).norm(), 1e-4);
+  Vector6 last = velocity(path, 0), lastAcceleration = Vector6::Zero();
+  for (double t = kStep; t < 3; t += kStep) {
+    const Vector6 now = velocity(path, t);
+    const Vector6 acceleration = (now - last) / kStep;
+    ASSERT_LT((acceleration - lastAcceleration).norm() / kStep, 60) << "t = " << t;
+    ASSERT_LE(now.head<3>().norm(), path.maxSpeed());
+    last = now;
+    lastAcceleration = acceleration;
+  }
+  EXPECT_TRUE(path.at(2).isApprox(around.at(2), 1e-9));
+  EXPECT_TRUE(path.at(7).isApprox(around.at(7), 1e-9));
+}
+
 template <int N>
 void expectReachable(const kinematics::Chain<N>& chain, typename kinematics::Chain<N>::Joints q) {
   const HandPath path(chain.forward(q), kShape);
