@@ -44,7 +44,8 @@ void Operator::run() {
   const suture::Time now = suture::now();
   const double seconds = secondsBetween(std::exchange(last_, now), now);
   const bool missed = cycles_.missed(kLongestPause);
-  const bool brokeOff = left_.watch.hasBrokenOff() | right_.watch.hasBrokenOff();
+  const bool leftBrokeOff = left_.watch.hasBrokenOff();  // each has to be asked
+  const bool brokeOff = right_.watch.hasBrokenOff() || leftBrokeOff;
   const bool ready =
       guided_ && guidance_.connected() && left_.watch.ready() && right_.watch.ready();
   if (!ready || missed || brokeOff) holds_ = false;
