@@ -73,7 +73,7 @@ struct WallDevice final : suture::Device, Wall {
   suture::Provided<Gallery> gallery{*this, "Gallery", *this};
 };
 
-struct WallTask final : suture::PeriodicTask, Wall {
+struct WallTask : suture::PeriodicTask, Wall {
   WallTask() : PeriodicTask({.period = 1ms}) {}
   ~WallTask() override { stop(); }
   /// Counts what the first emission takes from the heap.
@@ -179,11 +179,30 @@ TEST_F(LargeValues, AreAnsweredToFewCallsAtATime) {
       << "their places are free again";
 }
 
+/// Answers nobody before it is opened.
+struct ClosedWall final : WallTask {
+  ~ClosedWall() override {
+    letIn();
+    stop();
+  }
+  void letIn() {
+    open = true;
+    open.notify_all();
+  }
+  Picture dimmed(const Picture& picture) const override {
+    open.wait(false);
+    return WallTask::dimmed(picture);
+  }
+  std::atomic<bool> open = false;
+};
+
 /// A plain Cap'n Proto client sends as many as it likes. Those for whose answers there is no memory
 /// are refused, and none is left without an answer.
 TEST(LargeAnswers, AreOwedToAPlainClientOnlyWithinTheLimit) {
+  constexpr unsigned kCalls = 16;
+  const unsigned limit = suture::callLimitOf(suture::interfaceInfo<Gallery>()).calls;
   const suture::TemporaryDirectory directory;
-  WallTask wall;
+  ClosedWall wall;
   suture::rpc::ControlThread control;
   const suture::GlobalManager names{control, "unix:" + directory.file("m.sock")};
   suture::Manager manager("museum", names.address());
@@ -206,12 +225,22 @@ TEST(LargeAnswers, AreOwedToAPlainClientOnlyWithinTheLimit) {
     request.initPicture().setPixels({pixels.data(), pixels.size()});
     return request.send().then([](auto&&) { return true; }, [](kj::Exception&&) { return false; });
   };
+  unsigned refused = 0, answered = 0;
+  auto allRefused = kj::newPromiseAndFulfiller<bool>();
   std::vector<kj::Promise<bool>> calls;
-  for (int i = 0; i < 16; ++i) calls.push_back(dim());
-  int answered = 0;
+  for (unsigned i = 0; i < kCalls; ++i) {
+    calls.push_back(dim()
+                        .then([&](bool good) {
+                          if (!good && ++refused == kCalls - limit)
+                            allRefused.fulfiller->fulfill(true);
+                          return good;
+                        })
+                        .eagerlyEvaluate(nullptr));
+  }
+  EXPECT_TRUE(allRefused.promise.exclusiveJoin(soon()).wait(scope));
+  wall.letIn();
   for (auto& call : calls) answered += call.exclusiveJoin(soon()).wait(scope) ? 1 : 0;
-  EXPECT_GE(answered, 2);
-  EXPECT_LT(answered, 16);
+  EXPECT_EQ(answered, limit);
   EXPECT_TRUE(dim().exclusiveJoin(soon()).wait(scope)) << "its places are not free again";
   manager.stop();
 }
