@@ -9,7 +9,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mutants=${1:-10000} seconds=${2:-600}
-.ci/install tests
+.ci/install long
 
 # A source that does not include all that it uses is hidden by its neighbours in a unit of the presets' builds.
 cmake --preset dev -B build/alone -DCMAKE_UNITY_BUILD=OFF --log-level=WARNING

@@ -32,5 +32,7 @@ std::unique_ptr<Benchmark> makeNetwork();
 std::unique_ptr<Benchmark> makeStop();
 /// What the arms compute in each cycle.
 std::unique_ptr<Benchmark> makeKinematics();
+/// What a guided motion solves in each cycle.
+std::unique_ptr<Benchmark> makeFixtures();
 
 }  // namespace bench

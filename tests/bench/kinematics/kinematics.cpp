@@ -1,13 +1,11 @@
 // suture-bench kinematics: what a call of inverse kinematics costs.
 
-#include <suture/base/time.h>
-
-#include <algorithm>
 #include <cmath>
 
-#include "bench/kinematics/options.h"
+#include "bench/counted_options.h"
 #include "bench/kinematics/queries.h"
 #include "bench/parts.h"
+#include "bench/shortest_calls.h"
 #include "bench/table.h"
 #include "bench/timed_loops.h"
 #include "kinematics/davinci.h"
@@ -32,21 +30,12 @@ void makeMtmSingular(Chain<7>::Joints& q, int which) {
   q[5] = 0;
 }
 
-// One pose, and the shortest of its calls.
 template <int N>
-struct TimedPose {
+struct Pose {
   Query<N> query;
   Postures postures;
-  suture::Duration shortest = suture::Duration::max();
   bool found = false;
 
-  void measure(const Chain<N>& chain, InverseFunction<N> solve) {
-    const suture::Time begin = suture::now();
-    InverseSolution<N> solution = solve(chain, query.goal, query.start, postures);
-    keep(solution);
-    shortest = std::min(shortest, suture::now() - begin);
-    found = solution.found;
-  }
   bool isMissed() const { return query.admissible && postures == Postures::All && !found; }
 };
 
@@ -55,37 +44,29 @@ struct Calls {
   std::size_t missed = 0;
 };
 
-// The repeats of a pose are some milliseconds apart: what interrupts one does not last that long.
 template <int N>
 Calls measure(const Chain<N>& chain, InverseFunction<N> solve, Queries<N> queries,
               std::size_t count) {
-  constexpr std::size_t kBatch = 1000;
-  constexpr int kRepeats = 5;
   Calls calls;
-  std::vector<double> costs;
-  costs.reserve(count);
-  while (costs.size() < count) {
-    std::vector<TimedPose<N>> batch;
-    for (std::size_t i = 0; i < std::min(kBatch, count - costs.size()); ++i) {
-      // Every other round of kinds as a stream asks.
-      batch.push_back({queries.next(), i / 8 % 2 == 0 ? Postures::All : Postures::Near});
-    }
-    for (int repeat = 0; repeat < kRepeats; ++repeat) {
-      for (TimedPose<N>& pose : batch) pose.measure(chain, solve);
-    }
-    for (const TimedPose<N>& pose : batch) {
-      costs.push_back(static_cast<double>(pose.shortest.count()) / kMicrosecond);
-      calls.missed += pose.isMissed() ? 1 : 0;
-    }
-  }
-  calls.cost = statisticsOf(std::move(costs));
+  std::size_t asked = 0;
+  const auto next = [&] {
+    // Every other round of kinds as a stream asks.
+    return Pose<N>{queries.next(), asked++ / 8 % 2 == 0 ? Postures::All : Postures::Near};
+  };
+  const auto call = [&](Pose<N>& pose) {
+    InverseSolution<N> solution = solve(chain, pose.query.goal, pose.query.start, pose.postures);
+    keep(solution);
+    pose.found = solution.found;
+  };
+  const auto done = [&](const Pose<N>& pose) { calls.missed += pose.isMissed() ? 1 : 0; };
+  calls.cost = statisticsOf(shortestCalls(count, next, call, done));
   return calls;
 }
 
 template <int N>
 std::string armRows(const char* arm, const Chain<N>& chain, InverseFunction<N> solve,
-                    typename Queries<N>::MakeSingular makeSingular,
-                    const KinematicsOptions& options, Report& report) {
+                    typename Queries<N>::MakeSingular makeSingular, const CountedOptions& options,
+                    Report& report) {
   const Pinned pinned(options.cpu);
   const Queries<N> queries(chain, makeSingular);
   const std::size_t count = options.count();
@@ -105,20 +86,20 @@ std::string armRows(const char* arm, const Chain<N>& chain, InverseFunction<N> s
   return table.toString();
 }
 
-std::string psmRows(const KinematicsOptions& options, Report& report) {
+std::string psmRows(const CountedOptions& options, Report& report) {
   return armRows<6>("psm", psm(), psmInverse, makePsmSingular, options, report);
 }
 
-std::string mtmRows(const KinematicsOptions& options, Report& report) {
+std::string mtmRows(const CountedOptions& options, Report& report) {
   return armRows<7>("mtm", mtmLeft(), mtmInverse, makeMtmSingular, options, report);
 }
 
-constexpr Part<KinematicsOptions> kKinematicsParts[] = {{"PSM", psmRows}, {"MTM", mtmRows}};
+constexpr Part<CountedOptions> kKinematicsParts[] = {{"PSM", psmRows}, {"MTM", mtmRows}};
 
 }  // namespace
 
 std::unique_ptr<Benchmark> makeKinematics() {
-  return std::make_unique<PartsBenchmark<KinematicsOptions>>(
+  return std::make_unique<PartsBenchmark<CountedOptions>>(
       "kinematics", "a call of inverse kinematics in closed form, over a million poses of each arm",
       kKinematicsParts);
 }

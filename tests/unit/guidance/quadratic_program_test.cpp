@@ -8,53 +8,11 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <limits>
-#include <optional>
-#include <random>
 
-namespace robots {
+#include "unit/guidance/random_problems.h"
+
+namespace robots::test {
 namespace {
-
-constexpr int kUnknowns = 6, kRows = 10;
-using Program = QuadraticProgram<kUnknowns, kRows>;
-
-struct Problem {
-  Program::Matrix H;
-  Program::Vector g;
-  Program::Rows C;
-  Program::Bounds d;
-
-  double cost(const Program::Vector& x) const { return 0.5 * x.dot(H * x) + g.dot(x); }
-  /// By how much the worst row is missed.
-  double violation(const Program::Vector& x) const { return (d - C * x).maxCoeff(); }
-};
-
-class Problems {
- public:
-  /// Zero is feasible, as it is for an arm that may always stand still.
-  Problem next() {
-    Problem problem;
-    const Program::Matrix A = Program::Matrix::NullaryExpr([this] { return normal_(random_); });
-    problem.H = A.transpose() * A + 0.1 * Program::Matrix::Identity();
-    problem.g = 3 * Program::Vector::NullaryExpr([this] { return normal_(random_); });
-    problem.C = Program::Rows::NullaryExpr([this] { return normal_(random_); });
-    problem.C.rowwise().normalize();
-    problem.d = -Program::Bounds::NullaryExpr([this] { return std::abs(normal_(random_)); });
-    return problem;
-  }
-
- private:
-  std::mt19937_64 random_{20081109};
-  std::normal_distribution<double> normal_;
-};
-
-/// The largest error among the conditions of Karush, Kuhn and Tucker.
-double residual(const Problem& problem, const Program::Solution& solution) {
-  const Program::Vector gradient = problem.H * solution.x + problem.g;
-  const Program::Bounds slack = problem.C * solution.x - problem.d;
-  return std::max({(gradient - problem.C.transpose() * solution.multipliers).cwiseAbs().maxCoeff(),
-                   -slack.minCoeff(), -solution.multipliers.minCoeff(),
-                   slack.cwiseProduct(solution.multipliers).cwiseAbs().maxCoeff()});
-}
 
 /// The minimum with the rows of `chosen` as equations.
 Program::Vector withActive(const Problem& problem, unsigned chosen) {
@@ -154,4 +112,4 @@ TEST(QuadraticProgram, TakesARowThatIsThereTwice) {
 }
 
 }  // namespace
-}  // namespace robots
+}  // namespace robots::test

@@ -1,5 +1,5 @@
 #pragma once
-// What a user may choose of `suture-bench kinematics`.
+// What a user may choose of a subcommand that measures very many calls, one at a time.
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace bench {
 
-struct KinematicsOptions {
+struct CountedOptions {
   int cpu = preferredCpu();
-  std::size_t poses = 1'000'000;  ///< of each arm
+  std::size_t calls = 1'000'000;  ///< of each part
   bool quick = false;
 
   void addTo(CLI::App& options) {
     options.add_option("--cpu", cpu, "processor to measure on")->capture_default_str();
-    options.add_option("--poses", poses, "poses of each arm")->capture_default_str();
+    options.add_option("--calls", calls, "calls of each part")->capture_default_str();
     options.add_flag("--quick", quick, "a hundredth: shows that it works, not how well");
   }
-  nlohmann::json toJson() const { return {{"cpu", cpu}, {"poses", poses}, {"quick", quick}}; }
+  nlohmann::json toJson() const { return {{"cpu", cpu}, {"calls", calls}, {"quick", quick}}; }
 
-  std::size_t count() const { return quick ? (poses + 99) / 100 : poses; }
+  std::size_t count() const { return quick ? (calls + 99) / 100 : calls; }
 };
 
 }  // namespace bench
