@@ -18,6 +18,8 @@ using suture::Time;
 constexpr double kLongestGap = 0.05;  // s
 // How much later than the row of its stamp a record may be written.
 constexpr auto kPatience = std::chrono::milliseconds(200);
+// The law's speed is measured over twice that; over a cycle it would be the encoders' noise.
+constexpr auto kHalfBase = std::chrono::milliseconds(10);
 
 }  // namespace
 
@@ -112,13 +114,39 @@ void Judge::judge(const ArmRow& row) {
     target_.reset();
     if (!start_) start_ = measured.p;
   } else if (target_) {
-    const double share = 1 - std::exp(-secondsBetween(last_, row.stamp) / timeConstant_);
-    expected_ = blend(*expected_, *target_, share);
-    position_.push_back((measured.p - expected_->p).norm());
-    orientation_.push_back(measured.q.angularDistance(expected_->q));
+    follow(row, measured);
   }
   travel_ = std::max(travel_, (measured.p - *start_).norm());
   last_ = row.stamp;
+  retarget(row);
+}
+
+void Judge::follow(const ArmRow& row, const Pose& measured) {
+  const double seconds = secondsBetween(last_, row.stamp);
+  const double share = 1 - std::exp(-seconds / timeConstant_);
+  expected_ = blend(*expected_, *target_, share);
+  position_.push_back((measured.p - expected_->p).norm());
+  orientation_.push_back(measured.q.angularDistance(expected_->q));
+  // So far behind an even motion is what goes this share of the way to its goal each cycle.
+  const double behind = seconds / share;
+  if (isNewTarget_) {
+    compareAtEqualTime(row, measured, secondsBetween(targetStamp_, last_) + behind);
+  }
+}
+
+void Judge::compareAtEqualTime(const ArmRow& row, const Pose& measured, double latency) {
+  const FollowAnchors& anchors = *std::prev(entryAfter(row.goal_stamp));
+  const auto before = masterAt(row.stamp - kHalfBase), now = masterAt(row.stamp),
+             after = masterAt(row.stamp + kHalfBase);
+  if (!before || !now || !after) return;
+  const Vector3d way = law(anchors, *after).p - law(anchors, *before).p;
+  equalTime_.push_back((measured.p - law(anchors, *now).p).norm());
+  speedTimesLatency_.push_back(way.norm() / inSeconds(2 * kHalfBase) * latency);
+}
+
+void Judge::retarget(const ArmRow& row) {
+  isNewTarget_ = row.goal_stamp > targetStamp_;
+  targetStamp_ = row.goal_stamp;
   if (const auto next = targetAt(row.goal_stamp)) {
     target_ = next;
   } else {
@@ -137,6 +165,8 @@ Judgement Judge::finish() {
   waiting_.clear();
   return {.position = summarise(position_),
           .orientation = summarise(orientation_),
+          .equal_time = summarise(equalTime_),
+          .speed_times_latency = summarise(speedTimesLatency_).mean,
           .travel = travel_,
           .compared = position_.size(),
           .unmatched = unmatched_};

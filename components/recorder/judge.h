@@ -15,8 +15,12 @@
 namespace robots {
 
 struct Judgement {
-  ErrorSummary position;     ///< m
-  ErrorSummary orientation;  ///< rad
+  ErrorSummary position;     ///< m, from where the slave should be by the goals that it has got
+  ErrorSummary orientation;  ///< rad, likewise
+  /// m, from where the law has it for the master of that very moment. It is no fault: a slave is
+  /// late by the way of the data and by its drives, and so is off by its speed times that.
+  ErrorSummary equal_time;
+  double speed_times_latency = 0;  ///< m: the mean of what explains the mean of equal_time
   double travel = 0;         ///< m: how far the slave got from where it was when following began
   std::size_t compared = 0;  ///< slave cycles
   /// Slave cycles whose master pose is not in the master's recording; they are not compared.
@@ -29,7 +33,8 @@ struct Judgement {
 /// recorded master at the stamp of the set-point; a first-order filter of `timeConstant` (s) in
 /// Cartesian space, on the slave's own cycle times, gives where the slave should be. Rate limits
 /// are not modelled: a slave that met one is late, and that shows. Of a slave that is not enabled
-/// the law asks for nothing, until following begins anew.
+/// the law asks for nothing, until following begins anew. At equal time it is compared while goals
+/// arrive: one that is held has no latency.
 class Judge {
  public:
   explicit Judge(double timeConstant) : timeConstant_(timeConstant) {}
@@ -62,12 +67,17 @@ class Judge {
   std::optional<Pose> targetAt(suture::Time stamp) const;
   bool isFollowing(const ArmRow& row);
   void judge(const ArmRow& row);
+  void follow(const ArmRow& row, const Pose& measured);
+  void compareAtEqualTime(const ArmRow& row, const Pose& measured, double latency);
+  void retarget(const ArmRow& row);
   void forgetMasterBefore(suture::Time stamp);
 
   const double timeConstant_;
   std::deque<ArmRow> master_, waiting_;  // waiting: the slave's
   std::vector<FollowAnchors> followed_;
   std::optional<Pose> target_;    // what acts on the slave since its last cycle
+  suture::Time targetStamp_;      // of the master's pose that it is made of
+  bool isNewTarget_ = false;      // the cycle before had another one
   std::optional<Pose> expected_;  // where the slave should be
   suture::Time last_;
   std::optional<suture::Time> disabled_;  // the cycle since which the slave was last not enabled
@@ -75,7 +85,8 @@ class Judge {
   std::optional<Eigen::Vector3d> start_;
   double travel_ = 0;
   std::size_t unmatched_ = 0, reported_ = 0;
-  std::vector<double> position_, orientation_;  // one error a cycle, m and rad
+  std::vector<double> position_, orientation_;         // one error a cycle, m and rad
+  std::vector<double> equalTime_, speedTimesLatency_;  // m, one each after a new target
 };
 
 /// A whole run at once.

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 json toJson(const robots::ErrorSummary& error) {
-  return {{"p50", error.p50}, {"p99", error.p99}, {"max", error.max}};
+  return {{"p50", error.p50}, {"p99", error.p99}, {"max", error.max}, {"mean", error.mean}};
 }
 
 json toJson(const ArmFigures& arm) {
@@ -22,6 +22,8 @@ json toJson(const ArmFigures& arm) {
     out["follows"] = arm.master;
     out["position_error"] = toJson(arm.following->position);
     out["orientation_error"] = toJson(arm.following->orientation);
+    out["equal_time_error"] = toJson(arm.following->equal_time);
+    out["speed_times_latency"] = arm.following->speed_times_latency;
     out["travel"] = arm.following->travel;
     out["compared"] = arm.following->compared;
     out["unmatched"] = arm.following->unmatched;

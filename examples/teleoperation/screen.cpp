@@ -52,10 +52,12 @@ void Screen::begin(const Options& options, const Plan& plan, const Network& netw
     fmt::print("  two masters place a knot at [{:g}, {:g}, {:g}] mm by what cameras see\n",
                1e3 * knot->target.x(), 1e3 * knot->target.y(), 1e3 * knot->target.z());
   }
+  const std::string& slow = plan.whyNotRealTime();
   if (plan.permit() > Duration{0}) {
     fmt::print("  drives need a permit that is at most {:.0f} ms old{}\n",
-               1e3 * robots::inSeconds(plan.permit()),
-               plan.whyNotRealTime().empty() ? "" : ", for " + plan.whyNotRealTime());
+               1e3 * robots::inSeconds(plan.permit()), slow.empty() ? "" : ", for " + slow);
+  } else if (!slow.empty()) {
+    fmt::print("  no task has a real-time priority, for {}\n", slow);
   }
   if (const auto& stop = plan.stop()) {
     fmt::print("  the emergency stop is pressed after {:g} s and released {:g} s later\n",
@@ -110,8 +112,16 @@ void Screen::printTable(const Table& table) const {
   fmt::print("\n");
 }
 
+// What is printed below the table of slaves.
+constexpr const char* kWhatErrorsAre =
+    "Errors are against the goals that a slave has got, however old. At equal time, on average, it "
+    "is\n"
+    "compared with its master of that very moment: what travels is late, and off by speed x "
+    "latency.";
+
 void Screen::printSlaves(const std::vector<ArmFigures>& arms) const {
-  Table table({"slave", "follows", "error p50 mm", "p99 mm", "max mm", "p99 deg", "travel mm"});
+  Table table({"slave", "follows", "error p50 mm", "p99 mm", "max mm", "p99 deg", "travel mm",
+               "at equal time mm", "speed x latency mm"});
   for (const ArmFigures& arm : arms) {
     if (!arm.following) continue;
     const robots::Judgement& following = *arm.following;
@@ -119,9 +129,13 @@ void Screen::printSlaves(const std::vector<ArmFigures>& arms) const {
                fmt::format("{:.3f}", 1e3 * following.position.p99),
                fmt::format("{:.3f}", 1e3 * following.position.max),
                fmt::format("{:.3f}", kDegrees * following.orientation.p99),
-               fmt::format("{:.1f}", 1e3 * following.travel)});
+               fmt::format("{:.1f}", 1e3 * following.travel),
+               fmt::format("{:.3f}", 1e3 * following.equal_time.mean),
+               fmt::format("{:.3f}", 1e3 * following.speed_times_latency)});
   }
   printTable(table);
+  if (table.lines().size() == 1) return;
+  fmt::print("{}\n\n", kWhatErrorsAre);
 }
 
 void Screen::printChecks(const std::vector<Check>& checks) const {

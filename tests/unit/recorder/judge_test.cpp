@@ -38,6 +38,7 @@ struct Faults {
   bool frozen = false;    // measures the same for ever
   bool rotates = true;    // follows the orientation
   double missedRows = 0;  // share of cycles the recorders lose
+  double delay = 0;       // s, of the goals beyond 1 to 2 ms: no fault, since their stamps tell it
 };
 
 struct Recorded {
@@ -64,10 +65,10 @@ Recorded makeRun(const Faults& faults, double frequency = 0.3, double duration =
   Eigen::Vector3d targetP = p;
   Eigen::Quaterniond targetQ = q;
   const double share = 1 - std::exp(-0.001 / (kTimeConstant + faults.extraLag));
-  for (double t = 0.0024; t < duration; t += 0.001) {
+  for (double t = 0.0024 + faults.delay; t < duration; t += 0.001) {
     p += share * (targetP - p);
     q = q.slerp(share, targetQ);
-    const double goalTime = std::floor((t - 0.001) * 1000) / 1000;
+    const double goalTime = std::floor((t - 0.001 - faults.delay) * 1000) / 1000;
     const Eigen::Isometry3d master = hand.at(goalTime);
     targetP = slave0.translation() +
               faults.sign * kScale * (master.translation() - master0.translation());
@@ -128,6 +129,19 @@ TEST(Judge, SeesFiveMillisecondsOfUndeclaredLag) {
   const Judgement fast = judged(makeRun({.extraLag = 0.005}, 1.2));
   EXPECT_GT(fast.position.p99, 0.001);
   EXPECT_FALSE(violations(fast).empty());
+}
+
+TEST(Judge, TellsByHowMuchALateSlaveIsOffAtEqualTimeAndWhy) {
+  double before = 0;
+  for (const double delay : {0.0, 0.05, 0.2}) {
+    const Judgement judgement = judged(makeRun({.delay = delay}));
+    EXPECT_LT(judgement.position.max, 1e-9) << "the goals that it got, it followed";
+    EXPECT_NEAR(judgement.equal_time.mean, judgement.speed_times_latency,
+                0.1 * judgement.speed_times_latency);
+    EXPECT_GT(judgement.equal_time.mean, before) << "with " << delay << " s";
+    before = judgement.equal_time.mean;
+  }
+  EXPECT_GT(before, 0.005);
 }
 
 // From 4 s to 5 s the slave stands 5 mm off, without power; then it follows again.
