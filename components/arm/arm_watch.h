@@ -3,7 +3,6 @@
 
 #include <suture/component/required.h>
 
-#include <cstdint>
 #include <utility>
 
 #include "arm/arm.suture.h"
@@ -22,8 +21,9 @@ class ArmWatch {
       busy_ = state.is_busy;
     });
     arm_.on().warning([this](const suture::Message& warning) {
-      constexpr auto kStepTooFar = static_cast<std::uint32_t>(ArmWarning::StepTooFar);
-      brokenOff_ = brokenOff_ || warning.code == kStepTooFar;
+      const auto reason = static_cast<ArmWarning>(warning.code);
+      brokenOff_ = brokenOff_ || reason == ArmWarning::StepTooFar;
+      refuses_ = refuses_ || reason == ArmWarning::NotInserted || reason == ArmWarning::Malformed;
     });
   }
   ArmWatch(const ArmWatch&) = delete;
@@ -39,6 +39,10 @@ class ArmWatch {
   /// Since the last call the arm has refused a goal that lies too far from its set-point: whoever
   /// streams goals begins anew, from where the arm is, or the arm would refuse them for ever.
   bool hasBrokenOff() { return std::exchange(brokenOff_, false); }
+
+  /// Since the last call the arm has refused a goal, and will refuse the next one: its tool is not
+  /// in, or the goal is no pose.
+  bool refuses() { return std::exchange(refuses_, false); }
 
   /// Once a cycle: enables and homes the arm, each at most once, so that an arm which someone
   /// disabled, or which came back after a failure, stays disabled.
@@ -58,6 +62,7 @@ class ArmWatch {
   bool homed_ = false;
   bool busy_ = false;
   bool brokenOff_ = false;
+  bool refuses_ = false;
   bool enableAsked_ = false;
   bool homeAsked_ = false;
 };

@@ -205,9 +205,7 @@ void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
     const auto fault = watch_.look(reading_);
     obeyInsertion();
     obeyPower();
-    if (fault && powered() && state_.state != ArmState::Fault) {
-      fail(*fault, fault->reason == ArmWarning::EncoderJump ? "encoder jump" : "over-current");
-    }
+    if (fault) obey(*fault);
     // Without power the brakes hold the joints; after a silence they may be anywhere.
     if (!powered() || !wasHeard) setpoint_ = reading_.position;
   } else if (powered() && state_.state != ArmState::Fault) {
@@ -246,11 +244,28 @@ std::optional<int> ArmController<N>::trailing() const {
   return std::nullopt;
 }
 
+// After a jump nobody knows where the arm is, with power or without.
+template <int N>
+void ArmController<N>::obey(const DriveFault& fault) {
+  const bool jumped = fault.reason == ArmWarning::EncoderJump;
+  if (jumped && state_.is_homed) unhome();
+  if (powered() && state_.state != ArmState::Fault) {
+    fail(fault, jumped ? "encoder jump" : "over-current");
+  } else if (jumped) {
+    tell(fault);
+  }
+}
+
+template <int N>
+void ArmController<N>::tell(const DriveFault& fault) {
+  culprit_ = fault.joint < N ? model_.joint_names[static_cast<std::size_t>(fault.joint)] : "jaw";
+  warnings_.tell(fault.reason);
+}
+
 template <int N>
 void ArmController<N>::fail(const DriveFault& fault, const char* activity) {
   restIn(ArmState::Fault, activity);
-  culprit_ = fault.joint < N ? model_.joint_names[static_cast<std::size_t>(fault.joint)] : "jaw";
-  warnings_.tell(fault.reason);
+  tell(fault);
 }
 
 template <int N>

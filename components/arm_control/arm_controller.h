@@ -129,6 +129,8 @@ class ArmController {
   void obeyInsertion();
   /// The joint that trails its set-point by too much, if one does.
   std::optional<int> trailing() const;
+  void obey(const DriveFault& fault);
+  void tell(const DriveFault& fault);
   void fail(const DriveFault& fault, const char* activity);
   bool mayMove();
   /// The same of Cartesian commands.

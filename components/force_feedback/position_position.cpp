@@ -5,13 +5,20 @@
 #include <stdexcept>
 
 namespace robots {
+namespace {
+
+// Of the momentum that a cycle's damping takes away at most: what is held for a cycle throws back
+// what it brakes if it takes more than all.
+constexpr double kShare = 0.5;
+
+}  // namespace
 
 PositionPosition::PositionPosition(const PositionPositionModel& model) : model_(model) {
   for (const double number :
-       {model.gains.stiffness, model.gains.damping, model.most_force, model.most_damping}) {
+       {model.gains.stiffness, model.gains.damping, model.most_force, model.mass}) {
     if (std::isfinite(number) && number >= 0) continue;
     throw std::invalid_argument(
-        "position-position feedback: gains and bounds must be finite, and not negative");
+        "position-position feedback: gains, bounds and mass must be finite, and not negative");
   }
 }
 
@@ -21,7 +28,8 @@ Eigen::Vector3d PositionPosition::force(const TipMotion& master, const TipMotion
   const double most = model_.most_force;
   Eigen::Vector3d force = coupling(model_.gains, master, slave).cwiseMin(most).cwiseMax(-most);
   if (model_.passive) {
-    force = damped(force, master.velocity, observer_.energy(), model_.most_damping, dt);
+    const double mostDamping = kShare * model_.mass / dt;
+    force = damped(force, master.velocity, observer_.energy(), mostDamping, dt);
   }
   observer_.pushes(force);
   return force;

@@ -29,9 +29,9 @@ inline Eigen::Vector3d coupling(const CouplingGains& gains, const TipMotion& own
 /// All numbers are our own choice.
 struct PositionPositionModel {
   CouplingGains gains = {};
-  double most_force = 20;      ///< N: the coupling pushes no harder along an axis
-  bool passive = true;         ///< with the passivity controller; without, it is only observed
-  double most_damping = 1000;  ///< N.s/m: of that, for 1 kg or more that moves, at 1 kHz
+  double most_force = 20;  ///< N: the coupling pushes no harder along an axis
+  bool passive = true;     ///< with the passivity controller; without, it is only observed
+  double mass = 0.9;       ///< kg: of the least that moves with the hand
 };
 
 /// The master's half of the coupling, with the passivity observer and controller at the hand. A

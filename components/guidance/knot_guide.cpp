@@ -49,7 +49,10 @@ void KnotGuide::enable() {
   if (state_ == GuidanceState::Disabled) enter(GuidanceState::Preparing);
 }
 
-void KnotGuide::disable() { leave(GuidanceState::Disabled); }
+void KnotGuide::disable() {
+  enableAtFirstCycle_ = false;  // it may come before that
+  leave(GuidanceState::Disabled);
+}
 
 void KnotGuide::run() {
   if (std::exchange(enableAtFirstCycle_, false)) enable();

@@ -18,20 +18,17 @@ class OperatorWatch {
       : pedals_(pedals), presence_(presence), maxAge_(maxAge) {}
 
   /// The surgeon is there, and no pedal takes the masters from their slaves. A console without
-  /// pedals, or without anything that tells of presence, is not asked for it; one that is silent
-  /// says no.
+  /// pedals, or without anything that tells of presence, is not asked for it; one that is silent,
+  /// or not there yet, says no.
   bool teleoperates() {
     const auto pedals = pedals_.pedals();
-    if (!isAbsent(pedals) && !(isFresh(pedals) && !pedals->clutch && !pedals->camera)) return false;
+    const bool isFree = isFresh(pedals) && !pedals->clutch && !pedals->camera;
+    if (!pedals_.isAbsent() && !isFree) return false;
     const auto presence = presence_.presence();
-    return isAbsent(presence) || (isFresh(presence) && presence->present);
+    return presence_.isAbsent() || (isFresh(presence) && presence->present);
   }
 
  private:
-  template <class Value>
-  static bool isAbsent(const suture::Sample<Value>& sample) {
-    return !sample && sample.error() == suture::Errc::NotConnected;
-  }
   template <class Value>
   bool isFresh(const suture::Sample<Value>& sample) const {
     return sample && suture::now() - sample->stamp <= maxAge_;

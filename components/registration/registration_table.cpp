@@ -2,6 +2,7 @@
 
 #include <suture/base/errors.h>
 
+#include <Eigen/Geometry>
 #include <chrono>
 #include <string>
 
@@ -13,9 +14,19 @@ namespace {
 constexpr suture::Duration kRegistrationPeriod = std::chrono::milliseconds(10);
 constexpr unsigned kRowsOfFrames = 128;
 
-/// What follows takes the transpose of a rotation for its inverse.
-void requireRigid(const char* name, const Eigen::Isometry3d& frame) {
-  if (isRigid(frame)) return;
+/// With the nearest rotation: what follows takes its transpose for its inverse, and multiplies four
+/// of them, so six digits are not enough.
+Eigen::Isometry3d exact(const Eigen::Isometry3d& frame) {
+  Eigen::Isometry3d result = frame;
+  result.linear() = Eigen::Quaterniond(frame.linear()).normalized().toRotationMatrix();
+  return result;
+}
+
+void makeRigid(const char* name, Eigen::Isometry3d& frame) {
+  if (isRigid(frame)) {
+    frame = exact(frame);
+    return;
+  }
   throw suture::SetupError("registering the frame \"" + std::string(name) + "\"",
                            "its rotation is not orthonormal to 1e-6, or mirrors",
                            "write a rotation matrix with all its digits");
@@ -25,18 +36,18 @@ void requireRigid(const char* name, const Eigen::Isometry3d& frame) {
 
 RegistrationTable::RegistrationTable(const SceneFrames& frames)
     : PeriodicTask({.period = kRegistrationPeriod}), frames_(frames) {
-  requireRigid("left_base", frames.left_base);
-  requireRigid("right_base", frames.right_base);
-  requireRigid("camera", frames.camera);
-  requireRigid("left_master", frames.left_master);
-  requireRigid("right_master", frames.right_master);
-  requireRigid("display", frames.display);
+  makeRigid("left_base", frames_.left_base);
+  makeRigid("right_base", frames_.right_base);
+  makeRigid("camera", frames_.camera);
+  makeRigid("left_master", frames_.left_master);
+  makeRigid("right_master", frames_.right_master);
+  makeRigid("display", frames_.display);
   registration_.keepState({.rows = kRowsOfFrames});
 }
 
 void RegistrationTable::set_camera(const Eigen::Isometry3d& camera) {
   if (isRigid(camera)) {
-    frames_.camera = camera;
+    frames_.camera = exact(camera);
     return;
   }
   messages_.warning(

@@ -19,7 +19,8 @@ std::size_t cyclesOf(const CrossoverParameters& parameters, suture::Duration per
         "the crossover model: frequency and period must be positive, delay and remnant not "
         "negative");
   }
-  return static_cast<std::size_t>(parameters.delay / period) + 2;
+  // With some to spare, since after a late cycle others may follow sooner than a period.
+  return static_cast<std::size_t>(parameters.delay / period * 5 / 4) + 8;
 }
 
 }  // namespace

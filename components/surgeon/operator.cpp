@@ -25,7 +25,9 @@ CrossoverParameters crossoverOf(const OperatorParameters& parameters) {
 }
 
 PositionPositionModel feedbackOf(const OperatorParameters& parameters) {
-  return {.gains = {parameters.stiffness, parameters.damping}, .passive = parameters.passive};
+  return {.gains = {parameters.stiffness, parameters.damping},
+          .passive = parameters.passive,
+          .mass = handOf(parameters, 0).mass};
 }
 
 }  // namespace
@@ -71,9 +73,10 @@ void Operator::lead(suture::Time now, double seconds) {
 
 Vector3d Operator::seenError(suture::Time now) {
   const auto sighting = vision_.sighting();
-  const auto frames = registration_.frames();
-  if (!sighting || !frames || !sighting->valid) return Vector3d::Zero();
+  if (!sighting || !sighting->valid) return Vector3d::Zero();
   if (now - sighting->stamp > parameters_.picture_age) return Vector3d::Zero();
+  const auto frames = registration_.frames.at(sighting->stamp);  // the camera may have been moved
+  if (!frames) return Vector3d::Zero();
   return parameters_.target - frames->camera * sighting->knot;
 }
 

@@ -18,8 +18,7 @@ Surgeon::Surgeon(const SurgeonParameters& parameters)
 
 /// Whoever moves a master that is being aligned fights with it.
 bool Surgeon::mayMove() {
-  const suture::Errc lost = teleoperation_.unusable();
-  const bool followed = lost == suture::Errc::NotConnected || (lost == suture::Errc{} && follows_);
+  const bool followed = teleoperation_.isAbsent() || (teleoperation_.connected() && follows_);
   return followed && watch_.ready() && master_.connected();
 }
 

@@ -11,6 +11,9 @@ namespace robots {
 
 namespace {
 
+constexpr const char* kRefused =
+    "the slave refuses its goals; look at its warnings, insert its tool, then enable";
+
 JawSettings jawSettings(const TeleopParameters& parameters) {
   return {.scale = parameters.jaw_scale,
           .offset = parameters.jaw_offset,
@@ -34,13 +37,21 @@ void Teleop::onStart() {
   teleoperation_.emit().settings(settings_);
 }
 
+/// Nobody looks after a motion that goes on.
+void Teleop::onSuspend() {
+  if (state_ != TeleopState::Disabled) leave(TeleopState::Preparing);
+}
+
 void Teleop::enable() {
   masterWatch_.permit();
   slaveWatch_.permit();
   if (state_ == TeleopState::Disabled) enter(TeleopState::Preparing);
 }
 
-void Teleop::disable() { leave(TeleopState::Disabled); }
+void Teleop::disable() {
+  enableAtFirstCycle_ = false;  // it may come before that
+  leave(TeleopState::Disabled);
+}
 
 void Teleop::set_scale(double scale) {
   settings_.scale = scale;
@@ -49,7 +60,7 @@ void Teleop::set_scale(double scale) {
 
 void Teleop::lock_rotation(bool lock) {
   // The slave has not turned with its master meanwhile.
-  if (settings_.rotation_locked && !lock) law_.reset();
+  if (settings_.rotation_locked && !lock) isTurned_ = true;
   settings_.rotation_locked = lock;
   settingsChanged();
 }
@@ -79,23 +90,31 @@ void Teleop::step(suture::Time now) {
   const auto slaveSample = slave_.setpoint_cp();
   const PoseStamped* const master = freshMeasurement(masterSample, parameters_.max_age);
   const PoseStamped* const slave = freshPose(slaveSample, parameters_.max_age);
+  if (slaveWatch_.refuses() && state_ == TeleopState::Following) return giveUp(kRefused);
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
-  if (slaveWatch_.hasBrokenOff() || missed) law_.reset();
+  if (slaveWatch_.hasBrokenOff() || missed) {
+    law_.reset();
+    jawFollower_.end();
+  }
   const bool haveData = master != nullptr && slave != nullptr && knowsView();
   if (!haveData || !masterWatch_.isUp() || !slaveWatch_.ready()) {
     return leave(TeleopState::Preparing);
   }
   if (!operator_.teleoperates()) return leave(TeleopState::Clutched);
-  if (!law_ && !isAligned(*master, *slave, now)) return leave(TeleopState::Aligning);
+  if ((!law_ || isTurned_) && !isAligned(*master, *slave, now)) {
+    return leave(TeleopState::Aligning);
+  }
   if (!masterWatch_.ready()) return leave(TeleopState::Preparing);
+  isTurned_ = false;
   follow(*master, *slave);
   if (state_ == TeleopState::Following) jawFollower_.follow(now);
 }
 
-/// False if there is a registration that has not answered yet. One that is lost stays as it was.
+/// False if there is a registration, or will be, that has not answered yet. One that is lost stays
+/// as it was.
 bool Teleop::knowsView() {
   const auto frames = registration_.frames();
-  if (!frames) return frames.error() == suture::Errc::NotConnected || law_;
+  if (!frames) return registration_.isAbsent() || law_;
   const Eigen::Matrix3d view =
       surgeonView(*frames, parameters_.master_side, parameters_.slave_side);
   if (!view.isApprox(view_, 1e-12)) lawIsOld_ = true;
@@ -128,7 +147,7 @@ FollowSettings Teleop::lawSettings() const {
           .translation_locked = settings_.translation_locked};
 }
 
-/// It follows: the slave has taken its first goal.
+/// It follows: the first goal is on its way to the slave.
 void Teleop::announce(const PoseStamped& master, const Eigen::Isometry3d& slave) {
   anchors_ = {.master_stamp = master.stamp,
               .master = master.pose,
@@ -142,14 +161,20 @@ void Teleop::announce(const PoseStamped& master, const Eigen::Isometry3d& slave)
   teleoperation_.emit().followed(anchors_);
 }
 
+bool Teleop::prepares() const {
+  return state_ == TeleopState::Preparing || state_ == TeleopState::Aligning;
+}
+
 void Teleop::giveUpIfLate(suture::Time now) {
-  const bool prepares = state_ == TeleopState::Preparing || state_ == TeleopState::Aligning;
   const suture::Duration limit = parameters_.preparation_limit;
-  if (!prepares || limit == suture::Duration{0} || now - entered_ < limit) return;
-  const char* const why = state_ == TeleopState::Preparing
-                              ? "the arms have not become ready in time; enable once they can"
-                              : "the master has not turned to the slave's orientation in time; "
-                                "look at its warnings, then enable";
+  if (!prepares() || limit == suture::Duration{0} || now - preparing_ < limit) return;
+  giveUp(state_ == TeleopState::Preparing
+             ? "the arms have not become ready in time; enable once they can"
+             : "the master has not turned to the slave's orientation in time; look at its "
+               "warnings, then enable");
+}
+
+void Teleop::giveUp(const char* why) {
   leave(TeleopState::Disabled);
   messages_.error(why);
 }
@@ -158,7 +183,7 @@ void Teleop::giveUpIfLate(suture::Time now) {
 /// too; whoever moves an arm that is not ready is not disturbed.
 void Teleop::leave(TeleopState state) {
   law_.reset();
-  if (state_ == TeleopState::Following && state != TeleopState::Preparing) (void)slave_.hold();
+  if (state_ == TeleopState::Following && slaveWatch_.ready()) (void)slave_.hold();
   if (state != TeleopState::Aligning) alignment_.end();
   jawFollower_.end();
   enter(state);
@@ -166,8 +191,9 @@ void Teleop::leave(TeleopState state) {
 
 void Teleop::enter(TeleopState state) {
   if (state_ == state) return;
+  const bool prepared = prepares();
   state_ = state;
-  entered_ = suture::now();
+  if (!prepared) preparing_ = suture::now();
   teleoperation_.emit().teleop_state(state);
 }
 

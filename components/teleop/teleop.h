@@ -61,7 +61,7 @@ struct SUTURE_TYPE() TeleopParameters {
   Side slave_side = Side::Left;
 };
 
-/// Knows two Arm contracts and nothing of where the arms are. Follows only while both arms are
+/// Knows contracts, and nothing of where arms and console are. Follows only while both arms are
 /// enabled, homed and not busy, both arms' data are fresh, and the surgeon is there without a foot
 /// on a pedal that takes the master; each time that becomes true, or it was itself kept from
 /// looking for longer than max_age, it aligns the master and takes new anchors, so the slave never
@@ -84,6 +84,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   void run() override;
   /// Whoever connects hears the first state too.
   void onStart() override;
+  void onSuspend() override;
 
  private:
   void step(suture::Time now);
@@ -93,7 +94,9 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   FollowSettings lawSettings() const;
   void announce(const PoseStamped& master, const Eigen::Isometry3d& slave);
   void settingsChanged();
+  bool prepares() const;
   void giveUpIfLate(suture::Time now);
+  void giveUp(const char* why);
   void leave(TeleopState state);
   void enter(TeleopState state);
 
@@ -115,7 +118,8 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   JawFollower jawFollower_;
   CycleWatch cycles_;
   TeleopState state_ = TeleopState::Disabled;
-  suture::Time entered_;  // when that began
+  suture::Time preparing_;  // since when it prepares arms and aligns the master
+  bool isTurned_ = false;   // the master, against the slave, while that kept its orientation
   TeleopSettings settings_;
   Eigen::Matrix3d view_ = Eigen::Matrix3d::Identity();
   FollowAnchors anchors_;

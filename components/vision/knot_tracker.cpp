@@ -20,7 +20,8 @@ void KnotTracker::run() {
 
 void KnotTracker::look() {
   const auto exposed = images_.exposed();
-  if (exposed && *exposed != suture::Time{} && *exposed == sighting_.stamp) return;
+  if (exposed && *exposed == suture::Time{}) return see({});  // a pair is megabytes
+  if (exposed && *exposed == sighting_.stamp) return;
   if (!images_.images(pair_) || !isPairOfTheCameras()) return see({});
   sighting_.stamp = pair_.left.stamp;
   see(locate(cameras_, detect(pair_.left), detect(pair_.right)));

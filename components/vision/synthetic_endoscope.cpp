@@ -20,7 +20,7 @@ SyntheticEndoscope::SyntheticEndoscope(const EndoscopeParameters& parameters)
 void SyntheticEndoscope::run() {
   if (lost_(random_)) return;  // nobody hears of it: the last pair stays the last
   const auto strand = strand_.strand.delayed(parameters_.latency);
-  const auto frames = registration_.frames();
+  const auto frames = registration_.frames.delayed(parameters_.latency);  // the camera may move
   pair_.left.valid = pair_.right.valid = false;
   if (!strand || !strand->valid || !frames) return;
   const View view = seenFrom(frames->camera, strand->nodes, frames->tissue);

@@ -47,6 +47,7 @@ void RequiredBase::close(const std::shared_ptr<Channel>& channel) {
 }
 
 void RequiredBase::attach(std::shared_ptr<Channel> channel) {
+  expectConnection();
   // Close only what the owner has not taken over: the rest is its own to close.
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
       incoming_.exchange(new std::shared_ptr<Channel>(channel), std::memory_order_acq_rel));

@@ -47,6 +47,13 @@ class RequiredBase {
   void makeOptional() { optional_ = true; }
   bool isOptional() const { return optional_; }
 
+  /// Any thread: it is going to be connected, though that may take a while. A deployment says so of
+  /// each of its connections before the components start.
+  void expectConnection() { expected_.store(true, std::memory_order_relaxed); }
+  /// Any thread: nobody has connected it so far, or is going to. Only then may a component take it
+  /// that its system does not have what an optional interface is for.
+  bool isAbsent() const { return !expected_.load(std::memory_order_relaxed); }
+
   /// In the component's constructor: values older than that are stale, unless the connection's own
   /// contract says otherwise. SUTURE_REQUIRED(max_age(t)) does this for a component that is created
   /// by its class.
@@ -260,6 +267,7 @@ class RequiredBase {
   AwaitedEvent* awaited_ = nullptr;      // the first
   bool handling_ = false;                // a handler of an event is running
   bool optional_ = false;
+  std::atomic<bool> expected_ = false;
   Duration maxAge_{0};
   DeclaredFrames frames_;
   // True once noticeLoss() has dealt with the loss of channel_.

@@ -190,7 +190,21 @@ void Host::configure() {
   if (!problems.empty()) throw DocumentError(problems);
 }
 
+// Before a component runs: it could take what is on its way for what its system does not have.
+void Host::announceConnections() {
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    if (connection.from.process != process_.name) continue;
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      if (process_.components[i].name != connection.from.component) continue;
+      for (RequiredBase* required : components_[i]->required()) {
+        if (required->name() == connection.from.interface) required->expectConnection();
+      }
+    }
+  }
+}
+
 void Host::start() {
+  announceConnections();
   configure();
   faults_->begin();
   try {

@@ -74,6 +74,7 @@ class Host {
   void createManager();
   Security security() const;
   void checkRequired() const;
+  void announceConnections();
   void configure();
   std::vector<Trouble> componentTroubles() const;
   std::vector<Trouble> connectionTroubles() const;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "arm/arm.suture.h"
@@ -33,6 +34,11 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   Eigen::Isometry3d pose() const {
     const std::lock_guard lock(mutex_);
     return pose_;
+  }
+  /// Says so, whatever the reason.
+  void warn(ArmWarning reason) {
+    const std::lock_guard lock(mutex_);
+    said_ = reason;
   }
   /// While it is silent it works, but publishes no row.
   void beSilent(bool silent) {
@@ -111,7 +117,16 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     port_.emit().operating_state(state_);
   }
   void run() override {
+    tellWarning();
     if (!isSilent()) port_.advance();
+  }
+  void tellWarning() {
+    const std::lock_guard lock(mutex_);
+    if (!said_) return;
+    suture::Message message;
+    message.code = static_cast<std::uint32_t>(*said_);
+    port_.emit().warning(message);
+    said_.reset();
   }
   bool isSilent() {
     const std::lock_guard lock(mutex_);
@@ -125,6 +140,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   double longestStep_ = std::numeric_limits<double>::infinity();
   double lowest_ = -std::numeric_limits<double>::infinity();
   std::size_t moves_ = 0, holds_ = 0;
+  std::optional<ArmWarning> said_;
   bool silent_ = false, stuck_ = false, refusesMoves_ = false;
   suture::Time stamp_;
   OperatingState state_;

@@ -85,6 +85,10 @@ class TeleopStates : public testing::Test {
   }
   ~TeleopStates() override { manager_.stop(); }
 
+  /// The teleoperation's required interface `name` is connected only when the test says so.
+  void leaveForLater(const std::string& name) { later_ = name; }
+  void connectWhatWasLeft() { connect(later_); }
+
   void start(const TeleopParameters& parameters = {.scale = 0.5}) {
     teleop_ = std::make_unique<Teleop>(parameters);
     manager_.add("MTM", master_);
@@ -96,9 +100,12 @@ class TeleopStates : public testing::Test {
     manager_.connect("Operator/Teleoperation", "Teleop/Teleoperation");
     manager_.connect("Operator/Messages", "Teleop/Messages");
     manager_.connect("Operator/Registration", "Registration/Registration");
-    manager_.connect("Teleop/Registration", "Registration/Registration");
-    manager_.connect("Teleop/Pedals", "Console/Pedals");
-    manager_.connect("Teleop/Presence", "Console/Presence");
+    for (suture::RequiredBase* const required : teleop_->required()) {
+      if (required->name() == later_) required->expectConnection();
+    }
+    for (const char* const name : {"Registration", "Pedals", "Presence"}) {
+      if (name != later_) connect(name);
+    }
     manager_.connect("Teleop/Master", "MTM/Arm");
     manager_.connect("Teleop/Slave", "PSM/Arm");
     manager_.start();
@@ -141,15 +148,44 @@ class TeleopStates : public testing::Test {
 
   ScriptedArm master_, slave_;
   TestConsole console_;
-  RegistrationTable registration_{frames()};
+  RegistrationTable registration_{SceneFrames{}};  // as all are one, the surgeon sees what is there
   std::unique_ptr<Teleop> teleop_;
   Operator operator_;
   suture::Manager manager_{"console"};
 
  private:
-  /// As all frames are one, the surgeon sees what is there.
-  static SceneFrames frames() { return {}; }
+  void connect(const std::string& name) {
+    const bool isRegistered = name == "Registration";
+    manager_.connect("Teleop/" + name, (isRegistered ? "Registration/" : "Console/") + name);
+  }
+
+  std::string later_;
 };
+
+// A deployment connects one interface after the other, and a process may be slow.
+TEST_F(TeleopStates, NobodyIsFollowedBeforePedalsThatAreOnTheirWay) {
+  leaveForLater("Pedals");
+  console_.clutch = true;
+  start();
+  ASSERT_TRUE(reaches(TeleopState::Clutched));
+  pass(1s);
+  EXPECT_EQ(operator_.state(), TeleopState::Clutched);
+  EXPECT_EQ(slave_.goals().size(), 0u);
+  EXPECT_EQ(master_.moves(), 0u);
+  connectWhatWasLeft();
+  console_.clutch = false;
+  EXPECT_TRUE(reaches(TeleopState::Following));
+}
+
+TEST_F(TeleopStates, NoMasterIsAlignedBeforeARegistrationThatIsOnItsWay) {
+  leaveForLater("Registration");
+  start();
+  pass(1s);
+  EXPECT_EQ(operator_.state(), TeleopState::Preparing);
+  EXPECT_EQ(master_.moves(), 0u);
+  connectWhatWasLeft();
+  EXPECT_TRUE(reaches(TeleopState::Following));
+}
 
 TEST_F(TeleopStates, TheMasterIsAlignedBeforeTheSlaveFollows) {
   startFollowing();
@@ -291,6 +327,48 @@ TEST_F(TeleopStates, DirectionsAreThoseThatTheSurgeonSees) {
   ASSERT_TRUE(reaches(TeleopState::Following));
   const Isometry3d seen = at(Vector3d::Zero(), -EIGEN_PI / 2) * slave_.pose();
   EXPECT_TRUE(master_.pose().linear().isApprox(seen.linear(), 1e-9)) << "aligned in the picture";
+}
+
+TEST_F(TeleopStates, ARotationOfSixDigitsIsMadeExact) {
+  startFollowing();
+  Isometry3d camera = Isometry3d::Identity();
+  camera.linear().topLeftCorner<2, 2>() << 0.707107, -0.707107, 0.707107, 0.707107;
+  ASSERT_TRUE(operator_.registration.set_camera(camera));
+  pass(50ms);
+  wayOfSlave({0.1, 0, 0});
+  ASSERT_FALSE(slave_.goals().empty());
+  const Eigen::Matrix3d turned = slave_.goals().back().pose.linear();
+  EXPECT_TRUE((turned * turned.transpose()).isIdentity(1e-12));
+}
+
+// No goal leads there while its tool is not in, so nobody may believe that it follows.
+TEST_F(TeleopStates, ASlaveThatRefusesItsGoalsDisablesAndSaysWhy) {
+  startFollowing();
+  slave_.warn(ArmWarning::NotInserted);
+  ASSERT_TRUE(reaches(TeleopState::Disabled));
+  pass(5ms);
+  EXPECT_NE(operator_.error.find("refuses its goals"), std::string::npos) << operator_.error;
+  EXPECT_EQ(slave_.holds(), 1u);
+}
+
+TEST_F(TeleopStates, WhoeverSuspendsItDoesNotLeaveAMasterThatTurns) {
+  master_.refuseMoves(true);
+  start();
+  ASSERT_TRUE(reaches(TeleopState::Aligning));
+  manager_.suspend("Teleop");
+  EXPECT_TRUE(suture::clockOfTest().until([&] { return master_.holds() == 1; }));
+}
+
+TEST_F(TeleopStates, ASmallDifferenceOfAnUnlockedOrientationDoesNotEndFollowing) {
+  startFollowing();
+  ASSERT_TRUE(operator_.teleop.lock_rotation(true));
+  pass(5ms);
+  turnMaster(0.05);
+  ASSERT_TRUE(operator_.teleop.lock_rotation(false));
+  pass(5ms);
+  EXPECT_EQ(master_.moves(), 1u);
+  EXPECT_EQ(operator_.state(), TeleopState::Following);
+  EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.4), 1e-9)) << "it jumped";
 }
 
 TEST_F(TeleopStates, ARotationThatIsNoneIsNotRegistered) {

@@ -59,6 +59,18 @@ TEST_F(DriveFaultTest, ItIsNotInFaultWhileItHasNoPower) {
   joints_.displace(kPitch, 0.05);
   cycles(3);
   EXPECT_EQ(state(), ArmState::Disabled);
+  ASSERT_EQ(heard_.errors.size(), 1u) << "it says so all the same";
+  EXPECT_EQ(heard_.errors[0].find("b: its encoder jumped"), 0u) << heard_.errors[0];
+}
+
+TEST_F(DriveFaultTest, AfterAJumpNobodyKnowsWhereItIs) {
+  cycles(3);
+  crtk_.home();
+  cycles(3000);
+  ASSERT_TRUE(crtk_.operating_state().is_homed);
+  joints_.displace(kPitch, 0.05);
+  cycles(3);
+  EXPECT_FALSE(crtk_.operating_state().is_homed);
 }
 
 TEST_F(DriveFaultTest, AnEffortAboveItsLimitPutsItInFaultIfItLasts) {

@@ -117,7 +117,7 @@ TEST(PositionPosition, PushesNoHarderThanItsBound) {
 TEST(PositionPosition, RefusesWhatCannotBe) {
   EXPECT_THROW(PositionPosition({.gains = {-1, 0}}), std::invalid_argument);
   EXPECT_THROW(PositionPosition({.most_force = std::nan("")}), std::invalid_argument);
-  EXPECT_THROW(PositionPosition({.most_damping = -1}), std::invalid_argument);
+  EXPECT_THROW(PositionPosition({.mass = -1}), std::invalid_argument);
 }
 
 TEST(PositionPosition, NeverAllocatesInACycle) {
