@@ -17,7 +17,12 @@ void MotionDisplay::run() {
   const auto master = tipOf(master_), slave = tipOf(slave_);
   if (!master || !slave) return;
   if (*state == TeleopState::Preparing) return print("the arms are being prepared");
-  if (!began_) began_ = {*master, *slave};
+  if (*state == TeleopState::Aligning) return print("the master is being aligned");
+  if (*state == TeleopState::Clutched) return print("the slave holds");
+  const auto anchors = teleoperation_.anchors();
+  if (!anchors) return;
+  if (!began_ || anchors->entry != entry_) began_ = {*master, *slave};
+  entry_ = anchors->entry;
   std::array<char, 80> text{};
   std::snprintf(text.data(), text.size(), "master moved by %5.1f mm, slave by %5.1f mm",
                 1e3 * (*master - began_->master).norm(), 1e3 * (*slave - began_->slave).norm());

@@ -6,6 +6,7 @@
 #include <suture/component/required.h>
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -14,7 +15,7 @@
 
 namespace watching {
 
-/// Twice a second; counts from where both arms were when the slave began to follow.
+/// Twice a second; counts from where both arms were when the slave last began to follow.
 class SUTURE_COMPONENT() MotionDisplay final : public suture::PeriodicTask {
  public:
   MotionDisplay();
@@ -34,6 +35,7 @@ class SUTURE_COMPONENT() MotionDisplay final : public suture::PeriodicTask {
   suture::Required<robots::Arm> slave_{*this, "Slave"};
   suture::Required<robots::Teleoperation> teleoperation_{*this, "Teleoperation"};
   std::optional<Tips> began_;
+  std::uint64_t entry_ = 0;  // the time of following that it counts from
 };
 
 }  // namespace watching

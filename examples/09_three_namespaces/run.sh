@@ -48,5 +48,7 @@ start() {
 start console & console=$!
 start arm & arm=$!
 (start screen --seconds "$seconds")
-kill $console && wait $console
-kill $arm && wait $arm
+kill $console
+wait $console
+kill $arm
+wait $arm

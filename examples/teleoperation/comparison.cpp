@@ -124,7 +124,8 @@ std::string describe(const Comparison& comparison, const std::string& first,
          tableOf("value", first, second, comparison.settings) +
          tableOf("connection to", first, second, comparison.connections) +
          fmt::format(
-             "{} of {} components run in the same process, {} of {} connections are the same.\n",
+             "{} of {} components run in the same process, {} of {} connections lead to the same "
+             "provider.\n",
              comparison.equalPlaces, comparison.equalPlaces + comparison.places.size(),
              comparison.equalConnections,
              comparison.equalConnections + comparison.connections.size());

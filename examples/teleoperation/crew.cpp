@@ -247,7 +247,13 @@ void Crew::noticeProgram(const ChildProcess& process) {
   struct stat status {};
   if (stat(file.c_str(), &status) != 0) return;  // it has ended, which is told
   if (!hashed_.insert({status.st_dev, status.st_ino}).second) return;
-  const ProgramHash hash = hashProgram(file);
+  ProgramHash hash;
+  try {
+    hash = hashProgram(file);
+  } catch (const std::exception& error) {  // it may end at any moment
+    result_.failures.push_back(process.title() + ": " + error.what());
+    return;
+  }
   auto& programs = result_.programs;
   if (std::find(programs.begin(), programs.end(), hash) == programs.end()) programs.push_back(hash);
 }

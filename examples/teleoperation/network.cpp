@@ -34,7 +34,8 @@ std::string firstFailure(std::initializer_list<std::string> commands) {
 /// Moves this process to a network namespace with a switch. "" or why that cannot be.
 std::string moveToNamespace() {
   if (geteuid() != 0) return "network namespaces need root";
-  if (const auto missing = firstFailure({"ip -V", "nsenter -V"}); !missing.empty()) return missing;
+  if (const auto missing = firstFailure({"ip -V", "bridge -V", "nsenter -V"}); !missing.empty())
+    return missing;
   const int before = open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC);
   if (before < 0 || unshare(CLONE_NEWNET) != 0) {
     const std::string why = std::strerror(errno);

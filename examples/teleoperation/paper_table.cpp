@@ -16,6 +16,12 @@ using suture::Distribution;
 
 constexpr std::uint64_t kEnough = 100;  // ages, to say anything of p50
 
+/// `connection`: "left:TeleopL/Slave -> right:PSM1/Arm".
+bool isWithinAProcess(const std::string& connection) {
+  const std::string to = connection.substr(connection.find(" -> ") + 4);
+  return connection.substr(0, connection.find(':')) == to.substr(0, to.find(':'));
+}
+
 std::string number(double milliseconds) { return fmt::format("{:.3f}", milliseconds); }
 
 double inMilliseconds(suture::Duration duration) {
@@ -81,7 +87,7 @@ void PaperTable::addAge(const char* title, const char* key, Age age) {
 const ConnectionReport* PaperTable::busiest(Age age, bool isLocal) const {
   const ConnectionReport* most = nullptr;
   for (const ConnectionReport& one : toArms_) {
-    if ((one.lane == "local") != isLocal || (one.*age).count < kEnough) continue;
+    if (isWithinAProcess(one.name) != isLocal || (one.*age).count < kEnough) continue;
     if (most == nullptr || (one.*age).count > (most->*age).count) most = &one;
   }
   return most;

@@ -9,10 +9,9 @@
 
 namespace demo {
 
-/// JSON: the topology's name, the options, the programs, each connection, the
-/// paper's figures' counterparts, arm, task and check, the knot, and who
-/// held during a break. Durations are ns, lengths m, angles rad. Throws suture::SetupError if the
-/// file cannot be written.
+/// JSON: the topology's name, the options, the programs, each connection, arm, task and check, what
+/// stands beside the paper's figures, the knot, and who held during a break. Durations are ns,
+/// lengths m, angles rad. Throws suture::SetupError if the file cannot be written.
 void writeResult(const std::filesystem::path& file, const Options& options, const Plan& plan,
                  const Network& network, const CrewResult& result, const Verdict& verdict);
 

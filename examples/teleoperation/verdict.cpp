@@ -57,7 +57,9 @@ Check checkPrograms(const std::vector<ProgramHash>& programs) {
     texts.push_back(fmt::format("{}, SHA-256 {}", one.name, one.sha256));
   }
   if (texts.empty()) return {false, "no process has run its program"};
-  return {texts.size() == 1, fmt::format("{}{}", texts.size() == 1 ? "every process ran " : "",
+  return {texts.size() == 1, fmt::format("{}{}",
+                                         texts.size() == 1 ? "every process ran "
+                                                           : "processes ran different programs: ",
                                          fmt::join(texts, " and "))};
 }
 

@@ -81,7 +81,7 @@ bool isStable(suture::Duration delay) {
   return swing() < early;
 }
 
-TEST(Operator, SeesThePictureLateByItsOwnDelayAndTheLinks) {
+TEST(Operator, SeesThePictureLateByTheLoopsOwnDelayAndTheLinks) {
   const double own = measuredLag(0ms);
   RecordProperty("loop_ms", std::to_string(1000 * own));
   EXPECT_GT(own, inSeconds(Scene::kPeriod) / 2);
