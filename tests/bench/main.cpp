@@ -82,8 +82,8 @@ int main(int argc, char** argv) try {
   const auto kinematics = bench::makeKinematics();
   const auto fixtures = bench::makeFixtures();
   CommonOptions options;
-  for (Benchmark* benchmark :
-       {table2.get(), local.get(), network.get(), stop.get(), compiler.get(), kinematics.get(), fixtures.get()}) {
+  for (Benchmark* benchmark : {table2.get(), local.get(), network.get(), stop.get(), compiler.get(),
+                               kinematics.get(), fixtures.get()}) {
     CLI::App* subcommand = program.add_subcommand(benchmark->name(), benchmark->description());
     subcommand->add_option("--json", options.jsonFile, "writes every figure to this file");
     subcommand->add_flag("--check", options.check,
