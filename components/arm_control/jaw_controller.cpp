@@ -101,7 +101,9 @@ void JawController::step(suture::Time now, const std::optional<DriveReading<6>>&
   const double dt = last == suture::Time{} ? 0 : secondsBetween(last, now);
   // After such a pause the drives have let go of the last goal, so the jaw does not go on with it.
   const bool paused = dt > inSeconds(StreamWatch::kSilence);
-  const bool stops = !isEnabled() || paused || stream_.hasFallenSilent(now);
+  const bool obeys = isEnabled();
+  const bool rests = std::exchange(obeyed_, obeys) && !obeys;
+  const bool stops = !obeys || paused || stream_.hasFallenSilent(now);
   if (activity_ != Activity::Holding && stops) hold();
   const bool wasHeard = std::exchange(measuredJs_.valid, drives.has_value());
   if (drives) {
@@ -109,7 +111,8 @@ void JawController::step(suture::Time now, const std::optional<DriveReading<6>>&
     measuredJs_.velocity[0] = drives->tool.velocity;
     measuredJs_.effort[0] = drives->tool.effort;
     measuredJs_.stamp = drives->stamp;
-    if (!isEnabled() || paused || !wasHeard) {
+    // With power but not enabled it holds, or noise and load would lead it away.
+    if (!arm_.powered() || rests || paused || !wasHeard) {
       setpoint_ = drives->tool.position;
       setpointRate_.rest(Joint(setpoint_));
     }

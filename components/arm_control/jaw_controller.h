@@ -82,6 +82,7 @@ class JawController final : public Jaw {
   SetpointRate<1> setpointRate_;
   suture::Time moveStart_;  // the cycle that its first set-point is of
   suture::Time lastStep_;
+  bool obeyed_ = false;  // in the cycle before
   StreamWatch stream_;
   const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed
   bool limited_ = false;                               // the goal lies beyond a limit

@@ -1,5 +1,6 @@
 #include "surgeon/surgeon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,11 @@
 #include "timing/seconds.h"
 
 namespace robots {
+namespace {
+
+constexpr double kFingerRate = 2;  // rad/s, beyond what the path asks for at its default shape
+
+}  // namespace
 
 Surgeon::Surgeon(const SurgeonParameters& parameters)
     : PeriodicTask({.period = parameters.period}),
@@ -36,8 +42,16 @@ void Surgeon::run() {
   }
   const double t = secondsBetween(setOut_, now);
   if (!master_.servo_cp({path_->at(t), now, true})) return path_.reset();
-  const double open = (1 - std::cos(2 * std::numbers::pi * shape_.frequency * t)) / 2;
-  (void)hand_.squeeze(opening_ * open);
+  squeeze(t);
+}
+
+/// The fingers open and close as the hand swings; they come there evenly, for the path may have
+/// begun anew while they were open.
+void Surgeon::squeeze(double t) {
+  const double wanted = opening_ * (1 - std::cos(2 * std::numbers::pi * shape_.frequency * t)) / 2;
+  const double most = kFingerRate * inSeconds(period());
+  opened_ += std::clamp(wanted - opened_, -most, most);
+  (void)hand_.squeeze(opened_);
 }
 
 }  // namespace robots

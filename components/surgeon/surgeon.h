@@ -43,6 +43,7 @@ class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
 
  private:
   bool mayMove();
+  void squeeze(double t);
 
   const HandPathShape shape_;
   const double opening_;
@@ -55,6 +56,7 @@ class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
   std::optional<Eigen::Isometry3d> centre_;  // of the path, or it would walk out of reach
   std::optional<HandPath> path_;
   suture::Time setOut_;
+  double opened_ = 0;     // rad, the gripper by the fingers
   bool follows_ = false;  // the slave
 };
 

@@ -52,6 +52,8 @@ class JawFollowing : public testing::TestWithParam<suture::Lane> {
     console_.stop();
   }
 
+  void pauseTeleoperation() { console_.suspend("Teleop"); }
+  void resumeTeleoperation() { console_.resume("Teleop"); }
   bool reaches(TeleopState state) {
     return suture::clockOfTest().until([&] {
       const auto now = surgeon_.teleop.teleop_state();
@@ -108,6 +110,22 @@ TEST_P(JawFollowing, IsWhatTheGripperAsksForAndSlowAfterAnEntry) {
   EXPECT_GT(jaw(), 0.6) << "the needle is dropped";
   EXPECT_LT(jaw(), 0.78);
   pass(1s);
+  EXPECT_NEAR(jaw(), 0.2, 0.01);
+}
+
+TEST_P(JawFollowing, IsSlowAfterAPauseInWhichTheFingersMoved) {
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  ASSERT_TRUE(surgeon_.hand.squeeze(0.5));
+  pass(3s);
+  pauseTeleoperation();
+  ASSERT_TRUE(surgeon_.hand.squeeze(0.1));
+  pass(500ms);
+  EXPECT_NEAR(jaw(), 1.0, 0.01) << "it holds";
+  resumeTeleoperation();
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  pass(200ms);
+  EXPECT_GT(jaw(), 0.8) << "the needle is dropped";
+  pass(2s);
   EXPECT_NEAR(jaw(), 0.2, 0.01);
 }
 

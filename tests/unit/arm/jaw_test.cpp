@@ -60,6 +60,18 @@ TEST_F(JawTest, StartsWhereItIs) {
   EXPECT_TRUE(jaw_.measured_js().valid);
 }
 
+TEST_F(JawTest, HoldsWhereItIsWhilePausedThoughSomethingPullsAtIt) {
+  jaw_.servo_jp(angle(0.5));
+  jawCycles(10);
+  crtk_.pause();
+  measured_ = 0.25;
+  jawCycles(1);
+  EXPECT_EQ(setpoint(), 0.25);
+  measured_ = 0.3;
+  jawCycles(5);
+  EXPECT_EQ(setpoint(), 0.25);
+}
+
 TEST_F(JawTest, ServosNoFasterThanItsRate) {
   const double before = setpoint();
   double last = before;
