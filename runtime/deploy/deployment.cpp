@@ -177,6 +177,7 @@ FaultPlan Deployment::readFaults(const json& connection, const std::string& poin
   plan.delay = given->value("delay", plan.delay);
   length("delay_length", plan.delayLength);
   length("jitter", plan.jitter);
+  plan.ordered = given->value("ordered", plan.ordered);
   plan.stall = given->value("stall", plan.stall);
   length("stall_length", plan.stallLength);
   return plan;

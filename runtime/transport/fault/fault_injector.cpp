@@ -60,7 +60,7 @@ Fate FaultInjector::next() {
     count(&FaultCounts::reordered);
   }
   if (plan_.jitter > Duration{0}) {
-    fate.overtakable = true;
+    fate.overtakable = fate.overtakable || !plan_.ordered;
     fate.later += part(plan_.jitter, jitter);
     count(&FaultCounts::jittered);
   }

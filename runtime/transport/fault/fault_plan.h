@@ -33,7 +33,9 @@ struct FaultPlan {
   double delay = 0;  ///< chance to take `delayLength` longer; what follows waits behind it
   Duration delayLength = std::chrono::milliseconds(20);
   Duration jitter{0};  ///< each takes up to so much longer, so that others may overtake
-  double stall = 0;    ///< chance that nothing arrives in this direction for `stallLength`
+  /// Jitter lets none overtake: what follows waits behind a late one, as it does on a stream.
+  bool ordered = false;
+  double stall = 0;  ///< chance that nothing arrives in this direction for `stallLength`
   Duration stallLength = std::chrono::milliseconds(100);
   /// Where they are counted; nullptr: nowhere. Shared by all connections of the plan.
   std::shared_ptr<FaultCounts> counts = nullptr;

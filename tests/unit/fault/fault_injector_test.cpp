@@ -66,6 +66,17 @@ TEST(FaultInjector, LosesAsOftenAsIsAsked) {
   EXPECT_EQ(lostOf({.seed = 5}), 0);
 }
 
+TEST(FaultInjector, JitterLetsNoneOvertakeOnAStream) {
+  FaultInjector datagrams({.seed = 9, .jitter = 5ms}, 0);
+  FaultInjector stream({.seed = 9, .jitter = 5ms, .ordered = true}, 0);
+  for (int i = 0; i < 100; ++i) {
+    const Fate free = datagrams.next(), kept = stream.next();
+    EXPECT_TRUE(free.overtakable);
+    EXPECT_FALSE(kept.overtakable);
+    EXPECT_EQ(free.later, kept.later);
+  }
+}
+
 TEST(FaultInjector, ABurstIsAsLongAsIsAsked) {
   FaultInjector injector({.seed = 7, .burst = 0.01, .burstLength = 5}, 0);
   int run = 0, bursts = 0;
