@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "canvas.h"
+#include "picture/canvas.h"
 #include "recorder/knot_recording.h"
 #include "registration/registration.h"
 #include "strand/strand.h"
@@ -22,6 +22,7 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using picture::Canvas;
 using robots::Colour;
 using robots::Eye;
 using robots::KnotRow;

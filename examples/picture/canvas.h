@@ -9,7 +9,7 @@
 #include "robot_types/vision.h"
 #include "vision/markers.h"
 
-namespace demo {
+namespace picture {
 
 /// All lengths and places are in px, from the centre of the upper left pixel to the right and
 /// downward; what is outside is not drawn. One thread.
@@ -34,4 +34,4 @@ class Canvas {
   cv::Mat pixels_;  // red, green, blue
 };
 
-}  // namespace demo
+}  // namespace picture

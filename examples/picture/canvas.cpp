@@ -1,4 +1,4 @@
-#include "canvas.h"
+#include "picture/canvas.h"
 
 #include <png.h>
 #include <suture/base/errors.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
-namespace demo {
+namespace picture {
 namespace {
 
 using Eigen::Vector2d;
@@ -85,4 +85,4 @@ void Canvas::write(const std::filesystem::path& file) const {
   }
 }
 
-}  // namespace demo
+}  // namespace picture
