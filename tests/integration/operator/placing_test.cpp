@@ -9,6 +9,7 @@
 
 #include "guidance/knot_guide.h"
 #include "integration/teleoperation/driven_arm.h"
+#include "integration/teleoperation/knot_scene.h"
 #include "registration/registration_table.h"
 #include "strand/strand_simulation.h"
 #include "support/pass.h"
@@ -21,18 +22,6 @@ namespace robots::test {
 namespace {
 
 using namespace std::chrono_literals;
-using Eigen::Vector3d;
-
-const Vector3d kWanted{0.004, -0.003, -0.152};
-
-SceneFrames frames() {
-  SceneFrames frames;
-  frames.left_base.translation().x() = -0.05;
-  frames.right_base.translation().x() = 0.05;
-  frames.camera.linear().diagonal() << 1, -1, -1;
-  frames.camera.translation().z() = -0.04;
-  return frames;
-}
 
 /// All of the system, in one process.
 struct Theatre {
@@ -75,13 +64,13 @@ struct Theatre {
     manager.connect("Tracker/Images", "Endoscope/Images");
   }
   /// Of the knot from its target, m.
-  double error() const { return (strand.strand().nodes.col(Strand::kKnot) - kWanted).norm(); }
+  double error() const { return (strand.strand().nodes.col(Strand::kKnot) - kKnotTarget).norm(); }
 
   DrivenMtm leftMaster{MtmSide::Left}, rightMaster{MtmSide::Right};
   DrivenPsm leftSlave, rightSlave;
-  Operator surgeon{{.target = kWanted}};
-  KnotGuide guide{{.target = kWanted}};
-  RegistrationTable registration{frames()};
+  Operator surgeon{{.target = kKnotTarget}};
+  KnotGuide guide{{.target = kKnotTarget}};
+  RegistrationTable registration{knotScene()};
   StrandSimulation strand{StrandParameters{}};
   SyntheticEndoscope endoscope{EndoscopeParameters{}};
   KnotTracker tracker{TrackerParameters{}};

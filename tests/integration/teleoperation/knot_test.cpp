@@ -13,6 +13,7 @@
 
 #include "guidance/knot_guide.h"
 #include "integration/teleoperation/driven_arm.h"
+#include "integration/teleoperation/knot_scene.h"
 #include "recorder/knot_judge.h"
 #include "recorder/knot_recorder.h"
 #include "registration/registration_table.h"
@@ -29,17 +30,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using Eigen::Vector3d;
-
-const Vector3d kTarget{0.004, -0.003, -0.152};
-
-SceneFrames frames() {
-  SceneFrames frames;
-  frames.left_base.translation().x() = -0.05;
-  frames.right_base.translation().x() = 0.05;
-  frames.camera.linear().diagonal() << 1, -1, -1;
-  frames.camera.translation().z() = -0.04;
-  return frames;
-}
 
 /// The left workstation has the surgeon and the guide, the right one the other pair of arms, the
 /// third one the strand and the cameras. On Lane::Auto all three are one process.
@@ -79,11 +69,11 @@ class Knot : public testing::TestWithParam<suture::Lane> {
   suture::Manager& vision() { return isOneProcess() ? left_ : vision_; }
   KnotJudgement judged() {
     stop();
-    return judgeKnot(readKnotRecording(file()), kTarget);
+    return judgeKnot(readKnotRecording(file()), kKnotTarget);
   }
   std::string file() const { return directory_.file("knot.jsonl"); }
 
-  GuideParameters guided() const { return {.target = kTarget}; }
+  GuideParameters guided() const { return {.target = kKnotTarget}; }
 
   const suture::TemporaryDirectory directory_;
   suture::TestClock::Process eyesProcess_{suture::clockOfTest()};
@@ -93,7 +83,7 @@ class Knot : public testing::TestWithParam<suture::Lane> {
   DrivenPsm leftSlave_, rightSlave_;
   KnotSurgeon surgeon_{{.carry = {0.01, 0, -0.07}, .sway = 0.01}};
   std::unique_ptr<KnotGuide> guide_;
-  RegistrationTable registration_{frames()};
+  RegistrationTable registration_{knotScene()};
   StrandSimulation strand_{StrandParameters{}};
   SyntheticEndoscope endoscope_{EndoscopeParameters{}};
   KnotTracker tracker_{TrackerParameters{}};

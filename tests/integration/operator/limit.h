@@ -1,0 +1,52 @@
+#pragma once
+// With which delay of the picture an operator still closes a stable loop: by the formula, and found
+// by trying.
+
+#include <suture/base/time.h>
+
+#include <chrono>
+#include <numbers>
+
+#include "support/pass.h"
+#include "surgeon/operator.h"
+#include "timing/seconds.h"
+
+namespace robots::test {
+
+/// s: a quarter of a turn at the frequency of crossover, less the operator's own delay and the
+/// loop's, s.
+inline double limitByFormula(const OperatorParameters& parameters, double loop) {
+  return std::numbers::pi / (2 * parameters.crossover_frequency) - inSeconds(parameters.delay) -
+         loop;
+}
+
+/// Whether what swings gets smaller. `error()` is how far it is from its rest. On a stepped clock,
+/// 33 s of it.
+template <class Error>
+bool diesOut(const Error& error) {
+  const auto swing = [&] {
+    double squares = 0;
+    for (int i = 0; i < 150; ++i) {
+      suture::pass(std::chrono::milliseconds(100));
+      squares += error() * error();
+    }
+    return squares;
+  };
+  suture::pass(std::chrono::seconds(3));
+  const double early = swing();
+  return swing() < early;
+}
+
+/// The longest delay for which `isStable(delay)` holds, less `resolution` at most; at least
+/// `stable`, and less than `unstable`.
+template <class IsStable>
+suture::Duration longestStable(const IsStable& isStable, suture::Duration stable,
+                               suture::Duration unstable, suture::Duration resolution) {
+  while (unstable - stable > resolution) {
+    const suture::Duration middle = (stable + unstable) / 2;
+    (isStable(middle) ? stable : unstable) = middle;
+  }
+  return stable;
+}
+
+}  // namespace robots::test

@@ -1,0 +1,23 @@
+#pragma once
+// Where arms and camera stand, and where the knot shall be, in tests that place one.
+
+#include <Eigen/Core>
+
+#include "registration/registration.h"
+
+namespace robots::test {
+
+/// In the scene, m.
+inline const Eigen::Vector3d kKnotTarget{0.004, -0.003, -0.152};
+
+/// Both slaves stand 10 cm from each other; the camera looks down at the tissue between them.
+inline SceneFrames knotScene() {
+  SceneFrames frames;
+  frames.left_base.translation().x() = -0.05;
+  frames.right_base.translation().x() = 0.05;
+  frames.camera.linear().diagonal() << 1, -1, -1;
+  frames.camera.translation().z() = -0.04;
+  return frames;
+}
+
+}  // namespace robots::test
