@@ -3,8 +3,8 @@
 # UBSan on 10,000 mutated headers and on all its tests, ten minutes of each fuzzer, a minute of stress on each part between
 # threads, a thousand restarts of a peer, a million changed sessions, twenty rounds of faults between processes, ten minutes of
 # faults of messages, ten draws of random types and contracts, each scenario of conformance on each row that
-# is possible, a million seeds of the explorer, the planted faults, a build in which each source is compiled by itself,
-# and the demo as a newcomer runs it.
+# is possible, a million seeds of the explorer, the planted faults, a build in which each source is compiled by itself, the
+# whole grid of the experiment over a link, and the demo as a newcomer runs it.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -45,4 +45,5 @@ for _ in {1..10}; do
     python3 "tests/integration/random_contract/$test.py" --suture "$build"
   done
 done
+"$build/bin/suture-experiment" --csv "$build/experiment.csv" --png "$build/experiment.png"
 examples/demo.sh --seconds 5

@@ -1,0 +1,47 @@
+#pragma once
+// What became of a trial.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace experiment {
+
+enum class Outcome : std::uint8_t {
+  Placed,  ///< the knot came within kPlaced of its target, stayed there, and is there at the end
+  Oscillates,  ///< it swings about its target by more than twice that at the end
+  Diverges,    ///< and ever more
+  Misses,      ///< it rests elsewhere, or has not arrived yet
+  Unguided,    ///< the guide never began, or does not guide at the end
+};
+const char* toString(Outcome outcome);
+
+struct Result {
+  Outcome outcome = Outcome::Unguided;
+  double error = 0;            ///< m: of the knot from its target, the mean of the last half second
+  std::optional<double> time;  ///< s, from the guide's beginning until the knot was placed
+  double swing = 0;            ///< m: of the knot in the last quarter, along its widest axis
+  double guided = 0;           ///< share of the time
+  /// m: a slave's tip from where its master asks it to be at the same instant, while it is guided;
+  /// what fixtures forbid is in it as well.
+  double tracking50 = 0, tracking99 = 0;
+
+  bool operator==(const Result&) const = default;
+};
+
+/// An instant of a trial, by the truth.
+struct Moment {
+  Eigen::Vector3d error;  ///< m: of the knot from its target
+  bool guided = false;
+  double left = 0, right = 0;  ///< m: the tracking error of each slave, while it is guided
+};
+
+constexpr double kPlaced = 0.001;       ///< m
+constexpr double kStaysPlaced = 2;      ///< s
+constexpr double kMomentLength = 1e-3;  ///< s between two moments
+
+/// From the moment at which the guide began.
+Result judge(const std::vector<Moment>& moments);
+
+}  // namespace experiment

@@ -1,0 +1,16 @@
+#pragma once
+// The results of trials as a table of comma-separated values.
+
+#include <string>
+
+#include "experiment/result.h"
+#include "experiment/trial.h"
+
+namespace experiment {
+
+/// The names of the columns.
+std::string header();
+/// A trial in these columns: ms, %, mm and s. A time that is none is empty.
+std::string row(const Trial& trial, const Result& result);
+
+}  // namespace experiment

@@ -1,0 +1,51 @@
+#pragma once
+// One trial of the experiment: what it varies.
+
+#include <suture/base/time.h>
+#include <suture/transport/delay/connection_delay.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace experiment {
+
+/// What is between the console and the operating table.
+struct Link {
+  /// There and back again; each way takes half of it.
+  suture::Duration roundTrip{0};
+  /// Share of a way's time by which each message may take longer.
+  double jitter = 0;
+  /// Chance of each message to be lost once. A stream sends it again, so it comes late.
+  double loss = 0;
+
+  bool operator==(const Link&) const = default;
+};
+
+enum class Inputs : std::uint8_t {
+  Two,  ///< each hand leads one of the slaves
+  One,  ///< the left hand leads both
+};
+
+struct Trial {
+  Link link;
+  bool fixtures = true;
+  Inputs inputs = Inputs::Two;
+  std::uint32_t seed = 1;
+};
+
+/// How much longer a message takes that a stream has to repeat, on a connection with a message each
+/// `period`: README.md.
+suture::Duration repetitionTime(const Link& link, suture::Duration period);
+
+/// The link as it is put on a connection with a message each `period`. Equal seeds give equal
+/// faults; `number` tells the link's connections from each other.
+suture::ConnectionDelay delayOf(const Link& link, suture::Duration period, std::uint64_t seed,
+                                std::uint64_t number);
+
+/// 0 to 500 ms by 50 ms, without and with 10 % of jitter, with 0, 1, 5 and 10 % of loss, with and
+/// without fixtures, with two inputs and one.
+std::vector<Trial> fullGrid();
+/// The delays that the literature names, and either jitter or loss or neither.
+std::vector<Trial> quickGrid();
+
+}  // namespace experiment
