@@ -1,0 +1,59 @@
+#pragma once
+// What the events of a gamepad say.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "person/axis_range.h"
+
+struct input_event;  // linux/input.h
+
+namespace robots {
+
+struct GamepadCalibration {
+  AxisRange stick{-32768, 32767};
+  AxisRange trigger{0, 255};
+  /// A stick this near to its middle, of the way to its end, is at rest.
+  double dead_zone = 0.15;
+};
+
+/// How the sticks and buttons are. Axes are from -1 to 1, forward, right and up being positive.
+struct GamepadState {
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  /// From 0, released, to 1; none: it has not been touched.
+  std::optional<double> trigger;
+  bool clutch = false;
+};
+
+/// Reads the events of Linux's gamepad protocol (Documentation/input/gamepad.rst of the kernel):
+/// the left stick pushes along x and y, the right one along z and turns about z, the directional
+/// pad turns about x and y, the right trigger is the gripper and the left shoulder the clutch.
+/// Events count once their SYN_REPORT has come, all of them together.
+///
+/// Confined to one thread; only the constructor throws, nothing allocates.
+class GamepadDecoder {
+ public:
+  /// Throws suture::SetupError unless both ranges and what the dead zone leaves are longer than 0.
+  explicit GamepadDecoder(const GamepadCalibration& calibration);
+
+  void take(const input_event& event);
+  /// Events have been missed. Sticks are at rest until they tell of themselves; the clutch counts
+  /// as pressed until somebody has pressed and released it, for it might be.
+  void forget();
+
+  const GamepadState& state() const { return state_; }
+
+ private:
+  void takeSynchronisation(std::uint16_t code);
+  void takeAxis(std::uint16_t code, std::int32_t value);
+  double deflection(std::int32_t value) const;
+  double pressure(std::int32_t value) const;
+
+  const GamepadCalibration calibration_;
+  GamepadState next_, state_;
+  bool dropping_ = false;  // up to the next SYN_REPORT
+};
+
+}  // namespace robots

@@ -1,0 +1,60 @@
+#pragma once
+// How the keys of a terminal move a hand.
+
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "person/hand_input.h"
+
+namespace robots {
+
+struct KeyMotionRates {
+  double speed = 0.02;         ///< m/s
+  double turning_speed = 0.3;  ///< rad/s
+  /// A terminal repeats a key that is held, and does not say when it is released.
+  suture::Duration hold = std::chrono::milliseconds(150);
+};
+
+/// While a key repeats the hand moves at constant speed; it stops when the key's last repeat is
+/// `hold` ago, when the key of the opposite direction comes, and at once at a space. Keys that have
+/// no meaning, and what a terminal sends for arrows and function keys, are ignored.
+///
+/// Confined to one thread; never allocates.
+class KeyMotion {
+ public:
+  /// What each key does, for people.
+  static constexpr std::string_view kHelp =
+      "keys, backward and forward: a d along x, s w along y, f r along z; k i about x, j l about "
+      "y, "
+      "u o about z; c closes the gripper, v opens it; space stops. Hold a key to go on";
+
+  explicit KeyMotion(const KeyMotionRates& rates) : rates_(rates) {}
+
+  /// A key has come, by ascending `now`.
+  void take(char key, suture::Time now);
+  /// No key counts any more.
+  void stop() { ends_ = {}; }
+
+  HandInput at(suture::Time now) const;
+
+ private:
+  static constexpr std::size_t kKeys = 12;
+  /// What of an escape sequence is still to come.
+  enum class Escape : std::uint8_t { None, Second, Final };
+
+  bool isOfEscape(char key);
+
+  const KeyMotionRates rates_;
+  std::array<suture::Time, kKeys> ends_{};  // when each direction's motion does
+  std::optional<double> opening_;
+  Escape escape_ = Escape::None;
+};
+
+}  // namespace robots

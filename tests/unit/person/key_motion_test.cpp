@@ -1,0 +1,92 @@
+// Keys and the motion that they mean, at stated times.
+
+#include "person/key_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string_view>
+
+namespace robots::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Eigen::Vector3d;
+
+class KeyMotionTest : public testing::Test {
+ protected:
+  void press(std::string_view pressed, suture::Duration after = {}) {
+    for (const char key : pressed) keys_.take(key, kStart + after);
+  }
+  HandInput at(suture::Duration after) const { return keys_.at(kStart + after); }
+
+  const suture::Time kStart = suture::fromNanoseconds(5'000'000'000);
+  KeyMotion keys_{{.speed = 0.02, .turning_speed = 0.3, .hold = 150ms}};
+};
+
+TEST_F(KeyMotionTest, EndsHundredAndFiftyMillisecondsAfterTheLastRepeat) {
+  press("d");
+  EXPECT_EQ(at(0ms).velocity, Vector3d(0.02, 0, 0));
+  press("d", 140ms);
+  press("d", 170ms);
+  EXPECT_EQ(at(320ms - 1ns).velocity, Vector3d(0.02, 0, 0));
+  EXPECT_TRUE(at(320ms).isAtRest());
+}
+
+TEST_F(KeyMotionTest, CountsTheTimeOfEachKeyByItself) {
+  press("w");
+  press("d", 100ms);
+  EXPECT_EQ(at(149ms).velocity, Vector3d(0.02, 0.02, 0));
+  EXPECT_EQ(at(150ms).velocity, Vector3d(0.02, 0, 0));
+  EXPECT_TRUE(at(250ms).isAtRest());
+}
+
+TEST_F(KeyMotionTest, GivesEachDirectionAKey) {
+  press("asf");
+  EXPECT_EQ(at(1ms).velocity, Vector3d(-0.02, -0.02, -0.02));
+  press("dwr", 2ms);
+  EXPECT_EQ(at(3ms).velocity, Vector3d(0.02, 0.02, 0.02)) << "the opposite key ends a motion";
+  EXPECT_TRUE(at(3ms).angular_velocity.isZero(0));
+}
+
+TEST_F(KeyMotionTest, TurnsAboutEachAxis) {
+  press("kju");
+  EXPECT_EQ(at(1ms).angular_velocity, Vector3d(-0.3, -0.3, -0.3));
+  press("ilo", 2ms);
+  EXPECT_EQ(at(3ms).angular_velocity, Vector3d(0.3, 0.3, 0.3));
+  EXPECT_TRUE(at(3ms).velocity.isZero(0));
+}
+
+TEST_F(KeyMotionTest, StopsAtOnceAtASpace) {
+  press("dwi");
+  press(" ", 20ms);
+  EXPECT_TRUE(at(20ms).isAtRest());
+}
+
+TEST_F(KeyMotionTest, OpensAndClosesTheGripperOnceSomebodySaysSo) {
+  EXPECT_FALSE(at(0ms).opening);
+  press("c");
+  EXPECT_EQ(at(1s).opening, 0);
+  press("v", 2s);
+  EXPECT_EQ(at(3s).opening, 1);
+  EXPECT_TRUE(at(3s).isAtRest());
+}
+
+TEST_F(KeyMotionTest, IgnoresWhatHasNoMeaning) {
+  press("DWxz7\n\t\x7f");
+  EXPECT_TRUE(at(1ms).isAtRest());
+  EXPECT_FALSE(at(1ms).opening);
+}
+
+// An arrow with Shift of one terminal, one with Ctrl of others, Alt and a letter.
+TEST_F(KeyMotionTest, IgnoresSequencesThatEndInALetterOfItsOwn) {
+  press(
+      "\x1b[d\x1bOd\x1b[1;5d\x1b"
+      "d");
+  EXPECT_TRUE(at(1ms).isAtRest());
+  press("d", 2ms);
+  EXPECT_EQ(at(3ms).velocity, Vector3d(0.02, 0, 0));
+}
+
+}  // namespace
+}  // namespace robots::test

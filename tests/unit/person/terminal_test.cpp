@@ -1,0 +1,57 @@
+// Keys of a pseudo terminal, and how that is left behind.
+
+#include "person/terminal.h"
+
+#include <gtest/gtest.h>
+#include <suture/base/errors.h>
+
+#include <string>
+
+#include "unit/person/pseudo_terminal.h"
+
+namespace robots::test {
+namespace {
+
+std::string text(std::span<const char> keys) { return {keys.begin(), keys.end()}; }
+
+TEST(Terminal, HandsOverKeysOneByOneAndIsThenAsBefore) {
+  const PseudoTerminal pty;
+  {
+    Terminal terminal(pty.path());
+    terminal.takeOver();
+    EXPECT_TRUE(pty.handsOverKeys());
+    pty.type("wd");
+    EXPECT_EQ(text(terminal.read()), "wd");
+    EXPECT_EQ(text(terminal.read()), "");
+    EXPECT_TRUE(terminal.isOpen());
+  }
+  EXPECT_FALSE(pty.handsOverKeys());
+}
+
+TEST(Terminal, ForgetsWhatWasTypedBeforeItIsTakenOver) {
+  const PseudoTerminal pty;
+  Terminal terminal(pty.path());
+  pty.type("aaa\n");
+  terminal.takeOver();
+  pty.type("w");
+  EXPECT_EQ(text(terminal.read()), "w");
+}
+
+TEST(Terminal, ClosesWhenItIsGone) {
+  PseudoTerminal pty;
+  Terminal terminal(pty.path());
+  terminal.takeOver();
+  pty.hangUp();
+  EXPECT_EQ(text(terminal.read()), "");
+  EXPECT_FALSE(terminal.isOpen());
+  terminal.takeOver();
+  EXPECT_EQ(text(terminal.read()), "");
+}
+
+TEST(Terminal, RefusesWhatIsNone) {
+  EXPECT_THROW(Terminal("/dev/null"), suture::SetupError);
+  EXPECT_THROW(Terminal("/nowhere"), suture::SetupError);
+}
+
+}  // namespace
+}  // namespace robots::test
