@@ -12,6 +12,8 @@
 #include "drives/mtm_drives.suture.h"
 #include "drives/psm_drives.suture.h"
 #include "guidance/knot_guide.suture.h"
+#include "person/gamepad.suture.h"
+#include "person/keyboard.suture.h"
 #include "recorder/knot_recorder.suture.h"
 #include "recorder/recorder.suture.h"
 #include "registration/registration_table.suture.h"
@@ -34,6 +36,8 @@ int main(int argc, char** argv) {
       suture::componentClass<robots::PsmDrives>(),
       suture::componentClass<robots::Teleop>(),
       suture::componentClass<robots::Surgeon>(),
+      suture::componentClass<robots::Gamepad>(),
+      suture::componentClass<robots::Keyboard>(),
       suture::componentClass<robots::Recorder>(),
       suture::componentClass<robots::KnotGuide>(),
       suture::componentClass<robots::KnotSurgeon>(),

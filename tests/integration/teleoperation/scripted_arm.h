@@ -65,6 +65,11 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     refusesMoves_ = refuse;
   }
+  /// From its next cycle on it says that it is disabled; it obeys goals all the same.
+  void sayDisabled(bool disabled) {
+    const std::lock_guard lock(mutex_);
+    saysDisabled_ = disabled;
+  }
   /// How often it was told to move by itself, and to hold.
   std::size_t moves() const {
     const std::lock_guard lock(mutex_);
@@ -112,12 +117,13 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
 
  private:
   void onStart() override {
-    state_.state = ArmState::Enabled;
     state_.is_homed = true;
-    port_.emit().operating_state(state_);
+    tellState(ArmState::Enabled);
   }
   void run() override {
     tellWarning();
+    const ArmState state = saysDisabled() ? ArmState::Disabled : ArmState::Enabled;
+    if (state != state_.state) tellState(state);
     if (!isSilent()) port_.advance();
   }
   void tellWarning() {
@@ -127,6 +133,14 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     message.code = static_cast<std::uint32_t>(*said_);
     port_.emit().warning(message);
     said_.reset();
+  }
+  void tellState(ArmState state) {
+    state_.state = state;
+    port_.emit().operating_state(state_);
+  }
+  bool saysDisabled() const {
+    const std::lock_guard lock(mutex_);
+    return saysDisabled_;
   }
   bool isSilent() {
     const std::lock_guard lock(mutex_);
@@ -141,7 +155,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
   double lowest_ = -std::numeric_limits<double>::infinity();
   std::size_t moves_ = 0, holds_ = 0;
   std::optional<ArmWarning> said_;
-  bool silent_ = false, stuck_ = false, refusesMoves_ = false;
+  bool silent_ = false, stuck_ = false, refusesMoves_ = false, saysDisabled_ = false;
   suture::Time stamp_;
   OperatingState state_;
   suture::Provided<Arm> port_{*this, "Arm", *this};

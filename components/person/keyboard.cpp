@@ -1,0 +1,34 @@
+#include "person/keyboard.h"
+
+#include "surgeon/pause.h"
+
+namespace robots {
+
+Keyboard::Keyboard(const KeyboardParameters& parameters)
+    : PeriodicTask({.period = parameters.period}),
+      held_(master_, teleoperation_, hand_, parameters.opening),
+      terminal_(parameters.terminal),
+      keys_({parameters.speed, parameters.turning_speed, parameters.hold}) {}
+
+void Keyboard::onStart() { messages_.status(KeyMotion::kHelp); }
+
+void Keyboard::run() {
+  const suture::Time now = suture::now();
+  readKeys(now);
+  held_.move(keys_.at(now));
+}
+
+// Keys that waited while the task did not run were not meant for what is there now.
+void Keyboard::readKeys(suture::Time now) {
+  if (!terminal_.isOpen()) return;
+  if (cycles_.missed(kLongestPause)) {
+    terminal_.takeOver();
+    keys_.stop();
+  }
+  for (const char key : terminal_.read()) keys_.take(key, now);
+  if (terminal_.isOpen()) return;
+  keys_.stop();
+  messages_.error("the terminal is gone: its keys move the hand no more");
+}
+
+}  // namespace robots

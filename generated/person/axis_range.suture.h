@@ -1,0 +1,19 @@
+// Written by suturec from person/axis_range.h. Do not edit.
+#pragma once
+
+#include <suture/base/slot_forms.h>
+
+#include "person/axis_range.h"
+
+namespace robots {
+
+/// What an absolute axis of an input device says at its two ends. `evtest` prints it.
+struct AxisRangeSlot {
+  std::int32_t lowest;
+  std::int32_t highest;
+};
+
+bool store(const AxisRange& value, AxisRangeSlot& slot);
+void load(const AxisRangeSlot& slot, AxisRange& value);
+
+}  // namespace robots
