@@ -29,8 +29,7 @@ HeldMaster::HeldMaster(suture::Required<Arm>& master,
 }
 
 bool HeldMaster::mayMove() {
-  const suture::Errc lost = teleoperation_.unusable();
-  const bool may = lost == suture::Errc::NotConnected || (lost == suture::Errc{} && mayBeMoved_);
+  const bool may = teleoperation_.isAbsent() || (teleoperation_.connected() && mayBeMoved_);
   return may && watch_.ready() && master_.connected();
 }
 
