@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "integration/person/seat.h"
 #include "pedals/foot_pedals.suture.h"
+#include "support/allocations.h"
 #include "unit/person/fifo.h"
 #include "unit/person/recorded_events.h"
 
@@ -216,9 +218,15 @@ TEST_F(GamepadTest, LeadsTheGripperByItsTrigger) {
   EXPECT_EQ(seat_.hand.angle, 0);
   seat_.master.sayDisabled(true);
   pass(5ms);
-  fifo_.write({axis(ABS_RZ, 0), report()});
+  fifo_.write({axis(ABS_RZ, 0), axis(ABS_X, 32767), report()});
   pass(50ms);
   EXPECT_EQ(seat_.hand.angle, 0) << "the arm is not ready";
+  seat_.master.sayDisabled(false);
+  pass(50ms);
+  EXPECT_EQ(seat_.hand.angle, 0) << "the stick has to be let go first";
+  fifo_.write(stickReleased());
+  pass(5ms);
+  EXPECT_EQ(seat_.hand.angle, 0.6);
 }
 
 TEST_F(GamepadTest, HasAClutchThatIsFreshWhileItsDeviceIsThere) {
@@ -244,6 +252,20 @@ TEST_F(GamepadTest, HasAClutchThatIsFreshWhileItsDeviceIsThere) {
   EXPECT_GT(suture::now() - feet_.pedals.pedals()->stamp, 290ms);
   EXPECT_TRUE(feet_.processEvents());
   EXPECT_EQ(feet_.clutch, (std::vector<bool>{false, true, false, true}));
+}
+
+// Without an arm: its clock and its goals would be counted too.
+TEST(Gamepad, NeverAllocatesInItsCycle) {
+  Fifo fifo;
+  fifo.plugIn();
+  Gamepad gamepad{{.file = fifo.path()}};
+  fifo.write({axis(ABS_X, 32767), button(BTN_TL, true), report(), dropped(), report()});
+  const std::uint64_t before = suture::allocations();
+  gamepad.run();
+  EXPECT_TRUE(gamepad.pedals().clutch);
+  fifo.pullOut();
+  for (int i = 0; i < 10; ++i) gamepad.run();
+  EXPECT_EQ(suture::allocations() - before, 0u);
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdint>
 
 #include "integration/person/seat.h"
+#include "support/allocations.h"
 #include "surgeon/pause.h"
 #include "unit/person/pseudo_terminal.h"
 
@@ -69,14 +71,20 @@ TEST_F(KeyboardTest, MovesNothingWhileTheArmIsNotReady) {
   EXPECT_GT(seat_.goalsIn(1s), 0u);
 }
 
+// Meanwhile a shell has had the terminal.
 TEST_F(KeyboardTest, ForgetsKeysThatCameWhileItDidNotRun) {
-  start();
+  seat_.connect(keyboard_);
+  seat_.addHand();
+  seat_.begin();
   seat_.manager.suspend("Person");
   pass(10ms);
-  pty_.type("dddd");
+  pty_.type("dddv");
   pass(2 * kLongestPause);
+  pty_.waitForLines();
   seat_.manager.resume("Person");
   EXPECT_EQ(seat_.goalsIn(1s), 0u);
+  EXPECT_EQ(seat_.hand.angle, -1);
+  EXPECT_TRUE(pty_.handsOverKeys());
 }
 
 TEST_F(KeyboardTest, StopsWhenTheTerminalIsGoneAndSaysSoOnce) {
@@ -112,6 +120,19 @@ TEST(Keyboard, LeavesTheTerminalAsItWas) {
     EXPECT_TRUE(pty.handsOverKeys());
   }
   EXPECT_FALSE(pty.handsOverKeys());
+}
+
+// Without an arm: its clock and its goals would be counted too.
+TEST(Keyboard, NeverAllocatesInItsCycle) {
+  PseudoTerminal pty;
+  Keyboard keyboard{{.terminal = pty.path()}};
+  const std::uint64_t before = suture::allocations();
+  keyboard.run();
+  pty.type("dv");
+  keyboard.run();
+  pty.hangUp();
+  for (int i = 0; i < 10; ++i) keyboard.run();
+  EXPECT_EQ(suture::allocations() - before, 0u);
 }
 
 }  // namespace

@@ -42,18 +42,18 @@ TEST_F(KeyMotionTest, CountsTheTimeOfEachKeyByItself) {
 }
 
 TEST_F(KeyMotionTest, GivesEachDirectionAKey) {
-  press("asf");
-  EXPECT_EQ(at(1ms).velocity, Vector3d(-0.02, -0.02, -0.02));
-  press("dwr", 2ms);
-  EXPECT_EQ(at(3ms).velocity, Vector3d(0.02, 0.02, 0.02)) << "the opposite key ends a motion";
+  press("dwr");
+  EXPECT_EQ(at(1ms).velocity, Vector3d(0.02, 0.02, 0.02));
+  press("asf", 2ms);
+  EXPECT_EQ(at(3ms).velocity, Vector3d(-0.02, -0.02, -0.02)) << "the opposite key ends a motion";
   EXPECT_TRUE(at(3ms).angular_velocity.isZero(0));
 }
 
 TEST_F(KeyMotionTest, TurnsAboutEachAxis) {
-  press("kju");
-  EXPECT_EQ(at(1ms).angular_velocity, Vector3d(-0.3, -0.3, -0.3));
-  press("ilo", 2ms);
-  EXPECT_EQ(at(3ms).angular_velocity, Vector3d(0.3, 0.3, 0.3));
+  press("ilo");
+  EXPECT_EQ(at(1ms).angular_velocity, Vector3d(0.3, 0.3, 0.3));
+  press("kju", 2ms);
+  EXPECT_EQ(at(3ms).angular_velocity, Vector3d(-0.3, -0.3, -0.3));
   EXPECT_TRUE(at(3ms).velocity.isZero(0));
 }
 

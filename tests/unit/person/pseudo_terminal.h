@@ -45,6 +45,13 @@ class PseudoTerminal {
     EXPECT_EQ(tcgetattr(program_, &mode), 0);
     return (mode.c_lflag & (ICANON | ECHO)) == 0;
   }
+  /// As a shell does that has taken it.
+  void waitForLines() const {
+    termios mode{};
+    EXPECT_EQ(tcgetattr(program_, &mode), 0);
+    mode.c_lflag |= ICANON | ECHO;
+    EXPECT_EQ(tcsetattr(program_, TCSANOW, &mode), 0);
+  }
 
  private:
   void awaitNews() const {
