@@ -2,6 +2,7 @@
 
 #include <suture/testing/test_clock.h>
 
+#include <Eigen/Core>
 #include <chrono>
 
 #include "experiment/experiment.h"

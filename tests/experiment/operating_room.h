@@ -4,9 +4,12 @@
 #include <suture/component/required.h>
 #include <suture/manager/manager.h>
 
-#include <Eigen/Core>
-#include <string>
+#include <Eigen/Geometry>
+#include <chrono>
+#include <cstdint>
 
+#include "arm/arm.suture.h"
+#include "arm/arm_watch.h"
 #include "experiment/camera.h"
 #include "experiment/trial.h"
 #include "guidance/knot_guide.h"

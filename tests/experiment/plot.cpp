@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "picture/canvas.h"
 #include "timing/seconds.h"

@@ -1,7 +1,6 @@
 #include "experiment/result.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -15,10 +14,6 @@ using Moments = std::vector<Moment>;
 constexpr double kEnd = 0.5;       // s
 constexpr double kLeastEnd = 0.5;  // share of the last half second that is guided
 constexpr double kGrows = 1.1;     // a swing that is so many times the one before
-
-std::size_t momentsIn(double seconds) {
-  return static_cast<std::size_t>(std::lround(seconds / kMomentLength));
-}
 
 bool isPlaced(const Moment& moment) { return moment.error.norm() <= kPlaced; }
 

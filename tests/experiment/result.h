@@ -2,6 +2,8 @@
 // What became of a trial.
 
 #include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -40,6 +42,11 @@ struct Moment {
 constexpr double kPlaced = 0.001;       ///< m
 constexpr double kStaysPlaced = 2;      ///< s
 constexpr double kMomentLength = 1e-3;  ///< s between two moments
+
+/// How many moments `seconds` have.
+inline std::size_t momentsIn(double seconds) {
+  return static_cast<std::size_t>(std::lround(seconds / kMomentLength));
+}
 
 /// From the moment at which the guide began.
 Result judge(const std::vector<Moment>& moments);

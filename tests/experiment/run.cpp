@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 #include "experiment/experiment.h"
 #include "experiment/operating_room.h"
@@ -60,7 +61,7 @@ Result run(const Trial& trial) {
   std::vector<Moment> moments;
   if (!clock.until([&] { return room.guiding(); }, 30s)) return judge(moments);
   Tracking tracking(room);
-  for (double t = 0; t < kLength; t += kMomentLength) {
+  while (moments.size() < momentsIn(kLength)) {
     moments.push_back(tracking.now());
     clock.advance(1ms);
   }
