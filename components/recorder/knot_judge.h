@@ -25,7 +25,7 @@ KnotJudgement judgeKnot(const std::vector<KnotRow>& rows, const Eigen::Vector3d&
 
 /// Each bound that is missed, in words; empty: the knot was placed. Bounds: 1 mm from the target,
 /// after at least 10 mm of the way, and guided for half of the last half second; the cameras saw it
-/// for nine tenths of the guided rows, within 1.6 mm.
+/// for nine tenths of the guided rows, within 1 mm.
 std::vector<std::string> violations(const KnotJudgement& judgement);
 
 }  // namespace robots

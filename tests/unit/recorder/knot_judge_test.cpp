@@ -99,7 +99,7 @@ TEST(KnotJudge, SeesAKnotThatWasThereFromTheBeginning) {
 
 TEST(KnotJudge, SeesSightingsThatAreFiveMillimetresOff) {
   EXPECT_EQ(violations(judgedKnot({.sightingsAside = 0.005})),
-            Sentences{"the cameras saw the knot 5.00 mm from the truth at p99, at most 1.60 mm "
+            Sentences{"the cameras saw the knot 5.00 mm from the truth at p99, at most 1.00 mm "
                       "allowed"});
 }
 
