@@ -16,6 +16,7 @@ void KeyMotion::take(char key, suture::Time now) {
   if (key == ' ') return stop();
   if (key == 'c') opening_ = 0;
   if (key == 'v') opening_ = 1;
+  if (key == 'x') clutch_ = !clutch_;
   const std::size_t direction = kDirections.find(key);
   if (direction == std::string_view::npos) return;
   ends_[direction] = now + rates_.hold;

@@ -23,8 +23,10 @@ struct KeyMotionRates {
 };
 
 /// While a key repeats the hand moves at constant speed; it stops when the key's last repeat is
-/// `hold` ago, when the key of the opposite direction comes, and at once at a space. Keys that have
-/// no meaning, and what a terminal sends for arrows and function keys, are ignored.
+/// `hold` ago, when the key of the opposite direction comes, and at once at a space. The clutch has
+/// a key that presses it and releases it by turns, since a terminal does not tell how long a key is
+/// held. Keys that have no meaning, and what a terminal sends for arrows and function keys, are
+/// ignored.
 ///
 /// Confined to one thread; never allocates.
 class KeyMotion {
@@ -33,7 +35,8 @@ class KeyMotion {
   static constexpr std::string_view kHelp =
       "keys, backward and forward: a d along x, s w along y, f r along z; k i about x, j l about "
       "y, "
-      "u o about z; c closes the gripper, v opens it; space stops. Hold a key to go on";
+      "u o about z; c closes the gripper, v opens it; x presses and releases the clutch; space "
+      "stops. Hold a key to go on";
 
   explicit KeyMotion(const KeyMotionRates& rates) : rates_(rates) {}
 
@@ -43,6 +46,8 @@ class KeyMotion {
   void stop() { ends_ = {}; }
 
   HandInput at(suture::Time now) const;
+  /// Whether the clutch is pressed.
+  bool clutch() const { return clutch_; }
 
  private:
   static constexpr std::size_t kKeys = 12;
@@ -54,6 +59,7 @@ class KeyMotion {
   const KeyMotionRates rates_;
   std::array<suture::Time, kKeys> ends_{};  // when each direction's motion does
   std::optional<double> opening_;
+  bool clutch_ = false;
   Escape escape_ = Escape::None;
 };
 

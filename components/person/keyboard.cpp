@@ -10,11 +10,17 @@ Keyboard::Keyboard(const KeyboardParameters& parameters)
       terminal_(parameters.terminal),
       keys_({parameters.speed, parameters.turning_speed, parameters.hold}) {}
 
-void Keyboard::onStart() { messages_.status(KeyMotion::kHelp); }
+void Keyboard::onStart() {
+  messages_.status(KeyMotion::kHelp);
+  pedalPort_.emit().clutch(pedals_.clutch);
+  pedalPort_.emit().camera(pedals_.camera);
+  pedalPort_.emit().coagulation(pedals_.coagulation);
+}
 
 void Keyboard::run() {
   const suture::Time now = suture::now();
   readKeys(now);
+  tellPedals(now);
   held_.move(keys_.at(now));
 }
 
@@ -29,6 +35,12 @@ void Keyboard::readKeys(suture::Time now) {
   if (terminal_.isOpen()) return;
   keys_.stop();
   messages_.error("the terminal is gone: its keys move the hand no more");
+}
+
+void Keyboard::tellPedals(suture::Time now) {
+  if (keys_.clutch() != pedals_.clutch) pedalPort_.emit().clutch(keys_.clutch());
+  pedals_.clutch = keys_.clutch();
+  if (terminal_.isOpen()) pedals_.stamp = now;
 }
 
 }  // namespace robots

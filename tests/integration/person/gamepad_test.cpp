@@ -21,15 +21,6 @@ namespace {
 using namespace std::chrono_literals;
 using suture::pass;
 
-/// Hears of the pedals.
-struct Feet final : suture::Device {
-  Feet() {
-    pedals.on().clutch([this](bool pressed) { clutch.push_back(pressed); });
-  }
-  suture::Required<FootPedals> pedals{*this, "Pedals"};
-  std::vector<bool> clutch;
-};
-
 class GamepadTest : public testing::Test {
  protected:
   void start() {
@@ -55,7 +46,6 @@ class GamepadTest : public testing::Test {
 
   Fifo fifo_;
   Gamepad gamepad_{{.file = fifo_.path(), .speed = 0.05, .turning_speed = 0.5, .opening = 0.6}};
-  Feet feet_;
   Seat seat_;
 };
 
@@ -232,26 +222,25 @@ TEST_F(GamepadTest, LeadsTheGripperByItsTrigger) {
 TEST_F(GamepadTest, HasAClutchThatIsFreshWhileItsDeviceIsThere) {
   fifo_.plugIn();
   seat_.connect(gamepad_);
-  seat_.manager.add("Feet", feet_);
-  seat_.manager.connect("Feet/Pedals", "Person/Pedals");
+  seat_.addFeet();
   seat_.begin();
-  (void)feet_.pedals.pedals();
+  (void)seat_.feet.pedals.pedals();
   const auto press = [&](bool pressed) {
     fifo_.write({button(BTN_TL, pressed), report()});
     pass(5ms);
   };
   press(true);
-  ASSERT_TRUE(feet_.pedals.pedals());
-  EXPECT_TRUE(feet_.pedals.pedals()->clutch);
+  ASSERT_TRUE(seat_.feet.pedals.pedals());
+  EXPECT_TRUE(seat_.feet.pedals.pedals()->clutch);
   press(false);
-  EXPECT_FALSE(feet_.pedals.pedals()->clutch);
-  EXPECT_LE(suture::now() - feet_.pedals.pedals()->stamp, 2ms);
+  EXPECT_FALSE(seat_.feet.pedals.pedals()->clutch);
+  EXPECT_LE(suture::now() - seat_.feet.pedals.pedals()->stamp, 2ms);
   fifo_.pullOut();
   pass(300ms);
-  EXPECT_TRUE(feet_.pedals.pedals()->clutch) << "nobody knows, so it counts as pressed";
-  EXPECT_GT(suture::now() - feet_.pedals.pedals()->stamp, 290ms);
-  EXPECT_TRUE(feet_.processEvents());
-  EXPECT_EQ(feet_.clutch, (std::vector<bool>{false, true, false, true}));
+  EXPECT_TRUE(seat_.feet.pedals.pedals()->clutch) << "nobody knows, so it counts as pressed";
+  EXPECT_GT(suture::now() - seat_.feet.pedals.pedals()->stamp, 290ms);
+  EXPECT_TRUE(seat_.feet.processEvents());
+  EXPECT_EQ(seat_.feet.clutch, (std::vector<bool>{false, true, false, true}));
 }
 
 // Without an arm: its clock and its goals would be counted too.

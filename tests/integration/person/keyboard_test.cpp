@@ -111,6 +111,26 @@ TEST_F(KeyboardTest, OpensAndClosesTheGripper) {
   EXPECT_EQ(seat_.hand.angle, 0);
 }
 
+TEST_F(KeyboardTest, HasAClutchThatIsFreshWhileItsTerminalIsThere) {
+  seat_.connect(keyboard_);
+  seat_.addFeet();
+  seat_.begin();
+  (void)seat_.feet.pedals.pedals();
+  pty_.type("x");
+  pass(5ms);
+  ASSERT_TRUE(seat_.feet.pedals.pedals());
+  EXPECT_TRUE(seat_.feet.pedals.pedals()->clutch);
+  EXPECT_LE(suture::now() - seat_.feet.pedals.pedals()->stamp, 2ms);
+  pty_.type("x");
+  pass(5ms);
+  EXPECT_FALSE(seat_.feet.pedals.pedals()->clutch);
+  pty_.hangUp();
+  pass(300ms);
+  EXPECT_GT(suture::now() - seat_.feet.pedals.pedals()->stamp, 290ms);
+  EXPECT_TRUE(seat_.feet.processEvents());
+  EXPECT_EQ(seat_.feet.clutch, (std::vector<bool>{false, true, false}));
+}
+
 TEST(Keyboard, LeavesTheTerminalAsItWas) {
   const PseudoTerminal pty;
   {

@@ -15,6 +15,7 @@
 
 #include "drives/gripper_hand.suture.h"
 #include "integration/teleoperation/scripted_arm.h"
+#include "pedals/foot_pedals.suture.h"
 #include "support/pass.h"
 #include "teleop/teleoperation.suture.h"
 
@@ -73,6 +74,15 @@ struct Listener final : suture::Device {
   std::vector<std::string> statuses, errors;
 };
 
+/// Hears of the pedals.
+struct Feet final : suture::Device {
+  Feet() {
+    pedals.on().clutch([this](bool pressed) { clutch.push_back(pressed); });
+  }
+  suture::Required<FootPedals> pedals{*this, "Pedals"};
+  std::vector<bool> clutch;
+};
+
 /// `Person` is the component that the test drives the master by. `person` lives as long as this.
 struct Seat {
   ~Seat() { manager.stop(); }
@@ -102,6 +112,10 @@ struct Seat {
     manager.add("MTMDrives", hand);
     manager.connect("Person/Hand", "MTMDrives/Hand");
   }
+  void addFeet() {
+    manager.add("Feet", feet);
+    manager.connect("Feet/Pedals", "Person/Pedals");
+  }
   /// How many goals the master gets.
   std::size_t goalsIn(suture::Duration duration) {
     master.forgetGoals();
@@ -114,6 +128,7 @@ struct Seat {
   ScriptedTeleoperation teleoperation;
   ScriptedHand hand;
   Listener listener;
+  Feet feet;
   suture::Manager manager{"console"};
 };
 

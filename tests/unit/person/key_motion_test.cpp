@@ -57,6 +57,16 @@ TEST_F(KeyMotionTest, TurnsAboutEachAxis) {
   EXPECT_TRUE(at(3ms).velocity.isZero(0));
 }
 
+TEST_F(KeyMotionTest, PressesAndReleasesTheClutchByTurns) {
+  EXPECT_FALSE(keys_.clutch());
+  press("x");
+  EXPECT_TRUE(keys_.clutch());
+  press("d ");
+  EXPECT_TRUE(keys_.clutch()) << "nothing else releases it";
+  press("x");
+  EXPECT_FALSE(keys_.clutch());
+}
+
 TEST_F(KeyMotionTest, StopsAtOnceAtASpace) {
   press("dwi");
   press(" ", 20ms);
