@@ -12,6 +12,7 @@
 #include "bench/bounds.h"
 #include "bench/machine.h"
 #include "bench/network/arm_process.h"
+#include "bench/network/image_process.h"
 #include "bench/network/sample_process.h"
 #include "bench/network/subscriber_process.h"
 #include "bench/stop/stop_process.h"
@@ -71,6 +72,7 @@ int main(int argc, char** argv) try {
   bench::addSampleProcess(program);
   bench::addArmProcess(program);
   bench::addSubscriberProcess(program);
+  bench::addImageProcess(program);
   bench::addStopProcess(program);
 
   int status = 0;

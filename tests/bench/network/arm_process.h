@@ -14,7 +14,7 @@
 
 namespace bench {
 
-/// Of both ends.
+/// The cycle of both ends.
 inline constexpr suture::PeriodicOptions kCycle{.period = std::chrono::milliseconds(1)};
 
 /// Allocations of a task's thread and of the lane threads of its process in steady state: after its

@@ -7,8 +7,9 @@ namespace bench {
 namespace {
 
 constexpr Part<NetworkOptions> kNetworkParts[] = {
-    {"round trips", roundTripRows},  {"reads", mirrorRows},         {"fan-out", networkFanOutRows},
-    {"allocations", allocationRows}, {"connections", linkTimeRows}, {"survivors", survivorRows}};
+    {"round trips", roundTripRows},  {"reads", mirrorRows}, {"fan-out", networkFanOutRows},
+    {"allocations", allocationRows}, {"images", imageRows}, {"connections", linkTimeRows},
+    {"survivors", survivorRows}};
 
 }  // namespace
 

@@ -22,6 +22,7 @@ struct NetworkOptions {
   std::size_t kept() const { return quick ? 100 : 10000; }
   std::uint64_t steadyCycles() const { return quick ? 100 : 5000; }
   std::size_t fanOutRounds() const { return quick ? 100 : 3000; }
+  std::size_t goals() const { return quick ? 100 : 5000; }
   std::size_t links() const { return quick ? 2 : 20; }
   std::size_t survivorRounds() const { return quick ? 1 : 3; }
   /// The least length; it ends with the fault under way.

@@ -7,7 +7,7 @@
 
 namespace bench {
 
-/// Of all threads of process `pid` until now, s; 0 if it is gone.
+/// What all threads of process `pid` have had until now, s; 0 if it is gone.
 inline double processorTime(pid_t pid) {
   clockid_t clock{};
   timespec time{};

@@ -28,6 +28,11 @@ std::string allocationRows(const NetworkOptions& options, Report& report);
 /// percentiles; "fan_out.shm.processes", ...: to 16 processes.
 std::string networkFanOutRows(const NetworkOptions& options, Report& report);
 
+/// "images.shm.alone", "images.shm.beside", ...: how old goals at 1 kHz are when they are executed,
+/// without and with pairs of images of 2 x 921,600 bytes, 15 a second, on the same lane between the
+/// same processes; ".growth.p50", ".growth.p99": the difference; ".seen": how many pairs came.
+std::string imageRows(const NetworkOptions& options, Report& report);
+
 /// "connect.shm", ...: from nothing to a connection; "killed.shm", "silence.shm", ...: until a
 /// killed or a stopped process counts as lost, ".ratio": to the bound on silence; "threads.shm".
 std::string linkTimeRows(const NetworkOptions& options, Report& report);

@@ -31,13 +31,6 @@ robots::SceneFrames sceneOfTwoArms() {
   return scene;
 }
 
-void StopViewer::run() {
-  const auto pair = camera_.images();
-  if (!pair || pair->left.stamp == lastImage_) return;
-  lastImage_ = pair->left.stamp;
-  ++images_;
-}
-
 StopDesk::StopDesk() { coordinator.schedule(urgent(75)); }
 
 void StopVision::addTo(suture::Manager& manager) {

@@ -13,12 +13,12 @@
 #include <string>
 
 #include "arm/arm.suture.h"
+#include "bench/image_viewer.h"
 #include "coordinator/coordinator.h"
 #include "drives/drives.suture.h"
 #include "integration/teleoperation/driven_arm.h"
 #include "registration/registration_table.h"
 #include "strand/strand_simulation.h"
-#include "vision/stereo_images.suture.h"
 #include "vision/synthetic_endoscope.h"
 
 namespace bench {
@@ -33,22 +33,6 @@ struct ArmPlace {
 inline constexpr std::array<ArmPlace, kArmCount> kArms{
     {{"left", "MTML"}, {"left", "PSM2"}, {"right", "MTMR"}, {"right", "PSM1"}}};
 
-/// Looks at each image of the endoscope.
-class StopViewer final : public suture::PeriodicTask {
- public:
-  StopViewer() : PeriodicTask({.period = std::chrono::milliseconds(10)}) {}
-
-  /// Any thread: how many images it has seen.
-  std::uint64_t images() const { return images_.load(); }
-
- private:
-  void run() override;
-
-  suture::Required<robots::StereoImages> camera_{*this, "Images"};
-  std::atomic<std::uint64_t> images_{0};
-  suture::Time lastImage_;
-};
-
 /// A master and a slave, whose drives need a permit, and somebody who looks at the images.
 struct ArmPair {
   /// `first`: of kArms.
@@ -60,7 +44,7 @@ struct ArmPair {
   const std::size_t first;
   robots::test::DrivenMtm master;
   robots::test::DrivenPsm slave{kPermit};
-  StopViewer viewer;
+  ImageViewer viewer;
 };
 
 /// The slaves stand 10 cm apart, and the camera sees what is between them.

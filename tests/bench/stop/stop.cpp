@@ -18,7 +18,9 @@ void add(Report& report, Table& table, const std::string& figure, const char* wo
 }
 
 /// Leaves "local", "shm", ...: from a press to the stop of the last drives; and "cut.shm", ...:
-/// from when the coordinator's process stands still; ".images": how many both pairs saw meanwhile.
+/// from when the coordinator's process stands still; "killed.shm", ...: from when it is killed,
+/// once;
+/// ".images": how many both pairs saw meanwhile.
 void measure(const char* name, suture::Lane lane, const StopOptions& options, Report& report,
              Table& table) {
   StopSystem system(lane);
@@ -28,6 +30,7 @@ void measure(const char* name, suture::Lane lane, const StopOptions& options, Re
   if (lane != suture::Lane::Auto) {
     for (int i = 0; i < options.cuts(); ++i) cuts.push_back(system.cutOff());
     add(report, table, std::string("cut.") + name, "coordinator stands still", cuts);
+    add(report, table, std::string("killed.") + name, "coordinator is killed", {system.killDesk()});
   }
   report.add(std::string(name) + ".images", "images", static_cast<double>(system.end()));
 }

@@ -45,6 +45,7 @@ std::uint64_t StopSystem::end() {
   if (isOneProcess_) return left_->viewer.images() + right_->viewer.images();
   std::uint64_t images = 0;
   for (const auto& process : processes_) {
+    if (deskIsKilled_ && process == processes_.front()) continue;
     for (const std::uint64_t seen : resultIn<std::uint64_t>(process->finish())) images += seen;
   }
   return images;
@@ -122,12 +123,21 @@ std::int64_t StopSystem::press() {
 }
 
 std::int64_t StopSystem::cutOff() {
-  enableAll();
-  const Time cut = now();
-  kill(processes_.front()->pid(), SIGSTOP);
-  const std::int64_t took = untilStopped(cut);
+  const std::int64_t took = signalDesk(SIGSTOP);
   kill(processes_.front()->pid(), SIGCONT);
   return took;
+}
+
+std::int64_t StopSystem::killDesk() {
+  deskIsKilled_ = true;
+  return signalDesk(SIGKILL);
+}
+
+std::int64_t StopSystem::signalDesk(int signal) {
+  enableAll();
+  const Time sent = now();
+  kill(processes_.front()->pid(), signal);
+  return untilStopped(sent);
 }
 
 }  // namespace bench

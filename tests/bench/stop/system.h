@@ -29,6 +29,8 @@ class StopSystem {
   std::int64_t press();
   /// From when the desk's process is stopped (SIGSTOP); it must be another one.
   std::int64_t cutOff();
+  /// From when the desk's process is killed (SIGKILL), after which nothing has power any more.
+  std::int64_t killDesk();
   /// Ends it, and returns how many images both pairs have seen.
   std::uint64_t end();
 
@@ -38,6 +40,7 @@ class StopSystem {
   void connectWatchers(suture::Lane lane);
   void enableAll();
   std::int64_t untilStopped(suture::Time from);
+  std::int64_t signalDesk(int signal);
   template <class Condition>
   void await(const char* what, const Condition& condition) const;
 
@@ -47,6 +50,7 @@ class StopSystem {
   std::optional<ArmPair> left_, right_;
   std::optional<StopVision> vision_;
   std::vector<std::unique_ptr<ChildProcess>> processes_;  // the desk's is the first
+  bool deskIsKilled_ = false;
   StopPanel panel_;
   StopWatch watch_;
   std::optional<suture::Manager> manager_;

@@ -1,0 +1,21 @@
+#pragma once
+// A process that sends goals to an arm and images to a viewer, in `suture-bench network`.
+
+#include <suture/manager/manager.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+/// Adds the hidden subcommand that the process runs.
+void addImageProcess(CLI::App& program);
+
+/// The process "guide": "Commander" calls put() of "arm:Arm/Samples" each millisecond over `lane`,
+/// with the time of the call as the value's stamp; "guide:Camera/Images" has a new pair of images
+/// 15 times a second.
+std::vector<std::string> imageProcessArguments(const std::string& managerAddress,
+                                               suture::Lane lane);
+
+}  // namespace bench
