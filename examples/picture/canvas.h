@@ -17,6 +17,8 @@ class Canvas {
  public:
   Canvas(int width, int height, robots::Colour background);
 
+  int width() const { return pixels_.cols; }
+
   /// Puts an image of three channels there, as far as it fits.
   void put(const robots::ImageFrame& image, int x, int y);
   void fill(const Eigen::Vector2d& upperLeft, const Eigen::Vector2d& lowerRight,

@@ -158,7 +158,8 @@ int run(const demo::Options& options, const demo::Topologies& topologies) {
                        demo::writeResult(options.json, options, plan, network, result, verdict);
                      });
   const bool drew = options.picture.empty() || succeeds([&] {
-                      demo::drawKnot(options.picture, demo::requireKnot(plan), result.outage);
+                      demo::drawKnot(options.picture, demo::requireKnot(plan),
+                                     demo::processGraph(plan, verdict.connections), result.outage);
                     });
   if (result.interrupted) return kInterrupted;
   return verdict.passed() && wrote && drew ? 0 : 1;

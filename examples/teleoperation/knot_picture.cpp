@@ -205,14 +205,14 @@ const KnotPlacing& requireKnot(const Plan& plan) {
 }
 
 void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing,
-              const std::optional<Outage>& outage) {
+              const ProcessGraph& graph, const std::optional<Outage>& outage) {
   const std::vector<KnotRow> rows = robots::readKnotRecording(placing.recording);
   if (rows.empty()) {
     throw suture::SetupError("drawing a picture", "the knot was never recorded",
                              "Run for longer: both arms home first, which takes some seconds");
   }
   const robots::CameraPair cameras;
-  Canvas canvas(2 * cameras.width, cameras.height + kPlotHeight, kWhite);
+  Canvas canvas(2 * cameras.width, cameras.height + kPlotHeight + kGraphHeight, kWhite);
   drawView(canvas, placing, rows.back(), Eye::Left);
   drawView(canvas, placing, rows.back(), Eye::Right);
   canvas.text(
@@ -221,6 +221,7 @@ void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing,
       "corridor",
       kWhite);
   drawDistance(canvas, Axes(rows, placing.target, 2 * cameras.width, cameras.height), rows, outage);
+  drawGraph(canvas, graph, cameras.height + kPlotHeight);
   canvas.write(file);
 }
 

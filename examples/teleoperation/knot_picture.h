@@ -6,6 +6,7 @@
 
 #include "break.h"
 #include "plan.h"
+#include "process_graph.h"
 
 namespace demo {
 
@@ -18,9 +19,10 @@ const KnotPlacing& requireKnot(const Plan& plan);
 /// there, a black cross where it was seen, the corridor in blue, and a white cross at the target.
 /// Marks that are not before the camera are left out; if a part of the strand is not, the view is
 /// blank. Below, the knot's distance from its target over time: green within 1 mm, grey while it
-/// was not guided, red while a process was cut off. Throws suture::SetupError if the recording
-/// cannot be read or has no row, or if the file cannot be written.
+/// was not guided, red while a process was cut off. Under that, the processes and the ages of what
+/// went between them. Throws suture::SetupError if the recording cannot be read or has no row, or
+/// if the file cannot be written.
 void drawKnot(const std::filesystem::path& file, const KnotPlacing& placing,
-              const std::optional<Outage>& outage);
+              const ProcessGraph& graph, const std::optional<Outage>& outage);
 
 }  // namespace demo
