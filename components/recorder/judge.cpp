@@ -123,7 +123,7 @@ void Judge::judge(const ArmRow& row) {
 
 void Judge::follow(const ArmRow& row, const Pose& measured) {
   const double seconds = secondsBetween(last_, row.stamp);
-  const double share = 1 - std::exp(-seconds / timeConstant_);
+  const double share = timeConstant_ > 0 ? 1 - std::exp(-seconds / timeConstant_) : 1;
   expected_ = blend(*expected_, *target_, share);
   position_.push_back((measured.p - expected_->p).norm());
   orientation_.push_back(measured.q.angularDistance(expected_->q));

@@ -31,7 +31,8 @@ struct Judgement {
 /// first announcement of the teleoperation on, the law x_s = x_s0 + s V (x_m - x_m0), R_s = V
 /// R_m (V R_m0)^T R_s0, without what is locked, gives the target of each slave cycle from the
 /// recorded master at the stamp of the set-point; a first-order filter of `timeConstant` (s) in
-/// Cartesian space, on the slave's own cycle times, gives where the slave should be. Rate limits
+/// Cartesian space, on the slave's own cycle times, gives where the slave should be. With 0, as for
+/// drives that declare no lag, that is the target of the cycle before. Rate limits
 /// are not modelled: a slave that met one is late, and that shows. Of a slave that is not enabled
 /// the law asks for nothing, until following begins anew. At equal time it is compared while goals
 /// arrive: one that is held has no latency.

@@ -139,6 +139,14 @@ Value parameterOf(const ComponentEntry& component, const char* name) {
   }
 }
 
+/// s: by how much drives declare that their joints trail. Those that move bodies with mass declare
+/// nothing: what their controllers leave is an error.
+double lagOf(const ComponentEntry& drives) {
+  const auto dynamics = drives.parameters.find("dynamics");
+  const bool haveMass = dynamics != drives.parameters.end() && *dynamics == "RigidBody";
+  return haveMass ? 0 : parameterOf<double>(drives, "time_constant");
+}
+
 Eigen::Vector3d vectorOf(const ComponentEntry& component, const char* name) {
   return Eigen::Vector3d(parameterOf<std::array<double, 3>>(component, name).data());
 }
@@ -230,10 +238,10 @@ void Plan::findFollowings(const std::filesystem::path& folder) {
       const std::string teleop = process.name + ":" + component.name;
       const std::string master = connectedTo(teleop + "/Master");
       const std::string slave = connectedTo(teleop + "/Slave");
-      followings_.push_back(
-          {master, slave, teleop, folder / recordingOf(master + "/Arm"),
-           folder / recordingOf(slave + "/Arm"), folder / recordingOf(teleop + "/Teleoperation"),
-           parameterOf<double>(this->component(connectedTo(slave + "/Drives")), "time_constant")});
+      followings_.push_back({master, slave, teleop, folder / recordingOf(master + "/Arm"),
+                             folder / recordingOf(slave + "/Arm"),
+                             folder / recordingOf(teleop + "/Teleoperation"),
+                             lagOf(this->component(connectedTo(slave + "/Drives")))});
     }
   }
 }

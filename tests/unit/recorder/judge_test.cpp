@@ -98,6 +98,17 @@ TEST(Judge, FindsNoErrorInASlaveThatObeysTheLaw) {
   EXPECT_TRUE(violations(judgement).empty());
 }
 
+TEST(Judge, HoldsASlaveThatDeclaresNoLagToItsLastGoal) {
+  const Recorded prompt = makeRun({.extraLag = -kTimeConstant});
+  const Judgement judgement = judge(prompt.master, prompt.followed, prompt.slave, 0);
+  EXPECT_GT(judgement.compared, 9900u);
+  EXPECT_LT(judgement.position.max, 1e-9);
+  EXPECT_NEAR(judgement.speed_times_latency, judgement.equal_time.mean,
+              0.1 * judgement.equal_time.mean);
+  const Recorded late = makeRun({}, 1.2);
+  EXPECT_FALSE(violations(judge(late.master, late.followed, late.slave, 0)).empty());
+}
+
 TEST(Judge, ToleratesRecordersThatMissCycles) {
   const Judgement judgement = judged(makeRun({.missedRows = 0.1}));
   EXPECT_LT(judgement.position.p99, 1e-4);
