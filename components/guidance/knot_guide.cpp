@@ -54,6 +54,13 @@ void KnotGuide::disable() {
   leave(GuidanceState::Disabled);
 }
 
+/// A guide that does not run must not say that it guides.
+void KnotGuide::onSuspend() {
+  if (state_ == GuidanceState::Disabled) return;
+  progress_.valid = false;
+  leave(GuidanceState::Preparing);
+}
+
 void KnotGuide::run() {
   if (std::exchange(enableAtFirstCycle_, false)) enable();
   const bool disabled = state_ == GuidanceState::Disabled;

@@ -67,6 +67,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   void run() override;
   /// Whoever connects hears the first state too.
   void onStart() override { guidance_.emit().guidance_state(state_); }
+  void onSuspend() override;
 
  private:
   /// One master, the slave that it drives, and how.

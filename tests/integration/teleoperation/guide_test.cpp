@@ -39,13 +39,17 @@ struct Eyes final : suture::Device, KnotVision {
   suture::Provided<KnotVision> vision{*this, "Vision", *this};
 };
 
-/// Counts what the guide says of its state.
+/// Counts what the guide says of its state, and keeps the last of it.
 struct Listener final : suture::Device {
   Listener() {
-    guidance.on().guidance_state([this](const GuidanceState&) { ++heard; });
+    guidance.on().guidance_state([this](const GuidanceState& news) {
+      ++heard;
+      state = news;
+    });
   }
   suture::Required<Guidance> guidance{*this, "Guidance"};
   unsigned heard = 0;
+  GuidanceState state = GuidanceState::Disabled;
 };
 
 Eigen::Isometry3d at(const Vector3d& place) {
@@ -181,6 +185,17 @@ TEST_F(Guide, BeginsAnewAfterItWasSuspended) {
   EXPECT_TRUE(guide_.progress().knot.isApprox(eyes_.seen_.knot, 1e-9))
       << "an image of before was matched with tips that had moved since";
   expectThatBothFollow();
+}
+
+TEST_F(Guide, DoesNotSayThatItGuidesWhileItIsSuspended) {
+  manager_.suspend("Guide");
+  EXPECT_TRUE(becomes(GuidanceState::Preparing));
+  EXPECT_FALSE(guide_.progress().valid);
+  pass(20ms);
+  listener_.processEvents();
+  EXPECT_EQ(listener_.state, GuidanceState::Preparing);
+  manager_.resume("Guide");
+  EXPECT_TRUE(becomes(GuidanceState::Guiding));
 }
 
 /// Its reads go on while its commands wait for the operator.
