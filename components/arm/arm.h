@@ -78,7 +78,7 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND() virtual PoseStamped goal_cp() const = 0;
   SUTURE_COMMAND() virtual PoseStamped local_measured_cp() const = 0;
   SUTURE_COMMAND() virtual PoseStamped local_setpoint_cp() const = 0;
-  /// Of the tip, in the directions of the reference frame, which it names.
+  /// How the tip moves, in the directions of the reference frame, which the twist names.
   SUTURE_COMMAND() virtual const Twist& measured_cv() const = 0;
   SUTURE_COMMAND() virtual const Twist& setpoint_cv() const = 0;
   /// Force on the tip in its own directions.

@@ -42,7 +42,7 @@ struct ArmModel {
   std::array<const char*, std::size_t{N}> joint_names;
   Joints home;        ///< where home() takes it
   Joints rate_limit;  ///< rad/s or m/s
-  /// Of moves; rad/s2 or m/s2.
+  /// Moves speed up and slow down no faster; rad/s2 or m/s2.
   Joints acceleration_limit = Joints::Constant(std::numeric_limits<double>::infinity());
   /// A joint that trails its set-point by more faults the arm.
   Joints following_error = Joints::Constant(std::numeric_limits<double>::infinity());

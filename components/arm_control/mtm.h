@@ -25,9 +25,9 @@ struct SUTURE_TYPE() MtmParameters {
   MtmSide side = MtmSide::Left;
   suture::Duration period = std::chrono::milliseconds(1);
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// Of moves: how fast the joints may speed up and slow down. Nothing is published of what they
-  /// can, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the roll's to
-  /// 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
+  /// This is how fast the joints may speed up and slow down in a move. Nothing is published of what
+  /// they can, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the
+  /// roll's to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
   /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
   /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.

@@ -12,7 +12,7 @@ namespace robots {
 class PeriodStatistics {
  public:
   void cycle(suture::Time now);
-  /// Of the last whole window of 1 s; not valid before the first one has passed.
+  /// The figures of the last whole window of 1 s; not valid before the first one has passed.
   const IntervalStatistics& last() const { return last_; }
 
  private:

@@ -32,8 +32,8 @@ struct SUTURE_TYPE() PsmParameters {
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
   /// The same bound for the insertion.
   SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
-  /// Of moves: how fast the rotating joints may speed up and slow down. Nothing is published of
-  /// what the joints can, so this is our own, as are the two below.
+  /// This is how fast the rotating joints may speed up and slow down in a move. Nothing is
+  /// published of what the joints can, so this is our own, as are the two below.
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
   /// The same of the insertion.
   SUTURE_FIELD(unit("m/s2"), range(0.01, 100)) double insertion_acceleration = 4;

@@ -19,10 +19,10 @@ class Coupling {
   explicit Coupling(const Matrix& actuatorToJoint)
       : toJoints_(actuatorToJoint), toActuators_(actuatorToJoint.inverse()) {}
 
-  /// Of positions and of velocities.
+  /// These two convert positions, and velocities as well.
   Vector joints(const Vector& actuators) const { return toJoints_ * actuators; }
   Vector actuators(const Vector& joints) const { return toActuators_ * joints; }
-  /// Of efforts: what actuators and joints do has the same power.
+  /// These two convert efforts, so that actuators and joints have the same power.
   Vector jointEfforts(const Vector& actuators) const {
     return toActuators_.transpose() * actuators;
   }
@@ -32,8 +32,8 @@ class Coupling {
   Matrix toJoints_, toActuators_;
 };
 
-/// Of a patient side manipulator: yaw, pitch and insertion have an actuator each; the four discs of
-/// the large needle driver turn its roll, its wrist pitch and yaw, and its jaw
+/// The coupling of a patient side manipulator: yaw, pitch and insertion have an actuator each; the
+/// four discs of the large needle driver turn its roll, its wrist pitch and yaw, and its jaw
 /// (jhu-dvrk/sawIntuitiveResearchKit, share/tool/LARGE_NEEDLE_DRIVER_400006.json:
 /// ActuatorToJointPosition).
 inline Coupling<7> psmCoupling() {

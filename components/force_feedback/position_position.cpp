@@ -7,8 +7,8 @@
 namespace robots {
 namespace {
 
-// Of the momentum that a cycle's damping takes away at most: what is held for a cycle throws back
-// what it brakes if it takes more than all.
+// The damping of a cycle takes away no more than this share of the momentum: since its force is
+// held for the whole cycle, it would throw the hand back if it took more than all.
 constexpr double kShare = 0.5;
 
 }  // namespace

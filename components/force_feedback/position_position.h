@@ -7,7 +7,7 @@
 
 namespace robots {
 
-/// Of a tip, in the frame and to the scale of the master.
+/// How a tip moves, in the frame and to the scale of the master.
 struct TipMotion {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s

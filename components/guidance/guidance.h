@@ -42,7 +42,7 @@ class SUTURE_INTERFACE() Guidance {
   SUTURE_COMMAND() virtual void disable() = 0;
 
   SUTURE_COMMAND() virtual GuidanceState guidance_state() const = 0;
-  /// Also while the guide waits for something, as far as the knot has been seen.
+  /// It is told also while the guide waits for something, as far as the knot has been seen.
   SUTURE_COMMAND() virtual const GuidanceProgress& progress() const = 0;
 
   /// Each change, and the last one to whoever connects.

@@ -23,9 +23,9 @@ class MtmWrist {
   /// left out, for no limits admit it.
   Joints at(double platform) const;
 
-  /// Of all within their limits those nearest to the start, searched downhill from the admissible
-  /// platform angle nearest to the start's, in at most eight steps. Nothing if the limits admit no
-  /// platform angle.
+  /// Finds the joints within their limits that are nearest to the start, downhill from the
+  /// admissible platform angle nearest to the start's, in at most eight steps. There are none if
+  /// the limits admit no platform angle.
   std::optional<Joints> nearest() const;
 
  private:

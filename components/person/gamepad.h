@@ -30,14 +30,14 @@ struct SUTURE_TYPE() GamepadParameters {
   SUTURE_FIELD(capacity(255)) std::string file = "/dev/input/event0";
   AxisRange stick{.lowest = -32768, .highest = 32767};
   AxisRange trigger{.lowest = 0, .highest = 255};
-  /// A stick this near to its middle, of the way to its end, is at rest.
+  /// A stick is at rest within this share of the way from its middle to its end.
   SUTURE_FIELD(range(0.01, 0.9)) double dead_zone = 0.15;
-  /// At the end of a stick's way.
+  /// The hand is as fast as this while a stick is at its end.
   SUTURE_FIELD(unit("m/s"), range(0.001, 0.25)) double speed = 0.05;
   SUTURE_FIELD(unit("rad/s"), range(0.01, 2)) double turning_speed = 0.5;
-  /// Of the gripper, with the trigger released.
+  /// The gripper is open this far while the trigger is released.
   SUTURE_FIELD(unit("rad"), range(0, 1.047)) double opening = 0.5;
-  /// A device that is not there is looked for so often.
+  /// A device that is not there is looked for once in this time.
   suture::Duration retry = std::chrono::seconds(1);
 };
 

@@ -14,15 +14,15 @@ namespace robots {
 struct GamepadCalibration {
   AxisRange stick{-32768, 32767};
   AxisRange trigger{0, 255};
-  /// A stick this near to its middle, of the way to its end, is at rest.
+  /// A stick is at rest within this share of the way from its middle to its end.
   double dead_zone = 0.15;
 };
 
-/// How the sticks and buttons are. Axes are from -1 to 1, forward, right and up being positive.
+/// The state of sticks and buttons. Axes go from -1 to 1; forward, right and up are positive.
 struct GamepadState {
   Eigen::Vector3d push = Eigen::Vector3d::Zero();
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-  /// From 0, released, to 1; none: it has not been touched.
+  /// It goes from 0, released, to 1; there is none until it has been touched.
   std::optional<double> trigger;
   bool clutch = false;
 };
@@ -39,8 +39,8 @@ class GamepadDecoder {
   explicit GamepadDecoder(const GamepadCalibration& calibration);
 
   void take(const input_event& event);
-  /// Events have been missed. Sticks are at rest until they tell of themselves; the clutch counts
-  /// as pressed until somebody has pressed and released it, for it might be.
+  /// The caller has missed events. Sticks are at rest until they tell of themselves; the clutch
+  /// counts as pressed until somebody has pressed and released it, for it might be.
   void forget();
 
   const GamepadState& state() const { return state_; }
@@ -53,7 +53,7 @@ class GamepadDecoder {
 
   const GamepadCalibration calibration_;
   GamepadState next_, state_;
-  bool dropping_ = false;  // up to the next SYN_REPORT
+  bool dropping_ = false;  // events are ignored up to the next SYN_REPORT
 };
 
 }  // namespace robots

@@ -108,7 +108,7 @@ struct SUTURE_TYPE() ServoCartesian {
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-  /// Of x, y, z and the rotations about them.
+  /// The modes of x, y, z and the rotations about them, in this order.
   std::array<ServoMode, 6> axis_mode{};
   suture::Time stamp;
 };

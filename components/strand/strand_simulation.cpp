@@ -13,7 +13,7 @@ static_assert(Strand::kNodes == decltype(StrandState::nodes)::ColsAtCompileTime)
 constexpr double kLongestStep = 0.02;  // s
 // Nearer tips are those of arms that nobody has registered: a strand between them has no direction.
 constexpr double kLeastSpan = 0.001;  // m
-// Of the past, for cameras whose images are late: half a second, with the default period.
+// The table keeps so many rows for cameras whose images are late: half a second, by default.
 constexpr unsigned kStrandRows = 512;
 
 }  // namespace

@@ -53,7 +53,7 @@ class CrossoverModel {
 
   double frequency_;
   suture::Duration delay_;
-  // Of a cycle: the share of the noise that stays, and the standard deviation of what comes to it.
+  // In each cycle this share of the noise stays, and so much comes to it, as a standard deviation.
   double staying_, coming_;
   std::mt19937 random_;
   std::normal_distribution<double> normal_;

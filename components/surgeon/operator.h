@@ -36,7 +36,7 @@ struct SUTURE_TYPE() OperatorParameters {
   /// How far the knot moves for a metre of both hands: the scale of the guide, to which operators
   /// adapt themselves.
   SUTURE_FIELD(range(0.01, 10)) double scale = 0.4;
-  /// Of McRuer's model (surgeon/crossover_model.h), as are the next three.
+  /// McRuer's model has this and the next three (surgeon/crossover_model.h).
   SUTURE_FIELD(unit("rad/s"), range(0.1, 20)) double crossover_frequency = 3;
   /// From seeing to moving; not below zero.
   suture::Duration delay = std::chrono::milliseconds(200);
@@ -107,7 +107,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
     std::optional<Eigen::Vector3d> slaveStart;
   };
 
-  /// Of the knot to its target, in the scene, m; zero if the operator does not see it.
+  /// The way of the knot to its target, in the scene, m; zero if the operator does not see it.
   Eigen::Vector3d seenError(suture::Time now);
   void begin();
   void lead(suture::Time now, double seconds);

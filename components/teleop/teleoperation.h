@@ -66,7 +66,7 @@ class SUTURE_INTERFACE() Teleoperation {
   SUTURE_COMMAND() virtual void lock_translation(bool lock) = 0;
 
   SUTURE_COMMAND() virtual TeleopState teleop_state() const = 0;
-  /// Of the present or last time of following.
+  /// The anchors of the present or last time of following.
   SUTURE_COMMAND() virtual FollowAnchors anchors() const = 0;
   SUTURE_COMMAND() virtual TeleopSettings settings() const = 0;
 

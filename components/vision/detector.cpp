@@ -8,10 +8,10 @@
 namespace robots {
 namespace {
 
-// Of 255, by how much a pixel has a marker's colour: more than noise makes of any other, and the
-// least that a marker has where it is darkest.
+// A pixel has a marker's colour by at least so much of 255, which is more than noise makes of any
+// other colour. Where a marker is darkest it still has the second.
 constexpr int kLeast = 20, kWhole = 95;
-// Of 255, between green and blue: less is noise.
+// A difference of green and blue by less than so much of 255 is noise.
 constexpr int kNothing = 8;
 // px: a quarter of the knot at 120 mm, and far more than what noise makes.
 constexpr int kLeastArea = 25;

@@ -40,7 +40,7 @@ void KnotTracker::see(const MarkerPoints& points) {
   sighting_.right_tip = *right;
 }
 
-/// Of another size or of two moments, images would give a depth that is wrong.
+/// Images of another size, or of two moments, would give a wrong depth.
 bool KnotTracker::isPairOfTheCameras() const {
   const auto fits = [this](const ImageFrame& image) {
     return image.valid && image.width == static_cast<std::uint32_t>(cameras_.width) &&

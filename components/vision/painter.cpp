@@ -20,7 +20,8 @@ constexpr double kStrandRadius = 0.0004, kJawRadius = 0.0006, kShaftRadius = 0.0
 constexpr double kJawLength = 0.009, kShaftLength = 0.08;
 constexpr double kGroundReach = 0.2, kFarthest = 1;
 
-// Of the light. Enough comes from all around that no side of a marker looks like something else.
+// The shares of the light. Enough comes from all around that no side of a marker looks like
+// something else.
 constexpr float kAround = 0.7F, kFromEyes = 0.3F;
 
 /// OpenGL looks along -z with y upward, and pixels are whole between their edges.

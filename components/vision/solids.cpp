@@ -71,7 +71,7 @@ void callAt(unsigned list, const Eigen::Affine3d& place, Colour colour) {
   glPopMatrix();
 }
 
-/// Of the ground's brightness, at `x` and `y` m: folds of some millimetres.
+/// The share of its brightness that the ground has at `x` and `y` m: folds of some millimetres.
 double shade(double x, double y) {
   return 0.9 + 0.06 * std::sin(260 * x + 2 * std::sin(150 * y)) + 0.04 * std::sin(410 * y - 90 * x);
 }

@@ -3,7 +3,7 @@
 namespace robots {
 namespace {
 
-// Of pairs that have been: a row is megabytes, and nobody reads an old one.
+// The table keeps few pairs, since a row is megabytes and nobody reads an old one.
 constexpr unsigned kPairs = 4;
 
 }  // namespace

@@ -23,9 +23,9 @@ class TrackingFilter {
 
   /// False before the first sighting.
   bool known() const { return known_; }
-  /// Of the last sighting.
+  /// The stamp of the last sighting.
   suture::Time seen() const { return seen_; }
-  /// Known: where it is at `time`, and how fast it is, m/s.
+  /// Where it is at `time`, and how fast it is, m/s; only if it is known.
   Eigen::Vector3d placeAt(suture::Time time) const;
   const Eigen::Vector3d& velocity() const { return velocity_; }
 

@@ -12,12 +12,12 @@ namespace demo {
 /// So equal connections have equal names in every topology.
 class ShortNames {
  public:
-  /// Of several deployments that are looked at together.
+  /// The names serve several deployments that are looked at together.
   explicit ShortNames(const std::vector<const suture::Deployment*>& deployments);
 
   std::string of(const std::string& process, const std::string& component) const;
   std::string of(const suture::Endpoint& endpoint) const;
-  /// Who requires which interface, and of whom: "TeleopL/Slave -> PSM1".
+  /// It tells who requires which interface, and of whom: "TeleopL/Slave -> PSM1".
   std::string of(const suture::ConnectionEntry& connection) const;
 
  private:

@@ -15,7 +15,7 @@ class Topologies {
 
   explicit Topologies(std::filesystem::path folder);
 
-  /// Of a name, its file in the folder; any other text that ends with ".json" is a file itself.
+  /// Finds the file of a name in the folder; a text that ends with ".json" is a file itself.
   /// Throws suture::SetupError with what there is if there is no such file.
   std::filesystem::path find(const std::string& asked) const;
   /// A line for each: its name, and the title that its file has.

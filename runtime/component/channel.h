@@ -72,7 +72,7 @@ class Channel {
     rt::Doorbell* provider;          ///< rung when commands are there
     ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
     ProvidedBase* here = nullptr;    ///< in this process, for what runs in the caller's thread
-    /// Also rung when the status changes, so that its owner can tell another process.
+    /// It is rung too when the status changes, so that its owner can tell another process.
     rt::Doorbell* watcher = nullptr;
   };
 

@@ -16,7 +16,7 @@ class ClockOffset {
     one.error_ = Duration{0};
     return one;
   }
-  /// Not known yet.
+  /// An offset that is not known yet.
   ClockOffset() = default;
 
   /// True if both have one clock.

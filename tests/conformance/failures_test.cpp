@@ -103,7 +103,7 @@ TEST_P(EndingsOfTasks, ACallThatWaitsWhenTheProviderEndsIsNotExecuted) {
   client->with([&](Arm&) {
     const auto& answer = behind->within(kPatience);
     ASSERT_FALSE(answer.has_value());
-    // Of what the provider has not heard, or has no lane left to tell, nobody can say more.
+    // Nobody can say more of what the provider has not heard, or has no lane left to tell.
     EXPECT_TRUE(answer.error() == Errc::Lost || answer.error() == Errc::OutcomeUnknown);
     behind.reset();
   });

@@ -20,7 +20,7 @@ void say(int socket, const std::string& bytes) {
   if (send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) std::perror("say");
 }
 
-/// Of one message; false if the other end has gone.
+/// Receives one message; false if the other end has gone.
 bool hear(int socket, std::string& bytes) {
   bytes.resize(kMostBytes);
   const ssize_t size = recv(socket, bytes.data(), bytes.size(), 0);

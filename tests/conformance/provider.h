@@ -40,7 +40,7 @@ class Provider {
   /// Only in one process.
   suture::Manager& manager() { return *hosted_->manager; }
 
-  /// Of the arm, in whichever process.
+  /// The gate of the arm, in whichever process that is.
   Gate& gate() const { return *gate_; }
 
   /// Runs `work` with the arm where that lives, and returns what it returns. Both may cross to

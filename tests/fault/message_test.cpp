@@ -32,7 +32,7 @@ struct Fault {
   FaultPlan plan;
   // The receiver is to notice these of it; whatever else it does is not checked.
   bool loses = false, duplicates = false, overtakes = false;
-  // Not even one message is to be lost.
+  // The fault may not lose even one message.
   bool keeps = false;
 };
 
@@ -134,7 +134,7 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     ADD_FAILURE() << "no connection";
     return {};
   }
-  /// And it was heard all the same: a stall can hold up every row for as long as the test asks.
+  /// It was heard all the same: a stall can hold up every row for as long as the test asks.
   bool wasUnderFault() const {
     const ConnectionReport seen = report();
     return reads_ > 0 && plan_.counts->total() > 0 && (!fault().loses || seen.messagesLost > 0) &&

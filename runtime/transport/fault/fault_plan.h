@@ -19,7 +19,7 @@ struct FaultCounts {
   }
 };
 
-/// Of each message, whether command, answer, event or row of state. A chance is from 0 to 1. Each
+/// What happens to messages: commands, answers, events, rows of state. A chance is 0 to 1. Each
 /// kind of message has its own sequence of faults, which `seed` alone decides: the n-th command of
 /// a connection meets the same in each run.
 struct FaultPlan {

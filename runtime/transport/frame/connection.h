@@ -28,7 +28,7 @@ class Connection {
   std::uint32_t number() const { return number_; }
   std::size_t mostPayload() const { return frame::mostPayload(channel_->info); }
 
-  /// Of the link; for as long as this is turned.
+  /// The socket of the link, for as long as this is turned.
   void use(FrameSocket& socket) { socket_ = &socket; }
   /// A frame of this connection has arrived; false if there can be no such.
   bool arrived(const Header& header, std::span<std::byte> payload);

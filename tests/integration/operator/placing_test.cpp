@@ -63,7 +63,7 @@ struct Theatre {
     manager.connect("Endoscope/Registration", "Registration/Registration");
     manager.connect("Tracker/Images", "Endoscope/Images");
   }
-  /// Of the knot from its target, m.
+  /// How far the knot is from its target, m.
   double error() const { return (strand.strand().nodes.col(Strand::kKnot) - kKnotTarget).norm(); }
 
   DrivenMtm leftMaster{MtmSide::Left}, rightMaster{MtmSide::Right};

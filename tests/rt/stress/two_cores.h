@@ -14,7 +14,7 @@ namespace stress {
 class Span {
  public:
   Span();
-  /// Not before one thing is done: on a busy machine a thread may get no turn in all this time.
+  /// It is never over before one thing is done: a thread may get no turn in all this time.
   bool over(std::uint64_t done) const;
 
  private:

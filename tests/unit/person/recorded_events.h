@@ -22,7 +22,7 @@ inline input_event dropped() { return event(EV_SYN, SYN_DROPPED, 0); }
 
 /// What a pad with sticks of 16 bits says when the left one is pushed all the way to the right.
 inline std::vector<input_event> stickToTheRight() { return {axis(ABS_X, 32767), report()}; }
-/// And when it is let go: such sticks come back near to their middle.
+/// What it says when it is let go: such sticks come back near to their middle.
 inline std::vector<input_event> stickReleased() { return {axis(ABS_X, 391), report()}; }
 
 }  // namespace robots::test

@@ -84,8 +84,8 @@ class Observed {
   ImageFrame left_, right_;
 };
 
-// And kDisparityNoise is no more than what there is, by much: a bound that nothing can miss would
-// bound nothing.
+// The test also sees that kDisparityNoise is not much more than what there is: a bound that nothing
+// can miss would bound nothing.
 TEST(Accuracy, AnErrorOfTheDepthIsThatOfTheDisparityAtEachDepth) {
   const CameraPair cameras;
   Observed observed(cameras);

@@ -39,7 +39,7 @@ class SUTURE_INTERFACE() Collecting {
   SUTURE_COMMAND() virtual bool set_interval(const CollectingInterval& interval) = 0;
   SUTURE_COMMAND() virtual CollectingInterval interval() const = 0;
   SUTURE_COMMAND() virtual bool collecting() const = 0;
-  /// Of the present time of collecting, or of the last one.
+  /// Counts what the present time of collecting has written, or the last one.
   SUTURE_COMMAND() virtual CollectedCounts counts() const = 0;
 };
 

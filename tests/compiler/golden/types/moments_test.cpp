@@ -97,7 +97,7 @@ TEST(Moments, AnyBytesMayLieThere) {
   }
 }
 
-/// Of the contract's value `slot`, as a lane does it.
+/// Shifts the contract's value `slot` as a lane does it.
 template <class Slot>
 Slot turned(suture::StampShift shift, Slot slot) {
   shift(reinterpret_cast<std::byte*>(&slot), kShift);

@@ -6,7 +6,7 @@
 
 namespace guest {
 
-/// Of a library: cannot be edited.
+/// It belongs to a library, and cannot be edited.
 struct Limits {
   double low = -1, high = 1;
 };

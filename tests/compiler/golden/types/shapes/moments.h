@@ -15,7 +15,7 @@
 
 namespace shapes {
 
-/// Of both clocks: only one is shifted.
+/// It has a time of each clock, of which only one is shifted.
 struct SUTURE_TYPE() Moment {
   suture::Time steady;
   std::chrono::system_clock::time_point system;

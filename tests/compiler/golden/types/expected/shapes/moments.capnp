@@ -41,7 +41,7 @@ struct ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment @0xed7215ce608528ed {
 }
 
 struct Moment @0xde2753d08ad0e07b $Meta.cxx("shapes::Moment") {
-  # Of both clocks: only one is shifted.
+  # It has a time of each clock, of which only one is shifted.
 
   steady @0 :Int64 $Meta.clock("steady");
   system @1 :Int64 $Meta.clock("system");

@@ -694,7 +694,7 @@ constexpr char kJournalDescription[] = R"json(
 "ordinal": 2, "payload": [{"name": "value", "type": {"kind": "struct", "name": "shapes::Moment"}}, {
 "name": "value2", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "counted", "kind": "write",
 "ordinal": 3, "payload": {"type": {"kind": "Int64"}}, "queue": 16}], "enums": [], "structs": [{
-"name": "shapes::Moment", "doc": "Of both clocks: only one is shifted.", "fields": [{
+"name": "shapes::Moment", "doc": "It has a time of each clock, of which only one is shifted.", "fields": [{
 "name": "steady", "type": {"kind": "time", "clock": "steady"}}, {"name": "system", "type": {
 "kind": "time", "clock": "system"}}, {"name": "number", "type": {"kind": "Int64"}, "default": 0}]},
 {"name": "shapes::Moments", "doc": "One in each container.", "fields": [{"name": "pair", "type": {

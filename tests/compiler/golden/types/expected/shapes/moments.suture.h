@@ -11,7 +11,7 @@
 
 namespace shapes {
 
-/// Of both clocks: only one is shifted.
+/// It has a time of each clock, of which only one is shifted.
 struct MomentSlot {
   std::int64_t steady;  // suture::Time, ns
   std::int64_t system;  // std::chrono::system_clock::time_point, ns
