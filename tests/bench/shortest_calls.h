@@ -11,32 +11,41 @@
 
 namespace bench {
 
-/// us of each of `count` cases that `next()` makes, in wall time: the shortest of five calls of
-/// `call(one)`. These are some milliseconds apart, since what interrupts one does not last that
-/// long. `done(one)` sees each case after its last.
+/// us, in wall time.
+struct CallCosts {
+  std::vector<double> shortest;  ///< of each case, the shortest of its five calls
+  std::vector<double> every;     ///< every call, with what interrupted it
+};
+
+/// Calls `call(one)` five times for each of `count` cases that `next()` makes. The calls of a case
+/// are some milliseconds apart, since what interrupts one does not last that long. `done(one)` sees
+/// each case after its last.
 template <class Next, class Call, class Done>
-std::vector<double> shortestCalls(std::size_t count, const Next& next, const Call& call,
-                                  const Done& done) {
+CallCosts shortestCalls(std::size_t count, const Next& next, const Call& call, const Done& done) {
   constexpr std::size_t kBatch = 1000;
   constexpr int kRepeats = 5;
   using Case = decltype(next());
-  std::vector<double> costs;
-  costs.reserve(count);
-  while (costs.size() < count) {
+  const auto inMicroseconds = [](suture::Duration cost) {
+    return static_cast<double>(cost.count()) / kMicrosecond;
+  };
+  CallCosts costs;
+  costs.shortest.reserve(count);
+  costs.every.reserve(kRepeats * count);
+  while (costs.shortest.size() < count) {
     std::vector<Case> batch;
-    while (batch.size() < std::min(kBatch, count - costs.size())) batch.push_back(next());
+    while (batch.size() < std::min(kBatch, count - costs.shortest.size())) batch.push_back(next());
     std::vector<suture::Duration> shortest(batch.size(), suture::Duration::max());
     for (int repeat = 0; repeat < kRepeats; ++repeat) {
       for (std::size_t i = 0; i < batch.size(); ++i) {
         const suture::Time begin = suture::now();
         call(batch[i]);
-        shortest[i] = std::min(shortest[i], suture::now() - begin);
+        const suture::Duration cost = suture::now() - begin;
+        shortest[i] = std::min(shortest[i], cost);
+        costs.every.push_back(inMicroseconds(cost));
       }
     }
     for (const Case& one : batch) done(one);
-    for (const suture::Duration cost : shortest) {
-      costs.push_back(static_cast<double>(cost.count()) / kMicrosecond);
-    }
+    for (const suture::Duration cost : shortest) costs.shortest.push_back(inMicroseconds(cost));
   }
   return costs;
 }
