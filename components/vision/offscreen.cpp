@@ -9,11 +9,13 @@
 
 #include <cstddef>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace robots {
 namespace {
 
 constexpr int kSamples = 4;  // a pixel: what Mesa's renderer has
+constexpr int kFiner = 2;    // times as many pixels each way, where squares are drawn
 constexpr int kChannels = 3;
 
 void attach(GLenum where, GLenum format, int width, int height) {
@@ -40,7 +42,8 @@ Offscreen::Offscreen(int width, int height)
       pixels_(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
   if (!context_) refuse("Mesa makes no context");
   makeCurrent();
-  makeFramebuffer();
+  smooth_ = makeFramebuffer(width, height);
+  exact_ = makeFramebuffer(kFiner * kLargestSquare, kFiner * kLargestSquare);
 }
 
 void Offscreen::makeCurrent() {
@@ -51,32 +54,70 @@ void Offscreen::makeCurrent() {
 }
 
 /// It belongs to the context, and goes with it.
-void Offscreen::makeFramebuffer() {
-  glGenFramebuffers(1, &framebuffer_);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-  attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, width_, height_);
-  attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT16, width_, height_);
+unsigned Offscreen::makeFramebuffer(int width, int height) {
+  unsigned framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  attach(GL_COLOR_ATTACHMENT0, GL_RGBA8, width, height);
+  attach(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT16, width, height);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     refuse("Mesa has no framebuffer of four samples a pixel");
   }
+  return framebuffer;
 }
 
-void Offscreen::draw(const std::function<void()>& background, const std::function<void()>& all,
-                     Rows rows, ImageFrame& image) {
+bool Offscreen::isPossible(const Square& square) const {
+  return square.size > 0 && square.size <= kLargestSquare && square.left >= 0 && square.top >= 0 &&
+         square.left + square.size <= width_ && square.top + square.size <= height_;
+}
+
+void Offscreen::draw(const Parts& parts, ImageFrame& image) {
   makeCurrent();
+  // They pass through a corner of the image's memory, so they come before the image.
+  std::vector<std::pair<Square, std::vector<std::uint8_t>>> exact;
+  for (const Square& square : parts.squares) {
+    if (isPossible(square)) exact.emplace_back(square, drawExact(parts.all, square));
+  }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, width_, height_);
-  background();
-  if (rows.first < rows.last) drawSmooth(all, rows);
+  parts.background();
+  if (parts.rows.first < parts.rows.last) drawSmooth(parts.all, parts.rows);
   glFinish();
   OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
   copyTo(image);
+  const cv::Mat whole(height_, width_, CV_8UC3, image.data.data());
+  for (auto& [square, pixels] : exact) {
+    const cv::Rect place(square.left, square.top, square.size, square.size);
+    cv::Mat(square.size, square.size, CV_8UC3, pixels.data()).copyTo(whole(place));
+  }
+}
+
+/// Draws it finer, and has each pixel add up what is in it. OpenGL counts rows from below.
+std::vector<std::uint8_t> Offscreen::drawExact(const std::function<void()>& all,
+                                               const Square& square) {
+  const int bottom = height_ - square.top - square.size, size = kFiner * square.size;
+  glBindFramebuffer(GL_FRAMEBUFFER, exact_);
+  glViewport(-kFiner * square.left, -kFiner * bottom, kFiner * width_, kFiner * height_);
+  glScissor(0, 0, size, size);
+  glEnable(GL_SCISSOR_TEST);
+  all();
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  glBlitFramebuffer(0, 0, size, size, 0, 0, size, size, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glFinish();
+  const cv::Mat drawn(height_, width_, CV_8UC4, pixels_.data());
+  cv::Mat colours;
+  cv::cvtColor(drawn(cv::Rect(0, height_ - size, size, size)), colours, cv::COLOR_RGBA2RGB);
+  std::vector<std::uint8_t> pixels(std::size_t{kChannels} * square.size * square.size);
+  cv::resize(colours, cv::Mat(square.size, square.size, CV_8UC3, pixels.data()),
+             {square.size, square.size}, 0, 0, cv::INTER_AREA);
+  return pixels;
 }
 
 /// OpenGL counts rows from below.
 void Offscreen::drawSmooth(const std::function<void()>& all, Rows rows) {
   const int bottom = height_ - rows.last, top = height_ - rows.first;
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+  glBindFramebuffer(GL_FRAMEBUFFER, smooth_);
   glScissor(0, bottom, width_, top - bottom);
   glEnable(GL_SCISSOR_TEST);
   all();

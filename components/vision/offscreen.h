@@ -17,6 +17,11 @@ struct Rows {
   int first, last;
 };
 
+/// A part of an image, px; `left` and `top` are its first column and row.
+struct Square {
+  int left, top, size;
+};
+
 /// A framebuffer in memory that Mesa's software renderer fills. It is made in the thread that
 /// draws, and draws in that thread alone.
 class Offscreen {
@@ -24,11 +29,20 @@ class Offscreen {
   /// px. Throws suture::SetupError if Mesa has none.
   Offscreen(int width, int height);
 
-  /// Fills all of `image` but its stamp, the upper left pixel first, with what `background` draws
-  /// while OpenGL draws here, and the rows with what `all` draws, with smooth edges. To have those
-  /// takes several times as long, so the rows are to be no more than need them. Allocates.
-  void draw(const std::function<void()>& background, const std::function<void()>& all, Rows rows,
-            ImageFrame& image);
+  /// What to draw where. To have smooth edges takes several times as long, so the rows are to be no
+  /// more than need them, and the squares small.
+  struct Parts {
+    std::function<void()> background;  ///< draws the whole image while OpenGL draws here
+    std::function<void()> all;         ///< draws it too, with all that has edges
+    Rows rows;                         ///< have smooth edges, of four samples a pixel
+    /// These have the light of each pixel as a sensor adds it up, of sixteen samples. One that is
+    /// larger than kLargestSquare, or reaches beyond the image, is as its rows are.
+    std::vector<Square> squares;
+  };
+  static constexpr int kLargestSquare = 64;  ///< px
+
+  /// Fills all of `image` but its stamp, the upper left pixel first. Allocates.
+  void draw(const Parts& parts, ImageFrame& image);
 
  private:
   struct Closer {
@@ -36,14 +50,16 @@ class Offscreen {
   };
 
   void makeCurrent();
-  void makeFramebuffer();
+  unsigned makeFramebuffer(int width, int height);
+  bool isPossible(const Square& square) const;
+  std::vector<std::uint8_t> drawExact(const std::function<void()>& all, const Square& square);
   void drawSmooth(const std::function<void()>& all, Rows rows);
   void copyTo(ImageFrame& image) const;
 
   const int width_, height_;
   std::unique_ptr<osmesa_context, Closer> context_;
   std::vector<std::uint8_t> pixels_;  // red, green, blue, alpha
-  unsigned framebuffer_ = 0;          // of several samples a pixel
+  unsigned smooth_ = 0, exact_ = 0;   // framebuffers of several samples a pixel
 };
 
 }  // namespace robots

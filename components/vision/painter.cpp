@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 #include "vision/markers.h"
 #include "vision/offscreen.h"
@@ -113,6 +115,26 @@ Rows rowsOfThings(const CameraPair& cameras, Eye eye, const View& view) {
           static_cast<int>(std::clamp<double>(lower, 0, cameras.height))};
 }
 
+/// About each marker, with what the blur of the image brings from beside it.
+std::vector<Square> squaresOfMarkers(const CameraPair& cameras, Eye eye, const View& view) {
+  constexpr double kBlur = 4;  // px, and more than it reaches
+  std::vector<Square> squares;
+  const auto add = [&](Marker marker, int node) {
+    const Vector3d centre = view.strand.col(node);
+    const double z = (cameras.inFrameOf(eye) * centre).z();
+    if (z < CameraPair::kNearest + radiusOf(marker)) return;
+    const double reach = cameras.focal * radiusOf(marker) / (z - radiusOf(marker)) + kBlur;
+    const Eigen::Vector2d corner = (cameras.project(eye, centre).array() - reach).floor();
+    if (!(corner.array().abs() < cameras.width).all()) return;
+    squares.push_back({static_cast<int>(corner.x()), static_cast<int>(corner.y()),
+                       static_cast<int>(std::ceil(2 * reach)) + 1});
+  };
+  add(Marker::LeftTip, 0);
+  add(Marker::Knot, Strand::kKnot);
+  add(Marker::RightTip, Strand::kNodes - 1);
+  return squares;
+}
+
 }  // namespace
 
 View seenFrom(const Eigen::Isometry3d& camera, const Strand::Nodes& strand, double tissue) {
@@ -141,10 +163,14 @@ void Painter::paint(Eye eye, const View& view, ImageFrame& image) {
     drawGround(studio_->solids, view);
   };
   const auto all = [&] {
-    drawGround(studio_->solids, view);
+    ground();
     drawThings(studio_->solids, view);
   };
-  studio_->offscreen.draw(ground, all, rowsOfThings(cameras_, eye, view), image);
+  studio_->offscreen.draw({.background = ground,
+                           .all = all,
+                           .rows = rowsOfThings(cameras_, eye, view),
+                           .squares = squaresOfMarkers(cameras_, eye, view)},
+                          image);
 }
 
 }  // namespace robots
