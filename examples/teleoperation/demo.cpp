@@ -96,10 +96,17 @@ void declare(CLI::App& app, demo::Options& options) {
                  "their images keep their periods, and connections the ages they permit")
       ->capture_default_str()
       ->check(CLI::Range(50.0, 10000.0));
+  app.add_option("--dynamics", options.dynamics,
+                 "What the drives simulate. Lag: joints without mass that trail their goals by a "
+                 "time constant, as in the files; RigidBody: motors move bodies that have mass, "
+                 "against gravity, friction and stops")
+      ->check(CLI::IsMember({"Lag", "RigidBody"}));
   app.add_option("--json", options.json, "Also write all figures to this file");
-  app.add_option("--picture", options.picture,
-                 "Where a knot is placed: write to this PNG the scene at the end as the endoscope "
-                 "sees it, and how the knot came to its target");
+  app.add_option(
+      "--picture", options.picture,
+      "Where a knot is placed: write to this PNG the scene at the end as the endoscope "
+      "sees it, how the knot came to its target, and the processes with the ages of what "
+      "went between them");
 }
 
 /// Since the last call, of the slave that was farthest off, m at p99; none if none follows.

@@ -33,6 +33,11 @@ void setRate(json& component, double rate) {
   component[period] = component[period].get<double>() / kControlPeriod / rate;
 }
 
+void setDynamics(json& component, const std::string& dynamics) {
+  const std::string kind = component.at("class");
+  if (kind.ends_with("Drives")) component["parameters"]["dynamics"] = dynamics;
+}
+
 /// How old the permit of the emergency stop may be without real-time priorities: on a busy machine
 /// a thread may wait for so long for its processor.
 constexpr double kPatientPermit = 0.25;  // s
@@ -88,6 +93,7 @@ std::filesystem::path write(const Options& options, const std::optional<Moment>&
     if (!realTime) giveUpRealTime(process);
     for (json& component : process.at("components")) {
       setRate(component, options.rate);
+      if (!options.dynamics.empty()) setDynamics(component, options.dynamics);
       if (stop) setStop(component, *stop);
     }
   }

@@ -22,6 +22,7 @@ struct Options {
   std::string network = "auto";  // as Network takes it
   double seconds = 10;
   double rate = 1000;                // Hz, of the tasks that control an arm
+  std::string dynamics;              // of the drives, as DriveDynamics names it; "": as in the file
   std::string json;                  // "": not wanted
   std::string picture;               // "": not wanted
   std::string cutOff;                // as parseBreak() takes it

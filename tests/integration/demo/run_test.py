@@ -69,7 +69,7 @@ def check_knot(knot, picture):
     assert knot["error"] <= knot["start"] + 0.001, knot
     assert knot["sighted"] > 0 and knot["sighting_error"] <= LOOSE * 0.001, knot
     assert picture[:8] == b"\x89PNG\r\n\x1a\n", picture[:8]
-    assert struct.unpack(">II", picture[16:24]) == (1280, 740)
+    assert struct.unpack(">II", picture[16:24]) == (1280, 1040)
 
 
 def check_figures(result, workstation):
@@ -122,10 +122,10 @@ def check(result, topology, lane, network):
 
 
 def main():
-    programs, topology, lane, network = pathlib.Path(sys.argv[1]), *sys.argv[2:]
+    programs, topology, lane, network = pathlib.Path(sys.argv[1]), *sys.argv[2:5]
     rate = RATE_OF_TWENTY_PROCESSES if topology == "fig3b_tasks" else RATES[lane]
     options = ["--topology", topology, "--lane", lane, "--network", network, "--rate", rate,
-               "--seconds", str(SECONDS[topology])]
+               "--seconds", str(SECONDS[topology]), *sys.argv[5:]]
     places_knot = topology.startswith("fig3b")
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "knot.png"
