@@ -208,7 +208,7 @@ void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
     if (fault) obey(*fault);
     // Without power the brakes hold the joints; after a silence they may be anywhere.
     if (!powered() || !wasHeard) setpoint_ = reading_.position;
-  } else if (powered() && state_.state != ArmState::Fault) {
+  } else if (powered()) {
     restIn(ArmState::Fault, "drives silent");
     warnings_.tell(ArmWarning::DrivesSilent);
   }
@@ -249,7 +249,7 @@ template <int N>
 void ArmController<N>::obey(const DriveFault& fault) {
   const bool jumped = fault.reason == ArmWarning::EncoderJump;
   if (jumped && state_.is_homed) unhome();
-  if (powered() && state_.state != ArmState::Fault) {
+  if (powered()) {
     fail(fault, jumped ? "encoder jump" : "over-current");
   } else if (jumped) {
     tell(fault);

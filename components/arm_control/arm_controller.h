@@ -107,9 +107,10 @@ class ArmController {
   /// One cycle at time `now`, after the commands that arrived for it. None: the drives are silent.
   void step(suture::Time now, const std::optional<DriveReading<N>>& drives);
 
-  /// From this cycle on the drives shall hold power if this is true, and follow the set-point.
+  /// From this cycle on the drives shall hold power if this is true, and follow the set-point. An
+  /// arm in FAULT has none: to hold it would close a loop over what it has just found wrong.
   bool powered() const {
-    return state_.state != ArmState::Undefined && state_.state != ArmState::Disabled;
+    return state_.state == ArmState::Enabled || state_.state == ArmState::Paused;
   }
   const Joints& setpoint() const { return setpoint_; }
 
@@ -121,7 +122,7 @@ class ArmController {
 
   void refuse(StateCommand command);
   void unhome();
-  /// Changes to `state`, in which the arm holds where its joints are.
+  /// Changes to `state`, in which the arm rests where its joints are.
   void restIn(ArmState state, const char* activity);
   /// Takes what the drives measured, and goes where they lead: they stop, or fall silent.
   void take(const std::optional<DriveReading<N>>& drives);

@@ -28,9 +28,8 @@ constexpr std::optional<StateCommand> stateCommandNamed(std::string_view name) {
 
 /// The state after `command` in `state`; none if the command is refused there, which changes
 /// nothing. An arm leaves UNDEFINED by itself, when it hears of drives that may have power. FAULT
-/// is entered by the arm alone, from ENABLED or PAUSED, and left by enable and disable, or with the
-/// power of the drives; PAUSED is left by resume, not by enable, so that nobody ends another's
-/// pause by accident.
+/// is entered by the arm alone, from ENABLED or PAUSED, and left by enable and disable alone;
+/// PAUSED is left by resume, not by enable, so that nobody ends another's pause by accident.
 constexpr std::optional<ArmState> after(ArmState state, StateCommand command) {
   using enum ArmState;
   constexpr std::optional<ArmState> kNo;

@@ -52,6 +52,9 @@ class PlantedFault : public testing::Test {
   bool becomes(ArmState wanted) {
     return suture::clockOfTest().until([&] { return state() == wanted; });
   }
+  /// Where the yaw is, and not what is planted.
+  double joint() { return drives_.SimulatedDrives::feedback().position[0]; }
+  DrivePower power() { return drives_.SimulatedDrives::feedback().power; }
   void expectTold(ArmWarning reason) {
     panel_.processEvents();
     ASSERT_EQ(panel_.codes, std::vector{reason});
@@ -75,6 +78,17 @@ TEST_F(PlantedFault, AnEncoderThatJumps) {
   EXPECT_TRUE(becomes(ArmState::Enabled));
 }
 
+TEST_F(PlantedFault, AnEncoderThatIsWrongForAMomentMovesNoJoint) {
+  const double before = joint();
+  drives_.jump = 0.1;
+  pass(2ms);
+  drives_.jump = 0;
+  pass(300ms);
+  EXPECT_EQ(state(), ArmState::Fault);
+  EXPECT_EQ(power(), DrivePower::Off);
+  EXPECT_NEAR(joint(), before, 1e-9);
+}
+
 TEST_F(PlantedFault, AMotorThatGivesTooMuch) {
   drives_.effort = 10;
   pass(50ms);
@@ -82,6 +96,7 @@ TEST_F(PlantedFault, AMotorThatGivesTooMuch) {
   pass(100ms);
   EXPECT_EQ(state(), ArmState::Fault);
   expectTold(ArmWarning::OverCurrent);
+  EXPECT_EQ(power(), DrivePower::Off) << "a motor that gives too much is to give nothing";
   EXPECT_TRUE(panel_.arm.disable());
   EXPECT_TRUE(becomes(ArmState::Disabled));
 }

@@ -30,8 +30,15 @@ class DriveFaultTest : public CrtkArmTest {
     ASSERT_EQ(heard_.errors.size(), 1u) << "it says so, once";
     EXPECT_EQ(heard_.codes.back(), reason);
     EXPECT_EQ(heard_.errors[0].find(text), 0u) << heard_.errors[0];
-    EXPECT_TRUE(arm_.powered()) << "it holds";
+    EXPECT_FALSE(arm_.powered()) << "the brakes hold it";
   }
+  /// The encoder of the pitch is wrong in one cycle, and right again.
+  void glitch() {
+    joints_.displace(kPitch, 0.05);
+    cycles(1);
+    joints_.displace(kPitch, 0);
+  }
+  double truePitch() const { return joints_.position()[kPitch]; }
 };
 
 TEST_F(DriveFaultTest, AnEncoderThatJumpsPutsItInFaultAndIsNamed) {
@@ -39,7 +46,62 @@ TEST_F(DriveFaultTest, AnEncoderThatJumpsPutsItInFaultAndIsNamed) {
   cycles(3);
   expectFault(ArmWarning::EncoderJump, "b: its encoder jumped");
   EXPECT_DOUBLE_EQ(setpoint(kPitch), crtk_.measured_js().position[kPitch])
-      << "it holds where it is measured";
+      << "without power its set-point is where it is measured";
+}
+
+TEST_F(DriveFaultTest, AJointDoesNotMoveByWhatItsEncoderSaidWrongly) {
+  const double before = truePitch();
+  glitch();
+  cycles(300);
+  EXPECT_EQ(state(), ArmState::Fault);
+  EXPECT_NEAR(truePitch(), before, 1e-9);
+  crtk_.enable();
+  cycles(300);
+  EXPECT_EQ(state(), ArmState::Enabled);
+  EXPECT_NEAR(truePitch(), before, 1e-9);
+}
+
+TEST_F(DriveFaultTest, AJointInMotionStopsWhereItIsAndNotWhereItsEncoderSaid) {
+  JointVelocityGoal rate;
+  rate.goal.assign(6, 0);
+  rate.goal[kPitch] = 1;
+  for (int i = 0; i < 100; ++i) {
+    crtk_.servo_jv(rate);
+    cycles(1);
+  }
+  const double before = truePitch();
+  glitch();
+  EXPECT_LT(truePitch() - before, 1.001 * 0.001) << "as far as it goes in the cycle of the glitch";
+  const double stopped = truePitch();
+  cycles(300);
+  EXPECT_EQ(truePitch(), stopped);
+}
+
+TEST_F(DriveFaultTest, NoReasonLeavesItPower) {
+  const auto expectNone = [&](const char* what) {
+    EXPECT_EQ(state(), ArmState::Fault) << what;
+    EXPECT_FALSE(arm_.powered()) << what;
+    joints_.draw(kPitch, 0);
+    cycles(1);
+    crtk_.enable();
+    cycles(10);
+    EXPECT_EQ(state(), ArmState::Enabled) << what;
+    EXPECT_TRUE(arm_.powered()) << what;
+  };
+  glitch();
+  cycles(1);
+  expectNone("encoder jump");
+  joints_.draw(kPitch, 0.31);
+  cycles(60);
+  expectNone("over-current");
+  arm_.step(time_ += 1ms, std::nullopt);
+  expectNone("drives silent");
+  JointGoal away{positions(), {}};
+  away.position[0] += 0.5;
+  joints_.block();
+  crtk_.move_jp(away);
+  cycles(1000);
+  expectNone("following error");
 }
 
 TEST_F(DriveFaultTest, MotionAtFullSpeedIsNoJump) {

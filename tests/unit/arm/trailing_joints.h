@@ -10,7 +10,8 @@
 
 namespace robots::test {
 
-/// Joints that trail the arm's set-points by 10 ms. Never allocates.
+/// Joints that trail the arm's set-points by 10 ms, and that brakes hold without power. Never
+/// allocates.
 template <int N>
 class TrailingJoints {
  public:
@@ -21,20 +22,28 @@ class TrailingJoints {
 
   /// One cycle of the arm at time `now`; its set-point acts on the joints from then on.
   void step(ArmController<N>& arm, suture::Time now) {
-    if (last_ != suture::Time{}) dynamics_.advance(secondsBetween(last_, now));
+    if (last_ != suture::Time{} && !blocked_) dynamics_.advance(secondsBetween(last_, now));
     last_ = now;
     DriveReading<N> reading{dynamics_.measured() + displaced_, dynamics_.velocity(), power(arm),
                             permitted_, now};
     reading.effort = drawn_;
     arm.step(now, reading);
-    dynamics_.command(arm.setpoint() - displaced_);
+    if (power(arm) == DrivePower::On) {
+      dynamics_.command(arm.setpoint() - displaced_);
+    } else {
+      dynamics_.brake();
+    }
   }
+  /// Where the joints are, whatever their encoders say.
+  const Joints& position() const { return dynamics_.measured(); }
   /// The drives say so from now on, whatever the arm wants.
   void force(std::optional<DrivePower> power) { forced_ = power; }
-  /// Its encoder has jumped by so much.
+  /// Its encoder is off by so much from now on.
   void displace(int joint, double by) { displaced_[joint] = by; }
   /// Its motor gives so much, N.m.
   void draw(int joint, double effort) { drawn_[joint] = effort; }
+  /// Something holds the joints from now on.
+  void block() { blocked_ = true; }
   /// As if they had stopped, and been permitted again, between two cycles of the arm.
   void permitAnew() { permitted_ += std::chrono::milliseconds(1); }
 
@@ -47,6 +56,7 @@ class TrailingJoints {
   Joints displaced_ = Joints::Zero(), drawn_ = Joints::Zero();
   suture::Time last_, permitted_ = suture::fromNanoseconds(1);
   std::optional<DrivePower> forced_;
+  bool blocked_ = false;
 };
 
 }  // namespace robots::test
