@@ -63,7 +63,8 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
 
   // --- where it is and shall be
 
-  /// Where the joints are. Stamp: the drives' cycle that measured them.
+  /// Where the joints are, and what their motors give, which is empty of drives that do not measure
+  /// it. Stamp: the drives' cycle that measured them.
   SUTURE_COMMAND() virtual const JointState& measured_js() const = 0;
   /// Where the joints shall be.
   SUTURE_COMMAND() virtual const JointState& setpoint_js() const = 0;
@@ -81,9 +82,14 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   /// How the tip moves, in the directions of the reference frame, which the twist names.
   SUTURE_COMMAND() virtual const Twist& measured_cv() const = 0;
   SUTURE_COMMAND() virtual const Twist& setpoint_cv() const = 0;
-  /// Force on the tip in its own directions.
+  /// What the arm presses with at its tip, in the tip's own directions: the motors' efforts, less
+  /// the arm's weight as its model has it, through the transposed Jacobian. Friction, inertia and
+  /// what that model has wrong are in it, so it is near a contact's force only when the arm is slow
+  /// and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit; what touches
+  /// the tip presses on it with the opposite. Not valid where the drives measure no effort, without
+  /// power, and beside a singularity. Stamp: the drives' cycle that measured the joints.
   SUTURE_COMMAND() virtual const Wrench& body_measured_cf() const = 0;
-  /// Force on the tip in the directions of the arm's base frame.
+  /// The same in the directions of the arm's base frame.
   SUTURE_COMMAND() virtual const Wrench& spatial_measured_cf() const = 0;
   /// Pose, velocity and force of one cycle, in the reference frame.
   SUTURE_COMMAND() virtual const CartesianState& measured_cs() const = 0;

@@ -394,7 +394,8 @@ void ArmController<N>::publish(suture::Time now) {
   const bool known = reading_.stamp != suture::Time{};
   place<N>(measuredJs_, reading_.position, reading_.stamp, heard_ && known);
   Joints::Map(measuredJs_.velocity.data()) = reading_.velocity;
-  Joints::Map(measuredJs_.effort.data()) = reading_.effort;
+  measuredJs_.effort.resize(reading_.measures_effort ? N : 0);
+  std::copy_n(reading_.effort.data(), measuredJs_.effort.size(), measuredJs_.effort.begin());
   place<N>(setpointJs_, setpoint_, now, known);
   measuredCp_ = {model_.chain.forward(reading_.position), reading_.stamp, measuredJs_.valid};
   const suture::Time stamp = setpointStamp_ == suture::Time{} ? now : setpointStamp_;

@@ -18,6 +18,7 @@
 #include "arm_control/operating_states.h"
 #include "arm_control/setpoint_rate.h"
 #include "arm_control/warnings.h"
+#include "dynamics/arm_dynamics.h"
 #include "kinematics/inverse.h"
 #include "robot_types/joints.h"
 #include "robot_types/operating_state.h"
@@ -51,6 +52,8 @@ struct ArmModel {
   Joints encoder_step = Joints::Zero();  ///< rad or m: what one count is of the joint
   DriveBounds tool = {};
   DriveWatchOptions watch = {};
+  /// What the arm weighs, if that is known.
+  std::optional<dynamics::ArmDynamics<N>> weight = {};
   std::optional<InsertionRule> insertion = {};
   /// s: a servo goal may lie so far from the set-point as the joints can move in this time.
   double servo_horizon = 0.1;

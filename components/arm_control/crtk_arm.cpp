@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arm_control/goals.h"
+#include "arm_control/tip_force.h"
 #include "timing/seconds.h"
 
 namespace robots {
@@ -33,11 +34,11 @@ void place(Twist& twist, const SpatialVector& value, suture::Time stamp, bool va
   twist.valid = valid;
 }
 
-void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp) {
+void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp, bool valid) {
   wrench.force = value.head<3>();
   wrench.torque = value.tail<3>();
   wrench.stamp = stamp;
-  wrench.valid = true;
+  wrench.valid = valid;
 }
 
 /// A step as long as the joints can make it, in its direction.
@@ -235,7 +236,7 @@ void CrtkArm<N>::drive(typename Stream::Kind kind, const std::optional<TwistStre
   if (!arm_.mayMoveTip()) return;
   if (!goal) return arm_.warn(ArmWarning::Malformed);
   arm_.followStream(arm_.setpoint_, {}, activity);
-  stream_.follow(kind, goal->twist, activity, goal->force, {.change = goal->change, .axes = axes});
+  stream_.follow(kind, goal->twist, activity, {.change = goal->change, .axes = axes});
 }
 
 template <int N>
@@ -325,7 +326,7 @@ void CrtkArm<N>::advance(suture::Time now) {
 template <int N>
 void CrtkArm<N>::publish(suture::Time now) {
   publishMotion(now);
-  publishForce(now);
+  publishForce();
   publishGoal(now);
 }
 
@@ -347,10 +348,12 @@ void CrtkArm<N>::publishMotion(suture::Time now) {
 }
 
 template <int N>
-void CrtkArm<N>::publishForce(suture::Time now) {
+void CrtkArm<N>::publishForce() {
   const Eigen::Matrix3d tip = arm_.measured_cp().pose.linear();
-  place(bodyCf_, stream_.bodyForce(tip), now);
-  place(spatialCf_, stream_.spatialForce(tip), now);
+  const std::optional<SpatialVector> measured = pressed();
+  const SpatialVector force = measured.value_or(SpatialVector::Zero());
+  place(spatialCf_, force, arm_.reading_.stamp, measured.has_value());
+  place(bodyCf_, rotated(tip.transpose(), force), arm_.reading_.stamp, measured.has_value());
   const Eigen::Matrix3d toReference = base_.transform.linear();
   measuredCs_.position = measured_cp().pose;
   measuredCs_.linear_velocity = measuredCv_.linear;
@@ -358,8 +361,20 @@ void CrtkArm<N>::publishForce(suture::Time now) {
   measuredCs_.force = toReference * spatialCf_.force;
   measuredCs_.torque = toReference * spatialCf_.torque;
   measuredCs_.position_is_valid = measuredCs_.velocity_is_valid = measuredCv_.valid;
-  measuredCs_.force_is_valid = true;
+  measuredCs_.force_is_valid = spatialCf_.valid;
   measuredCs_.stamp = arm_.reading_.stamp;
+}
+
+// Without power it is the brakes that bear what presses on the tip.
+template <int N>
+std::optional<SpatialVector> CrtkArm<N>::pressed() const {
+  const DriveReading<N>& reading = arm_.reading_;
+  const bool measured = reading.measures_effort && reading.power == DrivePower::On;
+  if (!measured || !arm_.measured_js().valid) return std::nullopt;
+  const ArmModel<N>& model = arm_.model_;
+  Joints effort = reading.effort;
+  if (model.weight) effort -= model.weight->gravity(model.weight->at(reading.position));
+  return tipForce<N>(model.chain.jacobian(reading.position), effort);
 }
 
 template <int N>

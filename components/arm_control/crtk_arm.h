@@ -149,7 +149,9 @@ class CrtkArm final : public Arm {
   void drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
              const char* activity, const Eigen::Matrix3d& axes);
   void publishMotion(suture::Time now);
-  void publishForce(suture::Time now);
+  void publishForce();
+  /// What the arm presses with at its tip along the base's axes, if the drives measure it.
+  std::optional<SpatialVector> pressed() const;
   void publishGoal(suture::Time now);
 
   ArmController<N>& arm_;

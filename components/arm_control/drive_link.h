@@ -70,7 +70,8 @@ class DriveLink {
             .permitted = told.permitted,
             .stamp = told.stamp,
             .tool = {.position = position[N], .velocity = velocity[N], .effort = effort[N]},
-            .effort = effort.template head<N>()};
+            .effort = effort.template head<N>(),
+            .measures_effort = told.measures_effort};
   }
 
   static constexpr std::uint32_t kChannels = N + 1;  // the last is that of the tool

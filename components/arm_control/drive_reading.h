@@ -27,6 +27,7 @@ struct DriveReading {
   suture::Time stamp;      ///< the drives' cycle
   ToolReading tool = {};
   Joints effort = Joints::Zero();  ///< N.m, or N for a prismatic one
+  bool measures_effort = false;    ///< else `effort` tells nothing
 };
 
 }  // namespace robots

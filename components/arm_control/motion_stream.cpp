@@ -13,7 +13,6 @@ void MotionStream<N>::begin(Kind kind, std::string_view activity) {
   if (kind != kind_) end();
   kind_ = kind;
   activity_ = activity;
-  force_.reset();
   if (kind != Kind::Free) watch_.ask();
 }
 
@@ -27,18 +26,16 @@ void MotionStream<N>::follow(const Joints& rate, std::string_view activity,
 
 template <int N>
 void MotionStream<N>::follow(Kind kind, const SpatialVector& twist, std::string_view activity,
-                             const std::optional<SpatialVector>& force, const TwistBounds& bounds) {
+                             const TwistBounds& bounds) {
   begin(kind, activity);
   twist_.aimAt(twist, bounds.change);
   axes_ = bounds.axes;
-  force_ = force;
 }
 
 template <int N>
 void MotionStream<N>::end() {
   kind_ = Kind::None;
   watch_.end();
-  force_.reset();
   rate_.stop();
   twist_.stop();
 }
@@ -98,18 +95,6 @@ SpatialVector MotionStream<N>::twist(const Eigen::Matrix<double, 6, N>& jacobian
     case Kind::Free: break;
   }
   return SpatialVector::Zero();
-}
-
-template <int N>
-SpatialVector MotionStream<N>::bodyForce(const Eigen::Matrix3d& tip) const {
-  const SpatialVector force = force_.value_or(SpatialVector::Zero());
-  return kind_ == Kind::BodyTwist ? force : rotated(tip.transpose(), force);
-}
-
-template <int N>
-SpatialVector MotionStream<N>::spatialForce(const Eigen::Matrix3d& tip) const {
-  const SpatialVector force = force_.value_or(SpatialVector::Zero());
-  return kind_ == Kind::BodyTwist ? rotated(tip, force) : force;
 }
 
 template class MotionStream<6>;

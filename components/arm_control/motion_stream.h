@@ -31,15 +31,14 @@ class MotionStream {
     std::optional<Joints> guard = {};
   };
   void follow(const Joints& rate, std::string_view activity, const JointBounds& bounds = {});
-  /// A twist of the tip along its own axes (BodyTwist) or the base's (SpatialTwist), and, where a
-  /// force makes it, that force along the same axes.
+  /// A twist of the tip along its own axes (BodyTwist) or the base's (SpatialTwist).
   struct TwistBounds {
     /// Along `axes`, which lead from those of the twist to the base's.
     RateRamp<6>::Limits change = {};
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   };
   void follow(Kind kind, const SpatialVector& twist, std::string_view activity,
-              const std::optional<SpatialVector>& force = {}, const TwistBounds& bounds = {});
+              const TwistBounds& bounds);
   void end();
 
   bool isActive() const { return kind_ != Kind::None; }
@@ -64,9 +63,6 @@ class MotionStream {
   /// those in the base.
   SpatialVector twist(const Eigen::Matrix<double, 6, N>& jacobian,
                       const Eigen::Matrix3d& tip) const;
-  /// The force that is applied, zero without one.
-  SpatialVector bodyForce(const Eigen::Matrix3d& tip) const;
-  SpatialVector spatialForce(const Eigen::Matrix3d& tip) const;
 
  private:
   void begin(Kind kind, std::string_view activity);
@@ -81,7 +77,6 @@ class MotionStream {
   std::optional<Joints> guard_;
   RateRamp<6> twist_;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();
-  std::optional<SpatialVector> force_;
   StreamWatch watch_;
 };
 

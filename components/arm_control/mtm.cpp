@@ -9,17 +9,21 @@ namespace robots {
 namespace {
 
 ArmModel<7> model(const MtmParameters& parameters) {
+  const dynamics::ArmMechanics<7> mechanics = dynamics::mtmMechanics();
+  const kinematics::Chain<7> chain =
+      parameters.side == MtmSide::Left ? kinematics::mtmLeft() : kinematics::mtmRight();
   ArmModel<7> model{
-      .chain = parameters.side == MtmSide::Left ? kinematics::mtmLeft() : kinematics::mtmRight(),
+      .chain = chain,
       .joint_names = {"outer_yaw", "shoulder_pitch", "elbow_pitch", "platform", "wrist_pitch",
                       "wrist_yaw", "roll"},
       .home = kinematics::mtmHome(),
       .rate_limit = ArmModel<7>::Joints::Constant(parameters.angular_rate),
       .acceleration_limit = ArmModel<7>::Joints::Constant(parameters.angular_acceleration),
       .following_error = ArmModel<7>::Joints::Constant(parameters.following_error),
-      .effort_limit = dynamics::mtmMechanics().effort_limit,
-      .encoder_step = dynamics::mtmMechanics().encoder_step,
+      .effort_limit = mechanics.effort_limit,
+      .encoder_step = mechanics.encoder_step,
       .watch = {.jump_factor = parameters.jump_factor, .overload_time = parameters.overload_time},
+      .weight = dynamics::ArmDynamics<7>(chain, mechanics.links),
       .servo_horizon = parameters.servo_horizon,
       .inverse = kinematics::mtmInverse,
   };

@@ -16,6 +16,7 @@ constexpr InsertionRule kInsertionRule{.joints = 4, .least = 0.045, .buffer = 0.
 
 ArmModel<6> model(const PsmParameters& parameters) {
   constexpr int kInsertion = 2;
+  const dynamics::ArmMechanics<6> mechanics = dynamics::psmMechanics();
   ArmModel<6> model{
       .chain = kinematics::psm(),
       .joint_names = {"yaw", "pitch", "insertion", "roll", "wrist_pitch", "wrist_yaw"},
@@ -23,10 +24,11 @@ ArmModel<6> model(const PsmParameters& parameters) {
       .rate_limit = ArmModel<6>::Joints::Constant(parameters.angular_rate),
       .acceleration_limit = ArmModel<6>::Joints::Constant(parameters.angular_acceleration),
       .following_error = ArmModel<6>::Joints::Constant(parameters.following_error),
-      .effort_limit = dynamics::psmMechanics().effort_limit,
-      .encoder_step = dynamics::psmMechanics().encoder_step,
+      .effort_limit = mechanics.effort_limit,
+      .encoder_step = mechanics.encoder_step,
       .tool = {.rate_limit = parameters.jaw_rate, .effort_limit = kJawEffort},
       .watch = {.jump_factor = parameters.jump_factor, .overload_time = parameters.overload_time},
+      .weight = dynamics::ArmDynamics<6>(kinematics::psm(), mechanics.links),
       .insertion = kInsertionRule,
       .servo_horizon = parameters.servo_horizon,
       .inverse = kinematics::psmInverse,

@@ -85,7 +85,7 @@ std::optional<TwistStreamGoal> streamGoal(const WrenchGoal& goal) {
   if (!force.allFinite()) return std::nullopt;
   const SpatialVector twist =
       together(force.head<3>() / kTipDamping, force.tail<3>() / kTwistDamping);
-  return TwistStreamGoal{.twist = twist, .force = force};
+  return TwistStreamGoal{.twist = twist};
 }
 
 template std::optional<JointStreamGoal<6>> streamGoal<6>(const JointVelocityGoal& goal);

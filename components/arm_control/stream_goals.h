@@ -19,7 +19,6 @@ struct JointStreamGoal {
 struct TwistStreamGoal {
   kinematics::SpatialVector twist;
   RateRamp<6>::Limits change = {};
-  std::optional<kinematics::SpatialVector> force = {};  ///< what makes the twist, if anything does
 };
 
 /// Each is none if the goal has a list of the wrong length, a number that is not finite, or an

@@ -34,8 +34,11 @@ struct SUTURE_TYPE() DriveFeedback {
   suture::Time permitted;
   /// The drives' cycle.
   suture::Time stamp;
-  /// What the motors give, as their currents tell. 0 of joints that are simulated without mass.
+  /// What the motors give, as their currents tell.
   SUTURE_FIELD(unit("N.m")) std::array<double, kMaxJoints> effort{};
+  /// Whether `effort` is measured. Joints that are simulated without mass need none, and tell 0; so
+  /// does a simulated jaw, which has no mass whatever this says.
+  bool measures_effort = false;
 };
 
 /// Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.

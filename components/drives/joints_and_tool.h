@@ -38,6 +38,7 @@ class JointsAndTool final : public SimulatedJoints<N + 1> {
   const Joints& measured() const override { return measured_; }
   Joints velocity() const override { return together(joints_->velocity(), tool_->velocity()); }
   Joints effort() const override { return together(joints_->effort(), tool_->effort()); }
+  bool measuresEffort() const override { return joints_->measuresEffort(); }
 
  private:
   static Joints together(const typename SimulatedJoints<N>::Joints& joints,

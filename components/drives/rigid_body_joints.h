@@ -48,6 +48,7 @@ class RigidBodyJoints final : public SimulatedJoints<N> {
   Joints velocity() const override { return encoders_.velocity(); }
   /// Until the next command.
   Joints effort() const override { return effort_; }
+  bool measuresEffort() const override { return true; }
 
   /// Where the joints are, which only a simulation knows.
   const Joints& position() const { return motion_.position(); }

@@ -13,6 +13,7 @@ SimulatedDrives<N>::SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints,
     : joints_(std::move(joints)), coupling_(coupling), goal_(joints_->measured()) {
   static_assert(N <= int{kMaxJoints});
   feedback_.joints = N;
+  feedback_.measures_effort = joints_->measuresEffort();
 }
 
 template <int N>

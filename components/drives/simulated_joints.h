@@ -25,6 +25,8 @@ class SimulatedJoints {
   virtual Joints velocity() const = 0;
   /// What the motors give, N.m, or N of a prismatic joint; 0 of joints without mass.
   virtual Joints effort() const { return Joints::Zero(); }
+  /// Whether that is what moves them.
+  virtual bool measuresEffort() const { return false; }
 };
 
 }  // namespace robots

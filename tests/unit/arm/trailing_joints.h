@@ -27,6 +27,7 @@ class TrailingJoints {
     DriveReading<N> reading{dynamics_.measured() + displaced_, dynamics_.velocity(), power(arm),
                             permitted_, now};
     reading.effort = drawn_;
+    reading.measures_effort = measuresEffort_;
     arm.step(now, reading);
     if (power(arm) == DrivePower::On) {
       dynamics_.command(arm.setpoint() - displaced_);
@@ -42,6 +43,9 @@ class TrailingJoints {
   void displace(int joint, double by) { displaced_[joint] = by; }
   /// Its motor gives so much, N.m.
   void draw(int joint, double effort) { drawn_[joint] = effort; }
+  void draw(const Joints& efforts) { drawn_ = efforts; }
+  /// Nobody measures what the motors give.
+  void measureNoEffort() { measuresEffort_ = false; }
   /// Something holds the joints from now on.
   void block() { blocked_ = true; }
   /// As if they had stopped, and been permitted again, between two cycles of the arm.
@@ -56,7 +60,7 @@ class TrailingJoints {
   Joints displaced_ = Joints::Zero(), drawn_ = Joints::Zero();
   suture::Time last_, permitted_ = suture::fromNanoseconds(1);
   std::optional<DrivePower> forced_;
-  bool blocked_ = false;
+  bool blocked_ = false, measuresEffort_ = true;
 };
 
 }  // namespace robots::test

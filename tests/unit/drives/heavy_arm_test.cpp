@@ -1,16 +1,19 @@
 // Arms whose drives simulate joints with mass, as a deployment has them.
 
 #include <gtest/gtest.h>
+#include <suture/base/errors.h>
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>
 
 #include <chrono>
 #include <cmath>
+#include <vector>
 
 #include "arm_control/mtm.h"
 #include "arm_control/psm.h"
 #include "drives/mtm_drives.h"
 #include "drives/psm_drives.h"
+#include "dynamics/davinci_inertia.h"
 #include "support/pass.h"
 #include "support/stepped.h"
 
@@ -24,59 +27,115 @@ struct Panel final : suture::Device {
   suture::Required<Arm> arm{*this, "Arm"};
 };
 
-/// Enables `arm` in a process with `drives`, moves its first joint there, and tells how far it
-/// came.
+/// An enabled arm in a process with its drives.
 template <class AnArm, class Drives>
-double movedBy(double goal, AnArm& arm, Drives& drives) {
+class Robot {
+ public:
+  Robot(AnArm& arm, Drives& drives) : arm_(arm), drives_(drives) {
+    manager_.add("Arm", arm);
+    manager_.add("Drives", drives);
+    manager_.add("Panel", panel);
+    manager_.connect("Arm/Drives", "Drives/Drives");
+    manager_.connect("Panel/Arm", "Arm/Arm");
+    manager_.start();
+    EXPECT_TRUE(becomes(ArmState::Disabled));
+    EXPECT_TRUE(panel.arm.enable());
+    EXPECT_TRUE(becomes(ArmState::Enabled));
+    pass(10ms);
+  }
+  ~Robot() { manager_.stop(); }
+
+  /// Moves the first joint there, and tells how far it came.
+  double move(double by) {
+    const double before = drives_.feedback().position[0];
+    const auto& present = arm_.setpoint_js().position;
+    JointGoal there{{present.begin(), present.end()}, suture::now()};
+    there.position[0] += by;
+    EXPECT_TRUE(panel.arm.move_jp(there));
+    pass(2s);
+    EXPECT_EQ(drives_.feedback().power, DrivePower::On);
+    EXPECT_EQ(arm_.operating_state().state, ArmState::Enabled);
+    return drives_.feedback().position[0] - before;
+  }
+
+  /// What the arm answers now.
+  template <class Read>
+  auto ask(Read& read) {
+    auto call = read.fresh();
+    const auto& sample = call.within(10s);
+    EXPECT_TRUE(sample) << suture::toString(sample.error());
+    return *sample;
+  }
+
   Panel panel;
-  suture::Manager manager("robot");
-  manager.add("Arm", arm);
-  manager.add("Drives", drives);
-  manager.add("Panel", panel);
-  manager.connect("Arm/Drives", "Drives/Drives");
-  manager.connect("Panel/Arm", "Arm/Arm");
-  manager.start();
-  const auto becomes = [&](ArmState wanted) {
-    return suture::clockOfTest().until([&] { return arm.operating_state().state == wanted; });
-  };
-  EXPECT_TRUE(becomes(ArmState::Disabled));
-  EXPECT_TRUE(panel.arm.enable());
-  EXPECT_TRUE(becomes(ArmState::Enabled));
-  pass(10ms);
-  const double before = drives.feedback().position[0];
-  const auto& present = arm.setpoint_js().position;
-  JointGoal there{{present.begin(), present.end()}, suture::now()};
-  there.position[0] += goal;
-  EXPECT_TRUE(panel.arm.move_jp(there));
-  pass(2s);
-  EXPECT_EQ(drives.feedback().power, DrivePower::On);
-  EXPECT_EQ(arm.operating_state().state, ArmState::Enabled);
-  manager.stop();
-  return drives.feedback().position[0] - before;
-}
+
+ private:
+  bool becomes(ArmState wanted) {
+    return suture::clockOfTest().until([&] { return arm_.operating_state().state == wanted; });
+  }
+
+  AnArm& arm_;
+  Drives& drives_;
+  suture::Manager manager_{"robot"};
+};
 
 TEST(HeavyArm, PsmGoesWhereItIsSent) {
   Psm psm(PsmParameters{});
   PsmDrives drives(
       {.permit = {}, .dynamics = DriveDynamics::RigidBody, .rigid_body = {.noise = 1}});
-  EXPECT_NEAR(movedBy(0.2, psm, drives), 0.2, 0.001);
+  Robot robot(psm, drives);
+  EXPECT_NEAR(robot.move(0.2), 0.2, 0.001);
 }
 
 TEST(HeavyArm, MtmGoesWhereItIsSent) {
   Mtm mtm(MtmParameters{});
   MtmDrives drives(
       {.permit = {}, .dynamics = DriveDynamics::RigidBody, .rigid_body = {.noise = 1}});
-  EXPECT_NEAR(movedBy(0.2, mtm, drives), 0.2, 0.001);
+  Robot robot(mtm, drives);
+  EXPECT_NEAR(robot.move(0.2), 0.2, 0.001);
 }
 
 // Its joints do not follow exactly, as encoders tell counts; joints that lag would.
 TEST(HeavyArm, IsWhatTheParameterChooses) {
   Psm psm(PsmParameters{});
   PsmDrives heavy({.permit = {}, .dynamics = DriveDynamics::RigidBody});
-  EXPECT_GT(std::abs(movedBy(0.2, psm, heavy) - 0.2), 1e-5);
+  EXPECT_GT(std::abs(Robot(psm, heavy).move(0.2) - 0.2), 1e-5);
   Psm another(PsmParameters{});
   PsmDrives lagging({.permit = {}});
-  EXPECT_LT(std::abs(movedBy(0.2, another, lagging) - 0.2), 1e-9);
+  EXPECT_LT(std::abs(Robot(another, lagging).move(0.2) - 0.2), 1e-9);
+}
+
+// Its motors carry it, and rub: neither is a force at its tip, but friction cannot be told from
+// one.
+TEST(HeavyArm, AtRestPressesNoHarderThanItsFriction) {
+  Psm psm(PsmParameters{});
+  PsmDrives drives({.permit = {}, .dynamics = DriveDynamics::RigidBody});
+  Robot robot(psm, drives);
+  robot.move(0.2);
+  const Wrench force = robot.ask(robot.panel.arm.spatial_measured_cf);
+  ASSERT_TRUE(force.valid);
+  const Jacobian jacobian = robot.ask(robot.panel.arm.spatial_jacobian);
+  ASSERT_TRUE(jacobian.valid);
+  kinematics::SpatialVector wrench;
+  wrench << force.force, force.torque;
+  const Eigen::Map<const Eigen::Matrix<double, 6, 6>> matrix(jacobian.coefficients.data());
+  const Eigen::Matrix<double, 6, 1> pressing = matrix.transpose() * wrench;
+  const auto mechanics = dynamics::psmMechanics();
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_LT(std::abs(pressing[i]), 1.01 * mechanics.coulomb[i]) << "joint " << i;
+  }
+  const std::vector<double>& efforts = psm.measured_js().effort;
+  ASSERT_EQ(efforts.size(), 6u);
+  EXPECT_GT(std::abs(efforts[1]), 2 * mechanics.coulomb[1]) << "it is the weight that is much";
+}
+
+TEST(LaggingArm, MeasuresNoForce) {
+  Psm psm(PsmParameters{});
+  PsmDrives drives({.permit = {}});
+  Robot robot(psm, drives);
+  robot.move(0.2);
+  EXPECT_FALSE(robot.ask(robot.panel.arm.spatial_measured_cf).valid);
+  EXPECT_TRUE(psm.measured_js().effort.empty());
 }
 
 }  // namespace
