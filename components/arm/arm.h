@@ -20,9 +20,13 @@ namespace robots {
 /// one. An arm starts, and restarts, undefined; once it hears of its drives, and they may have
 /// power, it is disabled and not homed. Until it is enabled it ignores motion commands.
 ///
-/// An arm that works through a cannula refuses Cartesian motion, servo, interpolation and moves,
-/// until its wrist is far enough beyond the remote centre: a da Vinci's is 45 mm beyond it, and 2
-/// mm more to begin. Joint commands and homing are what inserts it.
+/// An arm that is not homed, or not any more after an encoder jumped or unhome(), does not know
+/// where its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint
+/// commands.
+///
+/// So does an arm that works through a cannula until its wrist is far enough beyond the remote
+/// centre: a da Vinci's is 45 mm beyond it, and 2 mm more to begin. Joint commands and homing are
+/// what inserts it.
 ///
 /// `local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of
 /// the interface, in which base_frame() is the arm's base; the two are one until somebody sets

@@ -25,6 +25,7 @@ enum class ArmWarning : std::uint32_t {
   OverCurrent,     ///< a motor has given more than its joint may take for too long; the arm is in
                    ///< FAULT
   NotInserted,     ///< Cartesian control needs the wrist beyond the cannula: the rule of Arm
+  NotHomed,        ///< Cartesian control needs an arm that is homed
 };
 
 }  // namespace robots

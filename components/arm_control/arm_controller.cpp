@@ -278,8 +278,12 @@ bool ArmController<N>::mayMove() {
 template <int N>
 bool ArmController<N>::mayMoveTip() {
   if (!mayMove()) return false;
-  if (!inserted_) warn(ArmWarning::NotInserted);
-  return inserted_;
+  if (!state_.is_homed) {
+    warn(ArmWarning::NotHomed);
+  } else if (!inserted_) {
+    warn(ArmWarning::NotInserted);
+  }
+  return state_.is_homed && inserted_;
 }
 
 template <int N>

@@ -26,6 +26,8 @@ std::string_view textOf(ArmWarning reason) {
       return "its effort was above its limit for too long; enable or disable the arm";
     case ArmWarning::NotInserted:
       return "Cartesian control needs the wrist farther beyond the remote centre; insert it";
+    case ArmWarning::NotHomed:
+      return "Cartesian control needs an arm that knows where its joints are; home it";
     case ArmWarning::InMotion: return "the base of an arm that moves stays as it is; hold it first";
   }
   return "";

@@ -11,17 +11,19 @@ namespace proof {
 
 using suture::Result;
 
+constexpr double kHome = 0.15;  // rad, of each joint
+
 robots::ArmModel<7> masterArm() {
   using Joints = robots::ArmModel<7>::Joints;
   return {.chain = robots::kinematics::mtmLeft(),
           .joint_names = {"outer_yaw", "shoulder_pitch", "elbow_pitch", "platform", "wrist_pitch",
                           "wrist_yaw", "roll"},
-          .home = Joints::Constant(0.2),
+          .home = Joints::Constant(kHome),
           .rate_limit = Joints::Constant(4)};
 }
 
 ArmUser::ArmUser(suture::Required<robots::Arm>& arm) : arm_(arm) {
-  here_.position.assign(7, 0.15);
+  here_.position.assign(7, kHome);
   step_.position.assign(7, 0.001);
   short_.position.assign(3, 0.0);
   velocity_.goal.assign(7, 0.1);
@@ -68,7 +70,8 @@ void ArmUser::subscribe() {
   on.error([this](const suture::Message&) { ++events; });
 }
 
-// Ends enabled: what follows moves the arm. One word is none of the commands' names, for `error`.
+// Ends enabled and homed: what follows moves the arm. An arm that rests where it is at home is
+// homed in the cycle that it is asked in. One word is none of the commands' names, for `error`.
 std::vector<ArmUser::Step> ArmUser::stateSteps() {
   static const std::string enable = "enable", nonsense = "no such command";
   return {
@@ -81,6 +84,8 @@ std::vector<ArmUser::Step> ArmUser::stateSteps() {
       [this] { return arm_.resume(); },
       [this] { return arm_.disable(); },
       [this] { return arm_.enable(); },
+      [this] { return arm_.servo_jp(here_); },
+      [this] { return arm_.hold(); },
       [this] { return arm_.home(); },
   };
 }

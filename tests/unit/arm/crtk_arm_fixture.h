@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "kinematics/pose_error.h"
@@ -89,9 +91,45 @@ class CrtkArmTest : public testing::Test {
     base.valid = true;
     return base;
   }
+  /// The arm refuses each Cartesian command, and says so once, but obeys joints.
+  void expectTipRefused(ArmWarning reason) {
+    const std::vector<double> before = positions();
+    for (const auto& [name, command] : tipCommands()) {
+      heard_ = {};
+      for (int i = 0; i < 5; ++i) {
+        command();
+        cycles(1);
+      }
+      EXPECT_EQ(heard_.codes, std::vector{reason}) << name << ": once";
+      EXPECT_EQ(positions(), before) << name;
+      crtk_.servo_jp({before, {}});  // obeyed, so the next refusal is news
+      cycles(1);
+      EXPECT_EQ(crtk_.operating_state().sub_state, "servo_jp");
+      crtk_.hold();
+    }
+  }
   void expectMoved(const PoseStamped& from, const Eigen::Vector3d& by) {
     const Eigen::Vector3d moved = crtk_.setpoint_cp().pose.translation() - from.pose.translation();
     EXPECT_LT((moved - by).norm(), 1e-6) << moved.transpose();
+  }
+
+  using Command = std::pair<const char*, std::function<void()>>;
+  /// Each would move the tip a little, or leave it where it shall be.
+  std::vector<Command> tipCommands() {
+    const PoseStamped there = crtk_.setpoint_cp(), small = step({0, 0, 1e-4});
+    TwistGoal twist;
+    twist.linear.z() = 0.01;
+    WrenchGoal wrench;
+    wrench.force.z() = 1;
+    return {{"servo_cp", [this, there] { crtk_.servo_cp(there); }},
+            {"servo_cr", [this, small] { crtk_.servo_cr(small); }},
+            {"servo_cv", [this, twist] { crtk_.servo_cv(twist); }},
+            {"body_servo_cf", [this, wrench] { crtk_.body_servo_cf(wrench); }},
+            {"spatial_servo_cf", [this, wrench] { crtk_.spatial_servo_cf(wrench); }},
+            {"interpolate_cp", [this, there] { crtk_.interpolate_cp(there); }},
+            {"interpolate_cr", [this, small] { crtk_.interpolate_cr(small); }},
+            {"move_cp", [this, there] { crtk_.move_cp(there); }},
+            {"move_cr", [this, small] { crtk_.move_cr(small); }}};
   }
 
   CommandedArm arm_;

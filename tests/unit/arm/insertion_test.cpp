@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "unit/arm/crtk_arm_fixture.h"
@@ -49,35 +46,7 @@ class InsertionTest : public CrtkArmTest {
 
 TEST_F(InsertionTest, WithoutItCartesianCommandsAreRefused) {
   insert(0.04);
-  const std::vector<double> before = positions();
-  const PoseStamped there = crtk_.setpoint_cp(), small = step({0, 0, 1e-4});
-  TwistGoal twist;
-  twist.linear.z() = 0.01;
-  WrenchGoal wrench;
-  wrench.force.z() = 1;
-  const std::vector<std::pair<const char*, std::function<void()>>> commands{
-      {"servo_cp", [&] { crtk_.servo_cp(there); }},
-      {"servo_cr", [&] { crtk_.servo_cr(small); }},
-      {"servo_cv", [&] { crtk_.servo_cv(twist); }},
-      {"body_servo_cf", [&] { crtk_.body_servo_cf(wrench); }},
-      {"spatial_servo_cf", [&] { crtk_.spatial_servo_cf(wrench); }},
-      {"interpolate_cp", [&] { crtk_.interpolate_cp(there); }},
-      {"interpolate_cr", [&] { crtk_.interpolate_cr(small); }},
-      {"move_cp", [&] { crtk_.move_cp(there); }},
-      {"move_cr", [&] { crtk_.move_cr(small); }},
-  };
-  for (const auto& [name, command] : commands) {
-    heard_ = {};
-    for (int i = 0; i < 5; ++i) {
-      command();
-      cycles(1);
-    }
-    EXPECT_EQ(heard_.codes, std::vector{ArmWarning::NotInserted}) << name << ": once";
-    EXPECT_EQ(positions(), before) << name;
-    crtk_.servo_jp({before, {}});  // obeyed, so the next refusal is news
-    cycles(1);
-    crtk_.hold();
-  }
+  expectTipRefused(ArmWarning::NotInserted);
 }
 
 TEST_F(InsertionTest, BeginsBeyondItsBuffer) {

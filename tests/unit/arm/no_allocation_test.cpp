@@ -68,18 +68,20 @@ TEST(CrtkArm, NeverAllocatesInItsCycle) {
 
   joints.step(arm, time);
   crtk.enable();
-  for (int i = 0; i < 1000; ++i) {
+  crtk.home();
+  for (int i = 0; i < 1100; ++i) {
     time += std::chrono::milliseconds(1);
     switch (i / 100) {
-      case 0: crtk.move_jr(step); break;
-      case 1: crtk.servo_jr(step); break;
-      case 2: crtk.servo_jv(velocity); break;
-      case 3: crtk.servo_cv(twist); break;
-      case 4: crtk.body_servo_cf(wrench); break;
-      case 5: crtk.move_cp(crtk.setpoint_cp()); break;
-      case 6: crtk.state_command(unknown); break;
-      case 7: crtk.interpolate_jr(step); break;
-      case 8: crtk.interpolate_cp(crtk.measured_cp()); break;
+      case 0: break;  // it homes, for only then it obeys Cartesian commands
+      case 1: crtk.move_jr(step); break;
+      case 2: crtk.servo_jr(step); break;
+      case 3: crtk.servo_jv(velocity); break;
+      case 4: crtk.servo_cv(twist); break;
+      case 5: crtk.body_servo_cf(wrench); break;
+      case 6: crtk.move_cp(crtk.setpoint_cp()); break;
+      case 7: crtk.state_command(unknown); break;
+      case 8: crtk.interpolate_jr(step); break;
+      case 9: crtk.interpolate_cp(crtk.measured_cp()); break;
       default: crtk.free();
     }
     crtk.advance(time);
@@ -88,6 +90,7 @@ TEST(CrtkArm, NeverAllocatesInItsCycle) {
     crtk.announce(Deaf{});
   }
   EXPECT_EQ(allocations() - before, 0u);
+  EXPECT_TRUE(crtk.operating_state().is_homed);
 }
 
 struct DeafToTools {

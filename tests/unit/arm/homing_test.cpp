@@ -1,0 +1,67 @@
+// An arm that is not homed does not know where its tip is.
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "unit/arm/crtk_arm_fixture.h"
+
+namespace robots::test {
+namespace {
+
+ArmModel<6> jumpyModel() {
+  ArmModel<6> model = psmModel();
+  model.watch = {.jump_factor = 5};
+  return model;
+}
+
+class HomingTest : public CrtkArmTest {
+ protected:
+  HomingTest() : CrtkArmTest(jumpyModel()) {}
+
+  void home() {
+    crtk_.home();
+    while (!crtk_.operating_state().is_homed) cycles(1);
+    heard_ = {};
+  }
+  void expectObeysServo() {
+    crtk_.servo_cp(crtk_.setpoint_cp());
+    cycles(1);
+    EXPECT_EQ(crtk_.operating_state().sub_state, "servo_cp");
+    EXPECT_TRUE(heard_.codes.empty());
+  }
+};
+
+TEST_F(HomingTest, WithoutItCartesianCommandsAreRefused) {
+  crtk_.unhome();
+  expectTipRefused(ArmWarning::NotHomed);
+  home();
+  expectObeysServo();
+}
+
+TEST_F(HomingTest, AfterAnEncoderJumpedCartesianCommandsAreRefused) {
+  joints_.displace(1, 0.2);
+  cycles(2);
+  crtk_.enable();
+  cycles(1);
+  ASSERT_EQ(crtk_.operating_state().state, ArmState::Enabled);
+  expectTipRefused(ArmWarning::NotHomed);
+  home();
+  expectObeysServo();
+}
+
+TEST_F(HomingTest, ThatIsForgottenEndsAStreamOfVelocitiesAsHold) {
+  TwistGoal twist;
+  twist.linear.x() = 0.01;
+  crtk_.servo_cv(twist);
+  cycles(5);
+  ASSERT_EQ(crtk_.operating_state().sub_state, "servo_cv");
+  heard_ = {};
+  crtk_.unhome();
+  cycles(1);
+  EXPECT_EQ(heard_.codes, std::vector{ArmWarning::NotHomed});
+  EXPECT_EQ(crtk_.operating_state().sub_state, "holding");
+}
+
+}  // namespace
+}  // namespace robots::test
