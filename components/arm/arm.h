@@ -85,6 +85,8 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND() virtual PoseStamped local_setpoint_cp() const = 0;
   /// How the tip moves, in the directions of the reference frame, which the twist names.
   SUTURE_COMMAND() virtual const Twist& measured_cv() const = 0;
+  /// How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in
+  /// the first cycle of a motion, it is 0. Stamp: the arm's cycle.
   SUTURE_COMMAND() virtual const Twist& setpoint_cv() const = 0;
   /// What the arm presses with at its tip, in the tip's own directions: the motors' efforts, less
   /// the arm's weight as its model has it, through the transposed Jacobian. Friction, inertia and
@@ -97,7 +99,8 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   SUTURE_COMMAND() virtual const Wrench& spatial_measured_cf() const = 0;
   /// Pose, velocity and force of one cycle, in the reference frame.
   SUTURE_COMMAND() virtual const CartesianState& measured_cs() const = 0;
-  /// From joint velocities to those of the tip, in its own directions.
+  /// From joint velocities to those of the tip, in its own directions. Stamp: the drives' cycle
+  /// that measured the joints.
   SUTURE_COMMAND() virtual const Jacobian& body_jacobian() const = 0;
   /// The same in the directions of the arm's base frame.
   SUTURE_COMMAND() virtual const Jacobian& spatial_jacobian() const = 0;

@@ -339,11 +339,13 @@ void CrtkArm<N>::publishMotion(suture::Time now) {
   body << tip.transpose() * spatial.template topRows<3>(),
       tip.transpose() * spatial.template bottomRows<3>();
   const bool known = arm_.measured_js().valid;
-  place(spatialJacobian_, spatial, now, known);
-  place(bodyJacobian_, body, now, known);
+  const suture::Time measured = arm_.reading_.stamp;
+  place(spatialJacobian_, spatial, measured, known);
+  place(bodyJacobian_, body, measured, known);
   const SpatialVector velocity = spatial * arm_.reading_.velocity;
-  const SpatialVector asked = streaming() ? stream_.twist(spatial, tip) : SpatialVector::Zero();
-  place(measuredCv_, rotated(toReference, velocity), arm_.reading_.stamp, known);
+  const SpatialVector asked =
+      arm_.model_.chain.jacobian(arm_.setpoint_) * arm_.setpointRate_.rate();
+  place(measuredCv_, rotated(toReference, velocity), measured, known);
   place(setpointCv_, rotated(toReference, asked), now, arm_.setpoint_js().valid);
 }
 

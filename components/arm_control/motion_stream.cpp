@@ -84,19 +84,6 @@ std::optional<typename MotionStream<N>::Step> MotionStream<N>::nextByTwist(
   return Step{solution.q, solution.limited};
 }
 
-template <int N>
-SpatialVector MotionStream<N>::twist(const Eigen::Matrix<double, 6, N>& jacobian,
-                                     const Eigen::Matrix3d& tip) const {
-  switch (kind_) {
-    case Kind::JointRate: return jacobian * rate_.present();
-    case Kind::BodyTwist: return rotated(tip, rotated(axes_, twist_.present()));
-    case Kind::SpatialTwist: return rotated(axes_, twist_.present());
-    case Kind::None:
-    case Kind::Free: break;
-  }
-  return SpatialVector::Zero();
-}
-
 template class MotionStream<6>;
 template class MotionStream<7>;
 

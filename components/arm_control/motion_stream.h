@@ -59,11 +59,6 @@ class MotionStream {
                            kinematics::InverseFunction<N> inverse, const Joints& setpoint,
                            const Joints& measured, double dt);
 
-  /// The twist that is followed now along the base's axes; the Jacobian and the tip's rotation are
-  /// those in the base.
-  SpatialVector twist(const Eigen::Matrix<double, 6, N>& jacobian,
-                      const Eigen::Matrix3d& tip) const;
-
  private:
   void begin(Kind kind, std::string_view activity);
   Joints nextByRate(const Joints& setpoint, double dt);

@@ -4,6 +4,7 @@
 #include <suture/base/time.h>
 
 #include <Eigen/Core>
+#include <utility>
 
 #include "timing/seconds.h"
 
@@ -11,7 +12,8 @@ namespace robots {
 
 /// Looks at the set-point in each cycle. Goals may come more slowly than cycles: the velocity is
 /// that between the last two changes, until no change has come for twice the time between those. A
-/// joint whose set-point jumped has none. Confined to one thread; never allocates.
+/// joint whose set-point jumped has none, nor has one that has moved once since it rested. Confined
+/// to one thread; never allocates.
 template <int N>
 class SetpointRate {
  public:
@@ -24,12 +26,14 @@ class SetpointRate {
   void update(suture::Time now, const Joints& setpoint) {
     const suture::Duration since = now - changed_;
     if (setpoint == last_) {
-      if (since > 2 * interval_) rate_.setZero();
+      if (since > 2 * interval_) rest(setpoint);
       return;
     }
     if (since <= suture::Duration{0}) return;
-    rate_ = (setpoint - last_) / inSeconds(since);
-    rate_ = (rate_.array().abs() <= kTolerance * limit_.array()).select(rate_, 0);
+    if (!std::exchange(rested_, false)) {
+      rate_ = (setpoint - last_) / inSeconds(since);
+      rate_ = (rate_.array().abs() <= kTolerance * limit_.array()).select(rate_, 0);
+    }
     interval_ = since;
     changed_ = now;
     last_ = setpoint;
@@ -38,7 +42,7 @@ class SetpointRate {
   void rest(const Joints& setpoint) {
     rate_.setZero();
     last_ = setpoint;
-    interval_ = {};
+    rested_ = true;
   }
 
   /// Per second, within the limit.
@@ -51,6 +55,7 @@ class SetpointRate {
   Joints last_ = Joints::Zero(), rate_ = Joints::Zero();
   suture::Time changed_;
   suture::Duration interval_{0};  // between the last two changes
+  bool rested_ = true;            // there has been no change since
 };
 
 }  // namespace robots
