@@ -63,7 +63,7 @@ class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmCont
 
   CrtkArm<7> contract_{*this};
   suture::Required<Drives> drives_{*this, "Drives"};
-  DriveLink<7> link_{drives_};
+  DriveLink<7> link_{drives_, withTool(mtmCoupling())};
   suture::Provided<Arm> arm_{*this, "Arm", contract_};
   GripperReading gripper_;
   suture::Provided<Gripper> gripperPort_{*this, "Gripper", gripper_};

@@ -28,6 +28,14 @@ class Coupling {
   }
   Vector actuatorEfforts(const Vector& joints) const { return toJoints_.transpose() * joints; }
 
+  /// How far off joints are at most, where each actuator is off by so much.
+  Vector jointBounds(const Vector& actuators) const { return toJoints_.cwiseAbs() * actuators; }
+  /// The most that joints get, where each actuator gives so much at most.
+  Vector jointEffortBounds(const Vector& actuators) const {
+    return toActuators_.cwiseAbs().transpose() * actuators;
+  }
+  const Matrix& actuatorToJoint() const { return toJoints_; }
+
  private:
   Matrix toJoints_, toActuators_;
 };
@@ -46,6 +54,26 @@ inline Coupling<7> psmCoupling() {
        0,       0,      -1.2177, 1.2177;
   // clang-format on
   return Coupling<7>(matrix);
+}
+
+/// The coupling of a master tool manipulator: the motor of the shoulder turns the elbow too, and
+/// both motors turn the platform (jhu-dvrk/sawIntuitiveResearchKit,
+/// core/share/cuhk-daVinci/sawRobotIO1394-MTML-41878.xml: ActuatorToJointPosition).
+inline Coupling<7> mtmCoupling() {
+  constexpr double kPlatform = 0.6697;
+  Coupling<7>::Matrix matrix = Coupling<7>::Matrix::Identity();
+  matrix(2, 1) = -1;
+  matrix(3, 1) = kPlatform;
+  matrix(3, 2) = -kPlatform;
+  return Coupling<7>(matrix);
+}
+
+/// The coupling of an arm with that of its tool behind it, which has an actuator of its own.
+template <int N>
+Coupling<N + 1> withTool(const Coupling<N>& arm) {
+  typename Coupling<N + 1>::Matrix matrix = Coupling<N + 1>::Matrix::Identity();
+  matrix.template topLeftCorner<N, N>() = arm.actuatorToJoint();
+  return Coupling<N + 1>(matrix);
 }
 
 }  // namespace robots

@@ -50,6 +50,7 @@ RigidBodyModel<7> mtmRigidBody(const kinematics::Chain<7>& chain,
                           .velocity_filter = 0.005};
   model.stiffness << 100, 80, 80, 3, 2, 0.4, 0.15;
   model.damping << 10, 5, 5, 0.35, 0.07, 0.015, 0.005;
+  model.coupling = mtmCoupling();
   apply(options, model);
   return model;
 }

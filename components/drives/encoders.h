@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <random>
 
+#include "drives/coupling.h"
 #include "drives/rate_filter.h"
 
 namespace robots {
@@ -12,11 +13,12 @@ template <int N>
 struct EncoderModel {
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  Joints step;               ///< rad or m: one count
+  Joints step;               ///< rad or m: one count, of an actuator
   bool quantisation = true;  ///< they tell whole counts
   double noise = 0;          ///< counts: the standard deviation of what they add before that
   std::uint32_t seed = 1;
   double velocity_filter = 0.0;  ///< s: the time constant of velocities (rate_filter.h)
+  Coupling<N> coupling = {};     ///< of the actuators, whose encoders they are, with the joints
 };
 
 /// Equal seeds, positions and times give equal readings. Confined to one thread; never allocates.
@@ -41,12 +43,12 @@ class Encoders {
 
  private:
   Joints told(const Joints& position) {
-    Joints counts = position.cwiseQuotient(model_.step);
+    Joints counts = model_.coupling.actuators(position).cwiseQuotient(model_.step);
     if (model_.noise > 0) {
       for (int i = 0; i < N; ++i) counts[i] += model_.noise * normal_(random_);
     }
     if (model_.quantisation) counts = counts.array().round();
-    return counts.cwiseProduct(model_.step);
+    return model_.coupling.joints(counts.cwiseProduct(model_.step));
   }
 
   EncoderModel<N> model_;

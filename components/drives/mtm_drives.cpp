@@ -33,7 +33,8 @@ MtmDrives::MtmDrives(const MtmDrivesParameters& parameters)
 
 MtmDrives::MtmDrives(const MtmDrivesParameters& parameters, std::shared_ptr<HeldGripper> gripper)
     : PeriodicTask({.period = parameters.period}),
-      SimulatedDrives(std::make_unique<JointsAndTool<7>>(joints(parameters), gripper)),
+      SimulatedDrives(std::make_unique<JointsAndTool<7>>(joints(parameters), gripper),
+                      withTool(mtmCoupling())),
       gripper_(std::move(gripper)),
       permit_(stop_, parameters.permit) {}
 

@@ -35,7 +35,8 @@ EncoderModel<N> encodersOf(const RigidBodyModel<N>& model) {
           .quantisation = model.quantisation,
           .noise = model.noise,
           .seed = model.seed,
-          .velocity_filter = model.velocity_filter};
+          .velocity_filter = model.velocity_filter,
+          .coupling = model.coupling};
 }
 
 }  // namespace
@@ -71,8 +72,9 @@ void RigidBodyJoints<N>::command(const Joints& setpoint) {
     setpoint_ += (model_.chain.clamp(setpoint) - setpoint_).cwiseMin(most).cwiseMax(-most);
     setpointRate_.update(setpoint_, dt);
   }
-  const Joints& limit = model_.mechanics.effort_limit;
-  effort_ = controlled().cwiseMin(limit).cwiseMax(-limit);
+  const Joints& limit = model_.mechanics.motor_limit;
+  const Joints asked = model_.coupling.actuatorEfforts(controlled());
+  effort_ = model_.coupling.jointEfforts(asked.cwiseMin(limit).cwiseMax(-limit));
 }
 
 template <int N>

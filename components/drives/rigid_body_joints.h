@@ -1,6 +1,7 @@
 #pragma once
 // Simulated joints with mass: motors, controllers, encoders and brakes around the motion of an arm.
 
+#include "drives/coupling.h"
 #include "drives/encoders.h"
 #include "drives/rate_filter.h"
 #include "drives/simulated_joints.h"
@@ -26,6 +27,7 @@ struct RigidBodyModel {
   bool quantisation = true;
   double noise = 0;  ///< counts of the encoders
   std::uint32_t seed = 1;
+  Coupling<N> coupling = {};  ///< of the motors and encoders with the joints
 };
 
 /// Each joint has a PD controller, which sees what the encoders tell, runs once a cycle, and gives

@@ -1,7 +1,8 @@
 // Sources of the numbers, each named where it is used:
 // [ftmax]     jhu-dvrk/sawIntuitiveResearchKit, share/kinematic/psm.json and mtmr.json,
 //             share/tool/LARGE_NEEDLE_DRIVER_400006.json: ftmax.
-// [ratios]    the same, core/share/kinematic/compute-ftmax.py: gear ratios.
+// [ratios]    the same, core/share/kinematic/compute-ftmax.py: gear ratios, and the motors'
+//             torques and most currents.
 // [io]        the same, core/share/bgu-dvrk/sawRobotIO1394-PSM1-31817.xml and
 //             core/share/cuhk-daVinci/sawRobotIO1394-MTML-41878.xml: BitsToPosSI.
 // [Wang]      Y. Wang, R. Gondokaryono, A. Munawar, G. S. Fischer, "A Convex Optimization-based
@@ -71,6 +72,7 @@ ArmMechanics<6> psmMechanics() {
   psm.viscous << 0.0905, 0.218, 1.204, 0.0122, 0.0062, 0.0074;
   psm.coulomb << 0.0500, 0.0668, 0.448, 0.0070, 0.0063, 0.0062;
   psm.effort_limit << 3.316101, 3.316101, 9.877926, 0.33, 0.25, 0.20;  // [ftmax]
+  psm.motor_limit = psm.effort_limit;
   psm.encoder_step << 0.00044248 * kDegree, 0.00044248 * kDegree, 1.29629e-6,
       toolCount * kRollCoupling, toolCount * kPitchCoupling, toolCount * kYawCoupling;  // [io]
   return psm;
@@ -99,6 +101,9 @@ ArmMechanics<7> mtmMechanics() {
   mtm.coulomb << 0.0489, 0.0317, 0.0432, 0.0288, 0.0070, 0.0019, 0.0012;
   mtm.effort_limit << 1.86082986, 3.21661506, 1.95978284, 0.30901338, 0.09684378, 0.09684378,
       0.02287592;  // [ftmax]
+  mtm.motor_limit << 0.67 * 0.0438 * 63.41, 0.67 * 0.0438 * 49.88, 0.67 * 0.0438 * 59.73,
+      0.67 * 0.0438 * 10.53, 0.59 * 0.00495 * 33.16, 0.59 * 0.00495 * 33.16,
+      0.407 * 0.00339 * 16.58;  // A, N.m/A, and the gear [ratios]
   mtm.encoder_step << 0.00141933, 0.00180433, 0.00150678, 0.00854701, 0.16963209, 0.16963209,
       0.33926417;  // degrees [io]
   mtm.encoder_step *= kDegree;

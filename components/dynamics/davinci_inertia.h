@@ -15,8 +15,11 @@ struct ArmMechanics {
   typename ArmDynamics<N>::Links links;
   Joints viscous;       ///< effort per unit of velocity
   Joints coulomb;       ///< effort: what friction takes whatever the velocity, and at rest at most
-  Joints effort_limit;  ///< the most that the motor gives
-  Joints encoder_step;  ///< what one count of the encoder is of the joint
+  Joints effort_limit;  ///< the most that motors give the joint
+  /// Motors and encoders are of actuators, which are coupled with the joints where the arm's drives
+  /// say so (drives/coupling.h).
+  Joints motor_limit;   ///< the most that each motor gives
+  Joints encoder_step;  ///< what one count of each encoder is of its actuator
 };
 
 /// With the large needle driver, for kinematics::psm().

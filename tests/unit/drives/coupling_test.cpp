@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "drives/simulated_drives.h"
+#include "dynamics/davinci_inertia.h"
 
 namespace robots::test {
 namespace {
@@ -24,8 +25,48 @@ TEST(PsmCoupling, EachDiscTurnsWhatItsCablesLeadTo) {
   EXPECT_TRUE(turned(Jaw).isApprox(0.6089 * Seven::Unit(Yaw) + 1.2177 * Seven::Unit(Jaw)));
 }
 
-TEST(PsmCoupling, LeadsThereAndBack) {
-  const Coupling<7> coupling = psmCoupling();
+// The motor of the shoulder carries the forearm along as a parallelogram does, so that its
+// direction stays, and the platform turns back by as much of that as its cables run over.
+TEST(MtmCoupling, EachMotorTurnsWhatItsCablesLeadTo) {
+  enum Motor { OuterYaw, Shoulder, Elbow, Platform };
+  const auto turned = [](int motor) { return mtmCoupling().joints(Seven::Unit(motor)); };
+  EXPECT_TRUE(turned(OuterYaw).isApprox(Seven::Unit(OuterYaw)));
+  EXPECT_TRUE(turned(Shoulder).isApprox(Seven::Unit(Shoulder) - Seven::Unit(Elbow) +
+                                        0.6697 * Seven::Unit(Platform)));
+  EXPECT_TRUE(turned(Elbow).isApprox(Seven::Unit(Elbow) - 0.6697 * Seven::Unit(Platform)));
+  for (const int alone : {3, 4, 5, 6}) EXPECT_TRUE(turned(alone).isApprox(Seven::Unit(alone)));
+}
+
+// Both are published, and each by itself: what the motors can, and what that comes to at the
+// joints.
+TEST(MtmCoupling, MakesTheEffortsOfJointsOfThoseOfMotors) {
+  const auto mechanics = dynamics::mtmMechanics();
+  const Seven most = mtmCoupling().jointEffortBounds(mechanics.motor_limit);
+  EXPECT_LT((most - mechanics.effort_limit).cwiseAbs().maxCoeff(), 1e-7) << most.transpose();
+}
+
+TEST(MtmCoupling, BoundsJointsByWhatTheirActuatorsAreOffBy) {
+  const Seven bounds = mtmCoupling().jointBounds(Seven::Constant(1));
+  EXPECT_DOUBLE_EQ(bounds[2], 2);
+  EXPECT_DOUBLE_EQ(bounds[3], 1 + 2 * 0.6697);
+}
+
+TEST(MtmCoupling, LeavesTheGripperAlone) {
+  const Coupling<8> coupling = withTool(mtmCoupling());
+  using Eight = Coupling<8>::Vector;
+  EXPECT_TRUE(coupling.joints(Eight::Unit(7)).isApprox(Eight::Unit(7)));
+  const Seven any = Seven::Random();
+  Eight all;
+  all << any, 0.3;
+  EXPECT_TRUE(coupling.joints(all).head<7>().isApprox(mtmCoupling().joints(any)));
+}
+
+class Couplings : public testing::TestWithParam<Coupling<7>> {};
+
+INSTANTIATE_TEST_SUITE_P(OfArms, Couplings, testing::Values(psmCoupling(), mtmCoupling()));
+
+TEST_P(Couplings, LeadThereAndBack) {
+  const Coupling<7>& coupling = GetParam();
   for (int i = 0; i < 100; ++i) {
     const Seven any = Seven::Random();
     EXPECT_LT((coupling.joints(coupling.actuators(any)) - any).norm(), 1e-12);
@@ -33,8 +74,8 @@ TEST(PsmCoupling, LeadsThereAndBack) {
   }
 }
 
-TEST(PsmCoupling, KeepsPower) {
-  const Coupling<7> coupling = psmCoupling();
+TEST_P(Couplings, KeepPower) {
+  const Coupling<7>& coupling = GetParam();
   for (int i = 0; i < 100; ++i) {
     const Seven velocity = Seven::Random(), effort = Seven::Random();
     EXPECT_NEAR(coupling.actuatorEfforts(effort).dot(coupling.actuators(velocity)),

@@ -101,6 +101,30 @@ TEST(Effort, IsNoMoreThanTheMotorGives) {
   EXPECT_LT(joints.position()[kYaw], 0.5 * limit / inertia * kTime * kTime);
 }
 
+// Two motors of an MTM act on its shoulder, so that it may get more than either gives.
+TEST(Effort, OfEachMotorIsNoMoreThanItGives) {
+  auto model = heavyMtm();
+  model.rate_limit.setConstant(1000);
+  RigidBodyJoints<7> joints(model);
+  const RigidBodyModel<7>::Joints goal = model.parked + RigidBodyModel<7>::Joints::Constant(0.2);
+  cycle<7>(joints, goal);
+  const auto& limit = model.mechanics.motor_limit;
+  const RigidBodyModel<7>::Joints motors = model.coupling.actuatorEfforts(joints.effort());
+  for (int i = 0; i < 7; ++i) EXPECT_LE(std::abs(motors[i]), limit[i] * (1 + 1e-12)) << i;
+  EXPECT_NEAR(motors[2], limit[2], 1e-12);
+  EXPECT_GT(std::abs(joints.effort()[1] - motors[1]), 1) << "that of the elbow acts there too";
+}
+
+TEST(Encoders, CountWhatTheirMotorsTurn) {
+  const auto model = heavyMtm();
+  RigidBodyJoints<7> joints(model);
+  for (int i = 0; i < 300; ++i) cycle<7>(joints, kinematics::mtmHome() * (1 + 0.001 * i));
+  const RigidBodyModel<7>::Joints counts =
+      model.coupling.actuators(joints.measured()).cwiseQuotient(model.mechanics.encoder_step);
+  EXPECT_LT((counts.array() - counts.array().round()).abs().maxCoeff(), 1e-6);
+  EXPECT_GT(counts.cwiseAbs().maxCoeff(), 1);
+}
+
 // The joint itself may be faster for a moment, when it was slower before. Without a limit it would
 // reach 1 m/s.
 TEST(SetPoint, GoesNoFasterThanTheRateLimit) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "drives/coupling.h"
 #include "kinematics/davinci.h"
 #include "unit/kinematics/kdl_oracle.h"
 
@@ -32,23 +33,24 @@ TEST(DaVinciInertia, OfThePsmIsThatOfBodiesThatExist) { expectBodiesThatExist(ps
 TEST(DaVinciInertia, OfTheMtmIsThatOfBodiesThatExist) { expectBodiesThatExist(mtmMechanics()); }
 
 template <int N>
-void expectMotorsHoldIt(const kinematics::Chain<N>& chain, const ArmMechanics<N>& arm) {
+void expectMotorsHoldIt(const kinematics::Chain<N>& chain, const ArmMechanics<N>& arm,
+                        const Coupling<N>& coupling = {}) {
   const ArmDynamics<N> dynamics(chain, arm.links);
   std::mt19937 random(5);
   auto most = ArmDynamics<N>::Joints::Zero().eval();
   for (int sample = 0; sample < 10'000; ++sample) {
     const auto q = kinematics::test::randomJoints(chain, random);
-    most = most.cwiseMax(dynamics.gravity(dynamics.at(q)).cwiseAbs());
+    most = most.cwiseMax(coupling.actuatorEfforts(dynamics.gravity(dynamics.at(q))).cwiseAbs());
   }
-  for (int i = 0; i < N; ++i) EXPECT_LT(most[i], arm.effort_limit[i]) << "joint " << i;
+  for (int i = 0; i < N; ++i) EXPECT_LT(most[i], arm.motor_limit[i]) << "motor " << i;
 }
 
 TEST(DaVinciInertia, LetsMotorsHoldThePsmAnywhere) {
   expectMotorsHoldIt(kinematics::psm(), psmMechanics());
 }
 TEST(DaVinciInertia, LetsMotorsHoldTheMtmAnywhere) {
-  expectMotorsHoldIt(kinematics::mtmLeft(), mtmMechanics());
-  expectMotorsHoldIt(kinematics::mtmRight(), mtmMechanics());
+  expectMotorsHoldIt(kinematics::mtmLeft(), mtmMechanics(), mtmCoupling());
+  expectMotorsHoldIt(kinematics::mtmRight(), mtmMechanics(), mtmCoupling());
 }
 
 // The carriage and its counterweight are as heavy together as apart (README.md), and weigh on the
