@@ -17,6 +17,7 @@ void apply(const RigidBodyOptions& options, RigidBodyModel<N>& model) {
   model.quantisation = options.quantisation;
   model.noise = options.noise;
   model.seed = options.seed;
+  model.brakes = options.brakes;
 }
 
 }  // namespace

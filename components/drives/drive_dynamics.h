@@ -22,6 +22,9 @@ struct SUTURE_TYPE() RigidBodyOptions {
   SUTURE_FIELD(range(0, 1000)) double noise = 0;
   /// Equal seeds, goals and times give equal noise.
   std::uint32_t seed = 1;
+  /// Whether brakes hold the joints without power. The PSM and the MTM of the da Vinci Classic have
+  /// none: what their motors carried sinks then.
+  bool brakes = true;
 };
 
 }  // namespace robots

@@ -15,7 +15,7 @@ namespace robots {
 enum class SUTURE_TYPE() DrivePower : std::uint8_t {
   NotReady,  ///< since they started, nobody has permitted them power
   Stopped,   ///< by the emergency stop, or because nobody permits power any more
-  Off,       ///< without power, as they are permitted to have: the brakes hold the joints
+  Off,       ///< without power, which they are permitted to have: what brakes they have are on
   On,        ///< the joints follow their goals
 };
 
@@ -57,7 +57,7 @@ class SUTURE_INTERFACE() Drives {
   /// Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that
   /// this answers: drives that have stopped since then, or may not have power, stay as they are.
   SUTURE_COMMAND() virtual void power_on(suture::Time permitted) = 0;
-  /// The brakes hold the joints where they are.
+  /// The brakes hold the joints where they are; those of an arm that has none sink by their weight.
   SUTURE_COMMAND() virtual void power_off() = 0;
   /// Streams goals, newest wins. Without power, or with the wrong number of joints, one changes
   /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are.

@@ -56,14 +56,14 @@ void RigidBodyJoints<N>::advance(double dt) {
   // together.
   constexpr auto kMost = dynamics::JointMotion<N>::kMostSteps * dynamics::JointMotion<N>::kStep;
   dt = std::min(dt, kMost);
-  if (!braked_) motion_.advance(dt, effort_);
+  if (powered_ || !model_.brakes) motion_.advance(dt, effort_);
   encoders_.read(motion_.position(), dt);
   elapsed_ += dt;
 }
 
 template <int N>
 void RigidBodyJoints<N>::command(const Joints& setpoint) {
-  if (std::exchange(braked_, false)) {
+  if (!std::exchange(powered_, true)) {
     setpoint_ = measured();
     setpointRate_.reset(setpoint_);
   }
@@ -91,10 +91,10 @@ typename RigidBodyJoints<N>::Joints RigidBodyJoints<N>::controlled() const {
 
 template <int N>
 void RigidBodyJoints<N>::brake() {
-  motion_.halt();
+  if (model_.brakes) motion_.halt();
   effort_.setZero();
   elapsed_ = 0;
-  braked_ = true;
+  powered_ = false;
 }
 
 template class RigidBodyJoints<6>;

@@ -27,19 +27,20 @@ struct RigidBodyModel {
   bool quantisation = true;
   double noise = 0;  ///< counts of the encoders
   std::uint32_t seed = 1;
+  bool brakes = true;         ///< else nothing but friction holds the joints without power
   Coupling<N> coupling = {};  ///< of the motors and encoders with the joints
 };
 
 /// Each joint has a PD controller, which sees what the encoders tell, runs once a cycle, and gives
-/// its motor no more than the motor can. Brakes hold at once and without slip. Confined to one
-/// thread; nothing but the constructor throws or allocates. Equal models, commands and times give
-/// equal motion.
+/// its motor no more than the motor can. Brakes, if there are any, hold at once and without slip.
+/// Confined to one thread; nothing but the constructor throws or allocates. Equal models, commands
+/// and times give equal motion.
 template <int N>
 class RigidBodyJoints final : public SimulatedJoints<N> {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// At rest, with brakes on. Throws std::invalid_argument unless rates are positive and gains,
+  /// At rest, without power. Throws std::invalid_argument unless rates are positive and gains,
   /// noise and filter are not negative.
   explicit RigidBodyJoints(const RigidBodyModel<N>& model);
 
@@ -65,7 +66,7 @@ class RigidBodyJoints final : public SimulatedJoints<N> {
   Joints setpoint_;
   Joints effort_ = Joints::Zero();
   double elapsed_ = 0;  // s since the last command
-  bool braked_ = true;
+  bool powered_ = false;
 };
 
 extern template class RigidBodyJoints<6>;

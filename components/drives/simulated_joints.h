@@ -18,7 +18,7 @@ class SimulatedJoints {
   virtual void advance(double dt) = 0;
   /// The joints have power, and shall be there from now on.
   virtual void command(const Joints& setpoint) = 0;
-  /// The joints have no power, and brakes hold them where they are.
+  /// The joints have no power, and brakes, if they have any, hold them where they are.
   virtual void brake() = 0;
 
   virtual const Joints& measured() const = 0;

@@ -129,6 +129,25 @@ TEST(HeavyArm, AtRestPressesNoHarderThanItsFriction) {
   EXPECT_GT(std::abs(efforts[1]), 2 * mechanics.coulomb[1]) << "it is the weight that is much";
 }
 
+TEST(HeavyArm, WithoutBrakesSinksWhenItIsDisabled) {
+  Mtm mtm(MtmParameters{});
+  MtmDrives drives(
+      {.permit = {}, .dynamics = DriveDynamics::RigidBody, .rigid_body = {.brakes = false}});
+  Robot robot(mtm, drives);
+  const auto shoulder = [&] { return mtm.measured_js().position[1]; };
+  const double before = shoulder();
+  EXPECT_TRUE(robot.panel.arm.disable());
+  pass(1s);
+  EXPECT_EQ(drives.feedback().power, DrivePower::Off);
+  EXPECT_GT(std::abs(shoulder() - before), 0.02);
+  EXPECT_TRUE(robot.panel.arm.enable());
+  pass(1s);
+  const double held = shoulder();
+  pass(1s);
+  EXPECT_EQ(drives.feedback().power, DrivePower::On);
+  EXPECT_NEAR(shoulder(), held, 1e-3);
+}
+
 TEST(LaggingArm, MeasuresNoForce) {
   Psm psm(PsmParameters{});
   PsmDrives drives({.permit = {}});

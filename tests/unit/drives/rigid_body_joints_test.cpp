@@ -165,6 +165,22 @@ TEST(Brakes, HoldWhatWouldFall) {
   EXPECT_LT(joints.velocity().cwiseAbs().maxCoeff(), 1e-6);
 }
 
+TEST(Brakes, AreWhatKeepsAnArmFromSinkingWithoutPower) {
+  RigidBodyJoints<7> joints(heavyMtm({.brakes = false}));
+  const auto chain = kinematics::mtmLeft();
+  EXPECT_LT(tipMoved(chain, joints, 0.2), 0.001) << "with power it stays";
+  const auto height = [&] { return chain.forward(joints.position()).translation().z(); };
+  const double before = height();
+  joints.brake();
+  for (int i = 0; i < 750; ++i) joints.advance(kDriveCycle);
+  EXPECT_LT(height(), before - 0.02);
+  EXPECT_TRUE(chain.within(joints.position()));
+  EXPECT_EQ(joints.effort(), RigidBodyModel<7>::Joints::Zero());
+  const auto caught = joints.measured();
+  for (int i = 0; i < 1500; ++i) cycle<7>(joints, caught);
+  EXPECT_LT((joints.position() - caught).cwiseAbs().maxCoeff(), 0.01) << "power catches it";
+}
+
 TEST(Brakes, LetGoWithoutAJerk) {
   RigidBodyJoints<7> joints(heavyMtm());
   const auto chain = kinematics::mtmLeft();
