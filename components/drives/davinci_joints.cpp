@@ -18,6 +18,7 @@ void apply(const RigidBodyOptions& options, RigidBodyModel<N>& model) {
   model.noise = options.noise;
   model.seed = options.seed;
   model.brakes = options.brakes;
+  model.current_gain = options.current_gain;
 }
 
 }  // namespace

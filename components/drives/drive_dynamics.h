@@ -25,6 +25,9 @@ struct SUTURE_TYPE() RigidBodyOptions {
   /// Whether brakes hold the joints without power. The PSM and the MTM of the da Vinci Classic have
   /// none: what their motors carried sinks then.
   bool brakes = true;
+  /// What sensors tell of each motor's current, as a share of it. Motors never give more than they
+  /// can, so an over-current has to be planted: a sensor that tells too much is one to the arm.
+  SUTURE_FIELD(range(0.1, 100)) double current_gain = 1;
 };
 
 }  // namespace robots

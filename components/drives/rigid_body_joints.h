@@ -27,6 +27,7 @@ struct RigidBodyModel {
   bool quantisation = true;
   double noise = 0;  ///< counts of the encoders
   std::uint32_t seed = 1;
+  double current_gain = 1;    ///< what is told of each effort, as a share of it
   bool brakes = true;         ///< else nothing but friction holds the joints without power
   Coupling<N> coupling = {};  ///< of the motors and encoders with the joints
 };
@@ -49,8 +50,8 @@ class RigidBodyJoints final : public SimulatedJoints<N> {
   void brake() override;
   const Joints& measured() const override { return encoders_.measured(); }
   Joints velocity() const override { return encoders_.velocity(); }
-  /// Until the next command.
-  Joints effort() const override { return effort_; }
+  /// Until the next command, as the motors' currents tell.
+  Joints effort() const override { return model_.current_gain * effort_; }
   bool measuresEffort() const override { return true; }
 
   /// Where the joints are, which only a simulation knows.

@@ -2289,7 +2289,7 @@ constexpr EventInfo kArmEvents[] = {
 // The self-description, as in arm/arm.suture.json.
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
-"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. An arm starts, and restarts, undefined; once it hears of its drives, and they may have\npower, it is disabled and not homed. Until it is enabled it ignores motion commands.\n\nAn arm that works through a cannula refuses Cartesian motion, servo, interpolation and moves,\nuntil its wrist is far enough beyond the remote centre: a da Vinci's is 45 mm beyond it, and 2\nmm more to begin. Joint commands and homing are what inserts it.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base; the two are one until somebody sets\nanother. A motion command replaces the one before it, of whichever space; relative goals are\nrelative to the set-point. A servo stream that falls silent for 0.1 s ends as hold(), and so\ndoes any stream whose client is gone.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h) where the arm refuses a command or something has befallen it; each reason is\ntold once until the arm obeys again, a refused state command each time.",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. An arm starts, and restarts, undefined; once it hears of its drives, and they may have\npower, it is disabled and not homed. Until it is enabled it ignores motion commands.\n\nAn arm that is not homed, or not any more after an encoder jumped or unhome(), does not know\nwhere its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint\ncommands.\n\nSo does an arm that works through a cannula until its wrist is far enough beyond the remote\ncentre: a da Vinci's is 45 mm beyond it, and 2 mm more to begin. Joint commands and homing are\nwhat inserts it.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base; the two are one until somebody sets\nanother. A motion command replaces the one before it, of whichever space; relative goals are\nrelative to the set-point. A servo stream that falls silent for 0.1 s ends as hold(), and so\ndoes any stream whose client is gone.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h) where the arm refuses a command or something has befallen it; each reason is\ntold once until the arm obeys again, a refused state command each time.",
 "hash": "01d839824ecc91650f9758cc15eb526a", "version": 2, "major": 2, "base": "suture::Messages",
 "crtk": true, "commands": [{"name": "enable", "kind": "void", "ordinal": 1,
 "doc": "Gives the drives power; the arm holds its position.", "queue": 16}, {"name": "disable",
@@ -2311,11 +2311,12 @@ constexpr char kArmDescription[] = R"json(
 "doc": "Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:\none may begin while it moves. Each ends at rest and with goal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16}, {"name": "measured_js", "kind": "read", "ordinal": 8, "wire": "measuredJs",
-"doc": "Where the joints are. Stamp: the drives' cycle that measured them.", "result": {"type": {
-"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js",
-"kind": "read", "ordinal": 9, "wire": "setpointJs", "doc": "Where the joints shall be.", "result": {
-"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp",
-"kind": "read", "ordinal": 10, "wire": "measuredCp",
+"doc": "Where the joints are, and what their motors give, which is empty of drives that do not measure\nit. Stamp: the drives' cycle that measured them.",
+"result": {"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {
+"name": "setpoint_js", "kind": "read", "ordinal": 9, "wire": "setpointJs",
+"doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
+"name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read", "ordinal": 10,
+"wire": "measuredCp",
 "doc": "Where the tool tip is. Stamp: the drives' cycle that measured the joints.", "result": {
 "type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp",
 "kind": "read", "ordinal": 11, "wire": "setpointCp",
@@ -2357,20 +2358,21 @@ constexpr char kArmDescription[] = R"json(
 "ordinal": 25, "wire": "measuredCv",
 "doc": "Of the tip, in the directions of the reference frame, which it names.", "result": {
 "type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {"name": "setpoint_cv",
-"kind": "read", "ordinal": 26, "wire": "setpointCv", "result": {"type": {"kind": "struct",
-"name": "robots::Twist"}}, "queue": 16}, {"name": "body_measured_cf", "kind": "read", "ordinal": 27,
-"wire": "bodyMeasuredCf", "doc": "Force on the tip in its own directions.", "result": {"type": {
-"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "spatial_measured_cf",
-"kind": "read", "ordinal": 28, "wire": "spatialMeasuredCf",
-"doc": "Force on the tip in the directions of the arm's base frame.", "result": {"type": {
-"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read",
-"ordinal": 29, "wire": "measuredCs",
-"doc": "Pose, velocity and force of one cycle, in the reference frame.", "result": {"type": {
-"kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {"name": "body_jacobian",
-"kind": "read", "ordinal": 30, "wire": "bodyJacobian",
-"doc": "From joint velocities to those of the tip, in its own directions.", "result": {"type": {
-"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {"name": "spatial_jacobian",
-"kind": "read", "ordinal": 31, "wire": "spatialJacobian",
+"kind": "read", "ordinal": 26, "wire": "setpointCv",
+"doc": "How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in\nthe first cycle of a motion, it is 0. Stamp: the arm's cycle.",
+"result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
+"name": "body_measured_cf", "kind": "read", "ordinal": 27, "wire": "bodyMeasuredCf",
+"doc": "What the arm presses with at its tip, in the tip's own directions: the motors' efforts, less\nthe arm's weight as its model has it, through the transposed Jacobian. Friction, inertia and\nwhat that model has wrong are in it, so it is near a contact's force only when the arm is slow\nand presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit; what touches\nthe tip presses on it with the opposite. Not valid where the drives measure no effort, without\npower, and beside a singularity. Stamp: the drives' cycle that measured the joints.",
+"result": {"type": {"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {
+"name": "spatial_measured_cf", "kind": "read", "ordinal": 28, "wire": "spatialMeasuredCf",
+"doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
+"name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read", "ordinal": 29,
+"wire": "measuredCs", "doc": "Pose, velocity and force of one cycle, in the reference frame.",
+"result": {"type": {"kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {
+"name": "body_jacobian", "kind": "read", "ordinal": 30, "wire": "bodyJacobian",
+"doc": "From joint velocities to those of the tip, in its own directions. Stamp: the drives' cycle\nthat measured the joints.",
+"result": {"type": {"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {
+"name": "spatial_jacobian", "kind": "read", "ordinal": 31, "wire": "spatialJacobian",
 "doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
 "name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read", "ordinal": 32,
 "wire": "baseFrame", "result": {"type": {"kind": "struct", "name": "robots::TransformStamped"}},

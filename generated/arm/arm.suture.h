@@ -314,7 +314,8 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   /// one may begin while it moves. Each ends at rest and with goal_reached.
   Command<&Contract::move_jp, robots::ArmMoveJpArguments> move_jp{
       *this, static_cast<std::uint16_t>(Id::move_jp)};
-  /// Where the joints are. Stamp: the drives' cycle that measured them.
+  /// Where the joints are, and what their motors give, which is empty of drives that do not measure
+  /// it. Stamp: the drives' cycle that measured them.
   ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
       *this, static_cast<std::uint16_t>(Id::measured_js)};
   /// Where the joints shall be.
@@ -367,18 +368,26 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   /// Of the tip, in the directions of the reference frame, which it names.
   ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{
       *this, static_cast<std::uint16_t>(Id::measured_cv)};
+  /// How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in
+  /// the first cycle of a motion, it is 0. Stamp: the arm's cycle.
   ReadCommand<&Contract::setpoint_cv, robots::TwistSlot> setpoint_cv{
       *this, static_cast<std::uint16_t>(Id::setpoint_cv)};
-  /// Force on the tip in its own directions.
+  /// What the arm presses with at its tip, in the tip's own directions: the motors' efforts, less
+  /// the arm's weight as its model has it, through the transposed Jacobian. Friction, inertia and
+  /// what that model has wrong are in it, so it is near a contact's force only when the arm is slow
+  /// and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit; what touches
+  /// the tip presses on it with the opposite. Not valid where the drives measure no effort, without
+  /// power, and beside a singularity. Stamp: the drives' cycle that measured the joints.
   ReadCommand<&Contract::body_measured_cf, robots::WrenchSlot> body_measured_cf{
       *this, static_cast<std::uint16_t>(Id::body_measured_cf)};
-  /// Force on the tip in the directions of the arm's base frame.
+  /// The same in the directions of the arm's base frame.
   ReadCommand<&Contract::spatial_measured_cf, robots::WrenchSlot> spatial_measured_cf{
       *this, static_cast<std::uint16_t>(Id::spatial_measured_cf)};
   /// Pose, velocity and force of one cycle, in the reference frame.
   ReadCommand<&Contract::measured_cs, robots::CartesianStateSlot> measured_cs{
       *this, static_cast<std::uint16_t>(Id::measured_cs)};
-  /// From joint velocities to those of the tip, in its own directions.
+  /// From joint velocities to those of the tip, in its own directions. Stamp: the drives' cycle
+  /// that measured the joints.
   ReadCommand<&Contract::body_jacobian, robots::JacobianSlot> body_jacobian{
       *this, static_cast<std::uint16_t>(Id::body_jacobian)};
   /// The same in the directions of the arm's base frame.

@@ -31,6 +31,8 @@ static_assert(std::is_same_v<decltype(RigidBodyOptions::gravity_compensation), b
 static_assert(std::is_same_v<decltype(RigidBodyOptions::quantisation), bool>);
 static_assert(std::is_same_v<decltype(RigidBodyOptions::noise), double>);
 static_assert(std::is_same_v<decltype(RigidBodyOptions::seed), std::uint32_t>);
+static_assert(std::is_same_v<decltype(RigidBodyOptions::brakes), bool>);
+static_assert(std::is_same_v<decltype(RigidBodyOptions::current_gain), double>);
 
 }  // namespace
 
@@ -40,6 +42,8 @@ bool store(const RigidBodyOptions& value, RigidBodyOptionsSlot& slot) {
   fits &= store(value.quantisation, slot.quantisation);
   fits &= store(value.noise, slot.noise);
   fits &= store(value.seed, slot.seed);
+  fits &= store(value.brakes, slot.brakes);
+  fits &= store(value.current_gain, slot.current_gain);
   return fits;
 }
 
@@ -48,6 +52,8 @@ void load(const RigidBodyOptionsSlot& slot, RigidBodyOptions& value) {
   load(slot.quantisation, value.quantisation);
   load(slot.noise, value.noise);
   load(slot.seed, value.seed);
+  load(slot.brakes, value.brakes);
+  load(slot.current_gain, value.current_gain);
 }
 
 // --- between slots and Cap'n Proto
@@ -84,6 +90,8 @@ void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder ou
   out.setQuantisation(slot.quantisation != 0);
   out.setNoise(slot.noise);
   out.setSeed(slot.seed);
+  out.setBrakes(slot.brakes != 0);
+  out.setCurrentGain(slot.current_gain);
 }
 
 Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot, Duration) {
@@ -91,11 +99,14 @@ Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot, Dur
   slot.quantisation = in.getQuantisation();
   slot.noise = in.getNoise();
   slot.seed = in.getSeed();
+  slot.brakes = in.getBrakes();
+  slot.current_gain = in.getCurrentGain();
   return Errc{};
 }
 
 bool isValid(const RigidBodyOptionsSlot& slot, FieldPath* path) {
-  return inRange(slot.noise, 0, 1000) || refusedAt(path, "noise");
+  if (!inRange(slot.noise, 0, 1000)) return refusedAt(path, "noise");
+  return inRange(slot.current_gain, 0.1, 100) || refusedAt(path, "current_gain");
 }
 
 }  // namespace robots
@@ -114,6 +125,8 @@ void fromJson(const suture::JsonReader& in, RigidBodyOptions& value) {
   reader.field("quantisation", value.quantisation);
   reader.field("noise", value.noise, 0, 1000);
   reader.field("seed", value.seed);
+  reader.field("brakes", value.brakes);
+  reader.field("current_gain", value.current_gain, 0.1, 100);
   reader.finish();
 }
 

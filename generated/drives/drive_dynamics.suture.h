@@ -13,6 +13,8 @@ struct RigidBodyOptionsSlot {
   std::uint8_t quantisation;          // bool
   double noise;
   std::uint32_t seed;
+  std::uint8_t brakes;  // bool
+  double current_gain;
 };
 
 bool store(const RigidBodyOptions& value, RigidBodyOptionsSlot& slot);

@@ -52,6 +52,7 @@ static_assert(std::is_same_v<decltype(DriveFeedback::permitted),
 static_assert(std::is_same_v<decltype(DriveFeedback::stamp),
                              std::chrono::steady_clock::time_point>);
 static_assert(std::is_same_v<decltype(DriveFeedback::effort), std::array<double, 8>>);
+static_assert(std::is_same_v<decltype(DriveFeedback::measures_effort), bool>);
 static_assert(std::is_same_v<decltype(DriveGoal::position), std::array<double, 8>>);
 static_assert(std::is_same_v<decltype(DriveGoal::joints), std::uint32_t>);
 
@@ -66,6 +67,7 @@ bool store(const DriveFeedback& value, DriveFeedbackSlot& slot) {
   fits &= store(value.permitted, slot.permitted);
   fits &= store(value.stamp, slot.stamp);
   fits &= store(value.effort, slot.effort);
+  fits &= store(value.measures_effort, slot.measures_effort);
   return fits;
 }
 
@@ -77,6 +79,7 @@ void load(const DriveFeedbackSlot& slot, DriveFeedback& value) {
   load(slot.permitted, value.permitted);
   load(slot.stamp, value.stamp);
   load(slot.effort, value.effort);
+  load(slot.measures_effort, value.measures_effort);
 }
 
 void shiftStamps(DriveFeedbackSlot& slot, Duration shift) {
@@ -149,12 +152,14 @@ void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
   out.setPermitted(slot.permitted);
   out.setStamp(slot.stamp);
   toWire(slot.effort, out.initEffort(8));
+  out.setMeasuresEffort(slot.measures_effort != 0);
 }
 
 Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot, Duration shift) {
   slot.joints = in.getJoints();
   slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
+  slot.measures_effort = in.getMeasuresEffort();
   return firstError({
       fromWire(in.getPosition(), slot.position),
       fromWire(in.getVelocity(), slot.velocity),
@@ -428,13 +433,13 @@ constexpr EventInfo kDrivesEvents[] = {
 constexpr char kDrivesDescription[] = R"json(
 {"name": "robots::Drives",
 "doc": "Commands run in the drives' own thread before its next cycle; the read is from the end of its\nlast one.",
-"hash": "9ec83e2547ab750b4fcbf0f318532c3b", "commands": [{"name": "power_on", "kind": "write",
+"hash": "3535a82e39d81a5857339f67997b362c", "commands": [{"name": "power_on", "kind": "write",
 "ordinal": 1, "wire": "powerOn",
 "doc": "Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that\nthis answers: drives that have stopped since then, or may not have power, stay as they are.",
 "parameters": [{"name": "permitted", "type": {"kind": "time", "clock": "steady"}}], "queue": 16}, {
 "name": "power_off", "kind": "void", "ordinal": 2, "wire": "powerOff",
-"doc": "The brakes hold the joints where they are.", "queue": 16}, {"name": "servo_jp",
-"kind": "write", "ordinal": 3, "wire": "servoJp",
+"doc": "The brakes hold the joints where they are; those of an arm that has none sink by their weight.",
+"queue": 16}, {"name": "servo_jp", "kind": "write", "ordinal": 3, "wire": "servoJp",
 "doc": "Streams goals, newest wins. Without power, or with the wrong number of joints, one changes\nnothing. A stream that falls silent for 0.1 s leaves the joints where they are.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::DriveGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "feedback", "kind": "read", "ordinal": 4,
@@ -447,8 +452,8 @@ constexpr char kDrivesDescription[] = R"json(
 "name": "Stopped", "value": 1, "wire": "stopped",
 "doc": "by the emergency stop, or because nobody permits power any more"}, {"name": "Off",
 "value": 2, "wire": "off",
-"doc": "without power, as they are permitted to have: the brakes hold the joints"}, {"name": "On",
-"value": 3, "wire": "on", "doc": "the joints follow their goals"}]}], "structs": [{
+"doc": "without power, which they are permitted to have: what brakes they have are on"}, {
+"name": "On", "value": 3, "wire": "on", "doc": "the joints follow their goals"}]}], "structs": [{
 "name": "robots::DriveGoal",
 "doc": "Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
@@ -463,37 +468,39 @@ constexpr char kDrivesDescription[] = R"json(
 "doc": "When they were last permitted to have power. Another moment than before: they have stopped\nmeanwhile, or are others, which an arm may not have seen.",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "stamp", "doc": "The drives' cycle.",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "effort",
-"doc": "What the motors give, as their currents tell. 0 of joints that are simulated without mass.",
-"type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "N.m"}]}], "wire": [
-{"id": "@0x91efda82df1adc01", "kind": "interface", "name": "Drives", "cxx": "robots::Drives",
-"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
-"is": "@0xe59a5d931070aa84"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
-"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "powerOn", "is": "kind \"write\"",
-"parameters": [{"at": 0, "name": "permitted", "is": "Int64 clock \"steady\""}, {"at": 1,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "powerOff",
-"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 3, "name": "servoJp", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "goal",
-"is": "@0xe3033c33c5a1f822"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 4, "name": "feedback", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc6e6797127c781ed"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe59a5d931070aa84", "kind": "interface",
-"name": "DrivesEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xf51328c4223872e4"}]}, {"at": 1, "name": "power", "parameters": [{"at": 0,
-"name": "value", "is": "@0xd2f9073be1a76833"}]}]}, {"id": "@0xf51328c4223872e4", "kind": "struct",
-"name": "DrivesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "feedback", "is": "@0xc6e6797127c781ed"}]}, {"id": "@0xc6e6797127c781ed", "kind": "struct",
-"name": "DriveFeedback", "members": [{"at": 0, "name": "position",
-"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "velocity",
+"doc": "What the motors give, as their currents tell.", "type": {"kind": "array", "element": {
+"kind": "Float64"}, "length": 8}, "unit": "N.m"}, {"name": "measures_effort",
+"wire": "measuresEffort",
+"doc": "Whether `effort` is measured. Joints that are simulated without mass need none, and tell 0; so\ndoes a simulated jaw, which has no mass whatever this says.",
+"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x91efda82df1adc01",
+"kind": "interface", "name": "Drives", "cxx": "robots::Drives", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe59a5d931070aa84"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "powerOn", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "permitted",
+"is": "Int64 clock \"steady\""}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
+"at": 2, "name": "powerOff", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "servoJp", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0xe3033c33c5a1f822"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "feedback", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xc6e6797127c781ed"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xe59a5d931070aa84", "kind": "interface", "name": "DrivesEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf51328c4223872e4"}]}, {"at": 1,
+"name": "power", "parameters": [{"at": 0, "name": "value", "is": "@0xd2f9073be1a76833"}]}]}, {
+"id": "@0xf51328c4223872e4", "kind": "struct", "name": "DrivesStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "feedback", "is": "@0xc6e6797127c781ed"}]}, {
+"id": "@0xc6e6797127c781ed", "kind": "struct", "name": "DriveFeedback", "members": [{"at": 0,
+"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "velocity",
 "is": "List(Float64) unit \"rad/s\" shape \"8\""}, {"at": 2, "name": "joints", "is": "UInt32"}, {
 "at": 3, "name": "power", "is": "@0xd2f9073be1a76833"}, {"at": 4, "name": "permitted",
 "is": "Int64 clock \"steady\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}, {
-"at": 6, "name": "effort", "is": "List(Float64) unit \"N.m\" shape \"8\""}]}, {
-"id": "@0xd2f9073be1a76833", "kind": "enum", "name": "DrivePower", "members": [{"at": 0,
-"name": "notReady"}, {"at": 1, "name": "stopped"}, {"at": 2, "name": "off"}, {"at": 3, "name": "on"
-}]}, {"id": "@0xe3033c33c5a1f822", "kind": "struct", "name": "DriveGoal", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints",
-"is": "UInt32"}]}]})json";
+"at": 6, "name": "effort", "is": "List(Float64) unit \"N.m\" shape \"8\""}, {"at": 7,
+"name": "measuresEffort", "is": "Bool"}]}, {"id": "@0xd2f9073be1a76833", "kind": "enum",
+"name": "DrivePower", "members": [{"at": 0, "name": "notReady"}, {"at": 1, "name": "stopped"}, {
+"at": 2, "name": "off"}, {"at": 3, "name": "on"}]}, {"id": "@0xe3033c33c5a1f822", "kind": "struct",
+"name": "DriveGoal", "members": [{"at": 0, "name": "position",
+"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "joints", "is": "UInt32"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -504,7 +511,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Drives>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Drives",
-      .hash = "9ec83e2547ab750b4fcbf0f318532c3b",
+      .hash = "3535a82e39d81a5857339f67997b362c",
       .description = robots::kDrivesDescription,
       .commands = robots::kDrivesCommands,
       .events = robots::kDrivesEvents,

@@ -23,6 +23,7 @@ struct DriveFeedbackSlot {
   std::int64_t permitted;        // suture::Time, ns
   std::int64_t stamp;            // suture::Time, ns
   std::array<double, 8> effort;  // N.m
+  std::uint8_t measures_effort;  // bool
 };
 
 bool store(const DriveFeedback& value, DriveFeedbackSlot& slot);
@@ -88,7 +89,7 @@ class Required<robots::Drives> : public RequiredBase {
   /// this answers: drives that have stopped since then, or may not have power, stay as they are.
   Command<&Contract::power_on, robots::DrivesPowerOnArguments> power_on{
       *this, static_cast<std::uint16_t>(Id::power_on)};
-  /// The brakes hold the joints where they are.
+  /// The brakes hold the joints where they are; those of an arm that has none sink by their weight.
   Command<&Contract::power_off, NoSlot> power_off{*this, static_cast<std::uint16_t>(Id::power_off)};
   /// Streams goals, newest wins. Without power, or with the wrong number of joints, one changes
   /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are.

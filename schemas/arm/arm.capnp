@@ -34,9 +34,13 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # one. An arm starts, and restarts, undefined; once it hears of its drives, and they may have
   # power, it is disabled and not homed. Until it is enabled it ignores motion commands.
   #
-  # An arm that works through a cannula refuses Cartesian motion, servo, interpolation and moves,
-  # until its wrist is far enough beyond the remote centre: a da Vinci's is 45 mm beyond it, and 2
-  # mm more to begin. Joint commands and homing are what inserts it.
+  # An arm that is not homed, or not any more after an encoder jumped or unhome(), does not know
+  # where its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint
+  # commands.
+  #
+  # So does an arm that works through a cannula until its wrist is far enough beyond the remote
+  # centre: a da Vinci's is 45 mm beyond it, and 2 mm more to begin. Joint commands and homing are
+  # what inserts it.
   #
   # `local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of
   # the interface, in which base_frame() is the arm's base; the two are one until somebody sets
@@ -72,7 +76,8 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # one may begin while it moves. Each ends at rest and with goal_reached.
   measuredJs @8 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
-  # Where the joints are. Stamp: the drives' cycle that measured them.
+  # Where the joints are, and what their motors give, which is empty of drives that do not measure
+  # it. Stamp: the drives' cycle that measured them.
   setpointJs @9 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("setpoint_js") $Meta.kind("read");
   # Where the joints shall be.
@@ -123,18 +128,26 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # Of the tip, in the directions of the reference frame, which it names.
   setpointCv @26 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
       $Meta.cxx("setpoint_cv") $Meta.kind("read");
+  # How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in
+  # the first cycle of a motion, it is 0. Stamp: the arm's cycle.
   bodyMeasuredCf @27 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("body_measured_cf") $Meta.kind("read");
-  # Force on the tip in its own directions.
+  # What the arm presses with at its tip, in the tip's own directions: the motors' efforts, less
+  # the arm's weight as its model has it, through the transposed Jacobian. Friction, inertia and
+  # what that model has wrong are in it, so it is near a contact's force only when the arm is slow
+  # and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit; what touches
+  # the tip presses on it with the opposite. Not valid where the drives measure no effort, without
+  # power, and beside a singularity. Stamp: the drives' cycle that measured the joints.
   spatialMeasuredCf @28 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("spatial_measured_cf") $Meta.kind("read");
-  # Force on the tip in the directions of the arm's base frame.
+  # The same in the directions of the arm's base frame.
   measuredCs @29 (sent :Rpc.Sent) -> (value :Cartesian.CartesianState, stamp :Int64)
       $Meta.cxx("measured_cs") $Meta.kind("read");
   # Pose, velocity and force of one cycle, in the reference frame.
   bodyJacobian @30 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
       $Meta.cxx("body_jacobian") $Meta.kind("read");
-  # From joint velocities to those of the tip, in its own directions.
+  # From joint velocities to those of the tip, in its own directions. Stamp: the drives' cycle
+  # that measured the joints.
   spatialJacobian @31 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
       $Meta.cxx("spatial_jacobian") $Meta.kind("read");
   # The same in the directions of the arm's base frame.

@@ -13,7 +13,7 @@ enum DrivePower @0xd2f9073be1a76833 $Meta.cxx("robots::DrivePower") $Meta.underl
   stopped @1 $Meta.cxx("Stopped") $Meta.value(1);
   # by the emergency stop, or because nobody permits power any more
   off @2 $Meta.cxx("Off") $Meta.value(2);
-  # without power, as they are permitted to have: the brakes hold the joints
+  # without power, which they are permitted to have: what brakes they have are on
   on @3 $Meta.cxx("On") $Meta.value(3);
   # the joints follow their goals
 }
@@ -35,7 +35,10 @@ struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
   stamp @5 :Int64 $Meta.clock("steady");
   # The drives' cycle.
   effort @6 :List(Float64) $Meta.shape("8") $Meta.unit("N.m");
-  # What the motors give, as their currents tell. 0 of joints that are simulated without mass.
+  # What the motors give, as their currents tell.
+  measuresEffort @7 :Bool $Meta.cxx("measures_effort");
+  # Whether `effort` is measured. Joints that are simulated without mass need none, and tell 0; so
+  # does a simulated jaw, which has no mass whatever this says.
 }
 
 struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {
@@ -57,7 +60,7 @@ interface Drives @0x91efda82df1adc01 $Meta.cxx("robots::Drives") {
   # Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that
   # this answers: drives that have stopped since then, or may not have power, stay as they are.
   powerOff @2 (sent :Rpc.Sent) -> () $Meta.cxx("power_off") $Meta.kind("void") $Meta.queue(16);
-  # The brakes hold the joints where they are.
+  # The brakes hold the joints where they are; those of an arm that has none sink by their weight.
   servoJp @3 (goal :DriveGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp") $Meta.kind("write")
       $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   # Streams goals, newest wins. Without power, or with the wrong number of joints, one changes

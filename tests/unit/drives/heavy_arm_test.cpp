@@ -148,6 +148,18 @@ TEST(HeavyArm, WithoutBrakesSinksWhenItIsDisabled) {
   EXPECT_NEAR(shoulder(), held, 1e-3);
 }
 
+// What carries its weight seems to be more than its motors can.
+TEST(HeavyArm, WhoseCurrentSensorsTellTooMuchIsInFault) {
+  Psm psm(PsmParameters{});
+  PsmDrives drives(
+      {.permit = {}, .dynamics = DriveDynamics::RigidBody, .rigid_body = {.current_gain = 50}});
+  Robot robot(psm, drives);
+  pass(200ms);
+  EXPECT_EQ(psm.operating_state().state, ArmState::Fault);
+  EXPECT_EQ(psm.operating_state().sub_state, "over-current");
+  EXPECT_EQ(drives.feedback().power, DrivePower::Off);
+}
+
 TEST(LaggingArm, MeasuresNoForce) {
   Psm psm(PsmParameters{});
   PsmDrives drives({.permit = {}});
