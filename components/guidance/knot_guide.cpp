@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "arm/fresh_pose.h"
+#include "registration/surgeon_view.h"
 #include "teleop/valid_scale.h"
 #include "timing/seconds.h"
 
@@ -84,12 +85,19 @@ void KnotGuide::run() {
   enter(GuidanceState::Guiding);
 }
 
-/// False unless all four arms and the registration may be acted on.
-bool KnotGuide::readArms() {
+bool KnotGuide::readScene() {
   const auto frames = registration_.frames();
-  if (!frames || !read(left_) || !read(right_)) return false;
+  if (!frames) return false;
   frames_ = *frames;
   fixtures_.setTissue(frames_.tissue);
+  left_.look(surgeonView(frames_, robots::Side::Left, robots::Side::Left), parameters_.scale);
+  right_.look(surgeonView(frames_, robots::Side::Right, robots::Side::Right), parameters_.scale);
+  return true;
+}
+
+/// False unless all four arms and the registration may be acted on.
+bool KnotGuide::readArms() {
+  if (!readScene() || !read(left_) || !read(right_)) return false;
   setpoints_ = {frames_.left_base * left_.slavePose.pose.translation(),
                 frames_.right_base * right_.slavePose.pose.translation()};
   estimate_.tipsAt(suture::now(), setpoints_.mean());
@@ -137,11 +145,20 @@ bool KnotGuide::mustBeginAnew() {
 }
 
 void KnotGuide::begin() {
-  for (Side* side : {&left_, &right_}) {
-    side->law.emplace(side->masterPose.pose, side->slavePose.pose,
-                      FollowSettings{.scale = parameters_.scale});
-  }
+  for (Side* side : {&left_, &right_}) side->anchor(side->slavePose.pose, parameters_.scale);
   tips_ = setpoints_;
+}
+
+void KnotGuide::Side::anchor(const Isometry3d& slaveSetpoint, double scale) {
+  law.emplace(masterPose.pose, slaveSetpoint, FollowSettings{.scale = scale, .view = view});
+}
+
+/// By another view it goes on from where the last cycle led it: a camera that moves does not move
+/// the slave.
+void KnotGuide::Side::look(const Eigen::Matrix3d& newView, double scale) {
+  if (newView.isApprox(view, 1e-12)) return;
+  view = newView;
+  if (law) anchor(law->follow(masterPose.pose), scale);
 }
 
 bool KnotGuide::move() {

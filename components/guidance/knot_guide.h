@@ -48,11 +48,11 @@ struct SUTURE_TYPE() GuideParameters {
   SUTURE_FIELD(unit("m"), range(0, 0.1)) double separation = 0.01;
 };
 
-/// Each slave follows its master by the law of teleoperation (teleop/follow_law.h), as far as the
-/// fixtures permit (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen
-/// lately, both slaves hold; each time all is well again they begin anew from where they are. They
-/// also do if a slave's set-point is not where it was sent, since the fixtures are about where the
-/// tips are.
+/// Each slave follows its master by the law of teleoperation (teleop/follow_law.h), in the
+/// directions that the surgeon sees (registration/surgeon_view.h), as far as the fixtures permit
+/// (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen lately, both
+/// slaves hold; each time all is well again they begin anew from where they are. They also do if a
+/// slave's set-point is not where it was sent, since the fixtures are about where the tips are.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
   /// Throws suture::SetupError for a line of approach without a direction, or a scale that is not
@@ -76,13 +76,17 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
         : master(guide, masterName), slave(guide, slaveName) {}
 
     bool ready() const { return masterWatch.ready() && slaveWatch.ready(); }
+    void anchor(const Eigen::Isometry3d& slaveSetpoint, double scale);
+    void look(const Eigen::Matrix3d& newView, double scale);
 
     suture::Required<Arm> master, slave;
     ArmWatch masterWatch{master}, slaveWatch{slave};
+    Eigen::Matrix3d view = Eigen::Matrix3d::Identity();
     std::optional<FollowLaw> law;
     PoseStamped masterPose, slavePose;  // of this cycle; the slave's is its set-point
   };
 
+  bool readScene();
   bool readArms();
   bool read(Side& side);
   void lookForKnot();

@@ -7,13 +7,18 @@
 
 namespace robots {
 
+/// From directions in the scene to those at the console that look the same: what is to the right in
+/// the camera's picture is to the right at the display.
+inline Eigen::Matrix3d sceneAtConsole(const SceneFrames& frames) {
+  return frames.display.linear() * frames.camera.linear().transpose();
+}
+
 /// From directions in the base frame of a master to those in the base frame of a slave that look
-/// the same: what is to the right at the display is to the right in the camera's picture.
+/// the same.
 inline Eigen::Matrix3d surgeonView(const SceneFrames& frames, Side master, Side slave) {
   const auto& masterBase = master == Side::Left ? frames.left_master : frames.right_master;
   const auto& slaveBase = slave == Side::Left ? frames.left_base : frames.right_base;
-  return slaveBase.linear().transpose() * frames.camera.linear() *
-         frames.display.linear().transpose() * masterBase.linear();
+  return slaveBase.linear().transpose() * sceneAtConsole(frames).transpose() * masterBase.linear();
 }
 
 }  // namespace robots

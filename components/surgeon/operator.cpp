@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "arm/fresh_pose.h"
+#include "registration/surgeon_view.h"
 #include "surgeon/pause.h"
 #include "timing/seconds.h"
 
@@ -58,7 +59,17 @@ void Operator::run() {
 void Operator::begin() {
   model_.forget();
   intended_.setZero();
-  holds_ = left_.begin() && right_.begin();
+  holds_ = orient() && left_.begin() && right_.begin();
+}
+
+/// False if it is not known where things stand.
+bool Operator::orient() {
+  const auto frames = registration_.frames();
+  if (!frames) return false;
+  const Eigen::Matrix3d atConsole = sceneAtConsole(*frames);
+  left_.orient(frames->left_master.linear(), atConsole * frames->left_base.linear());
+  right_.orient(frames->right_master.linear(), atConsole * frames->right_base.linear());
+  return true;
 }
 
 void Operator::lead(suture::Time now, double seconds) {
@@ -66,6 +77,7 @@ void Operator::lead(suture::Time now, double seconds) {
   const double speed = rate.norm();
   if (speed > parameters_.speed) rate *= parameters_.speed / speed;
   intended_ += seconds * rate;
+  orient();  // the camera may have been moved
   const bool leftTook = left_.follow(now, seconds, intended_);
   const bool rightTook = right_.follow(now, seconds, intended_);
   if (!leftTook || !rightTook) holds_ = false;
@@ -77,7 +89,7 @@ Vector3d Operator::seenError(suture::Time now) {
   if (now - sighting->stamp > parameters_.picture_age) return Vector3d::Zero();
   const auto frames = registration_.frames.at(sighting->stamp);  // the camera may have been moved
   if (!frames) return Vector3d::Zero();
-  return parameters_.target - frames->camera * sighting->knot;
+  return sceneAtConsole(*frames) * (parameters_.target - frames->camera * sighting->knot);
 }
 
 Operator::Side::Side(Operator& self, const char* masterName, const char* slaveName,
@@ -100,10 +112,20 @@ bool Operator::Side::begin() {
   return true;
 }
 
+/// What the hand feels begins anew where the slave is in another picture.
+void Operator::Side::orient(const Eigen::Matrix3d& newFromMaster,
+                            const Eigen::Matrix3d& newFromSlave) {
+  fromMaster = newFromMaster;
+  if (newFromSlave.isApprox(fromSlave, 1e-12)) return;
+  fromSlave = newFromSlave;
+  slaveStart.reset();
+}
+
 /// The master goes where the hand goes. False if it did not take its goal.
 bool Operator::Side::follow(suture::Time now, double seconds, const Vector3d& intended) {
   hand.advance(seconds, intended, felt(seconds));
-  return master.servo_cp({Eigen::Translation3d(hand.position()) * start, now, true}).has_value();
+  const Eigen::Translation3d moved(fromMaster.transpose() * hand.position());
+  return master.servo_cp({moved * start, now, true}).has_value();
 }
 
 Vector3d Operator::Side::felt(double seconds) {
@@ -114,7 +136,7 @@ Vector3d Operator::Side::felt(double seconds) {
     slaveStart.reset();
     return Vector3d::Zero();
   }
-  const Vector3d place = pose->pose.translation() / parameters.scale;
+  const Vector3d place = fromSlave * pose->pose.translation() / parameters.scale;
   if (!slaveStart) {
     slaveStart = place - hand.position();
     slaveRate.reset(place);

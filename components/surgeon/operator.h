@@ -62,8 +62,8 @@ struct SUTURE_TYPE() OperatorParameters {
 };
 
 /// Takes the place of a KnotSurgeon, and looks: what it sees of the knot in the picture, however
-/// late that comes, leads both hands as the crossover model says. The axes of the masters' base
-/// frames are taken to be those of the scene, as the guide takes them.
+/// late that comes, leads both hands as the crossover model says. They move as it looks at the
+/// console (registration/surgeon_view.h), whatever way masters, camera and slaves are turned.
 ///
 /// A picture that is lost, not valid or too old is no error to reduce: the hands come to rest once
 /// that has passed the operator's own delay, and hold. They also hold while the guide does not
@@ -91,6 +91,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
          const OperatorParameters& parameters, std::uint32_t number);
 
     bool begin();
+    void orient(const Eigen::Matrix3d& newFromMaster, const Eigen::Matrix3d& newFromSlave);
     bool follow(suture::Time now, double seconds, const Eigen::Vector3d& intended);
     /// N: what the motors push the hand with for the next `seconds`.
     Eigen::Vector3d felt(double seconds);
@@ -99,7 +100,11 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
     suture::Required<Arm> master, slave;  // the slave is needed for force feedback alone
     ArmWatch watch{master};
     Eigen::Isometry3d start = Eigen::Isometry3d::Identity();  // of the master, in its base frame
-    Hand hand;                                                // from where it began, m
+    // To directions at the console: from those in the master's base frame, and from those in the
+    // slave's base frame that look the same.
+    Eigen::Matrix3d fromMaster = Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d fromSlave = Eigen::Matrix3d::Identity();
+    Hand hand;  // from where it began, m in the console's directions
     PositionPosition feedback;
     RateFilter<3> slaveRate;
     // Where the slave was while the hand was at its origin, to the scale of the master, m; none
@@ -107,8 +112,10 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
     std::optional<Eigen::Vector3d> slaveStart;
   };
 
-  /// The way of the knot to its target, in the scene, m; zero if the operator does not see it.
+  /// The way of the knot to its target as it looks at the console, m; zero if the operator does
+  /// not see it.
   Eigen::Vector3d seenError(suture::Time now);
+  bool orient();
   void begin();
   void lead(suture::Time now, double seconds);
 
@@ -121,7 +128,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
   CrossoverModel model_;
   bool guided_ = false;
   bool holds_ = false;  // both masters, since the hands began where they were
-  Eigen::Vector3d intended_ = Eigen::Vector3d::Zero();  // of both hands, m from where they began
+  Eigen::Vector3d intended_ = Eigen::Vector3d::Zero();  // of both hands, m as Side::hand
   suture::Time last_;                                   // cycle
 };
 

@@ -385,9 +385,9 @@ constexpr char kGuidanceDescription[] = R"json(
 "hash": "401a3087a44477f3da4a2fb4b04a549a", "commands": [{"name": "guidance_state", "kind": "read",
 "ordinal": 1, "wire": "guidanceState", "result": {"type": {"kind": "enum",
 "name": "robots::GuidanceState"}}, "queue": 16}, {"name": "progress", "kind": "read", "ordinal": 2,
-"doc": "Also while the guide waits for something, as far as the knot has been seen.", "result": {
-"type": {"kind": "struct", "name": "robots::GuidanceProgress"}}, "queue": 16}, {"name": "enable",
-"kind": "void", "ordinal": 3,
+"doc": "It is told also while the guide waits for something, as far as the knot has been seen.",
+"result": {"type": {"kind": "struct", "name": "robots::GuidanceProgress"}}, "queue": 16}, {
+"name": "enable", "kind": "void", "ordinal": 3,
 "doc": "Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.",
 "queue": 16}, {"name": "disable", "kind": "void", "ordinal": 4,
 "doc": "Stops guiding; both slaves hold.", "queue": 16}], "events": [{"name": "guidance_state",

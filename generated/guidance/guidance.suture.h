@@ -56,7 +56,7 @@ class Required<robots::Guidance> : public RequiredBase {
 
   ReadCommand<&Contract::guidance_state, std::uint8_t> guidance_state{
       *this, static_cast<std::uint16_t>(Id::guidance_state)};
-  /// Also while the guide waits for something, as far as the knot has been seen.
+  /// It is told also while the guide waits for something, as far as the knot has been seen.
   ReadCommand<&Contract::progress, robots::GuidanceProgressSlot> progress{
       *this, static_cast<std::uint16_t>(Id::progress)};
   /// Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.

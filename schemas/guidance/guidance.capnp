@@ -43,7 +43,7 @@ interface Guidance @0xf839a0ec32e2aeaf $Meta.cxx("robots::Guidance") {
   guidanceState @1 (sent :Rpc.Sent) -> (value :GuidanceState, stamp :Int64)
       $Meta.cxx("guidance_state") $Meta.kind("read");
   progress @2 (sent :Rpc.Sent) -> (value :GuidanceProgress, stamp :Int64) $Meta.kind("read");
-  # Also while the guide waits for something, as far as the knot has been seen.
+  # It is told also while the guide waits for something, as far as the knot has been seen.
   enable @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
   disable @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);

@@ -16,7 +16,7 @@ struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParamet
   # adapt themselves.
   crossoverFrequency @3 :Float64 = 3.0 $Meta.cxx("crossover_frequency")
       $Meta.range(lowest = 0.1, highest = 20) $Meta.unit("rad/s");
-  # Of McRuer's model (surgeon/crossover_model.h), as are the next three.
+  # McRuer's model has this and the next three (surgeon/crossover_model.h).
   delay @4 :Int64 = 200000000 $Meta.period("1/1000000000");
   # From seeing to moving; not below zero.
   remnant @5 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 1);

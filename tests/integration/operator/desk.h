@@ -18,7 +18,7 @@ namespace robots::test {
 /// Whoever sits at the desk requires "Left", "Right" and "Vision", and sees the picture late by
 /// what `delay` adds.
 struct Desk {
-  Desk() {
+  explicit Desk(const SceneFrames& frames = {}) : registration(frames) {
     manager.add("LeftMaster", left);
     manager.add("RightMaster", right);
     manager.add("Scene", scene);
@@ -49,7 +49,7 @@ struct Desk {
 
   ScriptedArm left, right;
   Scene scene;
-  RegistrationTable registration{SceneFrames{}};
+  RegistrationTable registration;
   std::unique_ptr<Operator> surgeon;
   suture::Manager manager{"desk"};
 };

@@ -37,6 +37,19 @@ TEST_F(AtDesk, BringsTheKnotToItsTarget) {
   EXPECT_LT((leftHand() - rightHand()).norm(), 1e-6);
 }
 
+/// A guide that has slaves go in the picture as hands do at the display, however things are turned.
+TEST(AtATurnedDesk, BringsTheKnotToItsTarget) {
+  SceneFrames frames;
+  frames.camera.linear() = Eigen::AngleAxisd(2, Vector3d(1, 2, 0).normalized()).matrix();
+  frames.left_master.linear() = Eigen::AngleAxisd(-1, Vector3d(0, 1, 1).normalized()).matrix();
+  frames.right_master.linear() = frames.left_master.linear();
+  frames.display.linear() = frames.left_master.linear();  // so scene.h shows what a camera sees
+  Desk desk(frames);
+  desk.seatOperator(quiet());
+  pass(5s);
+  EXPECT_LT((frames.camera * desk.knot() - kTarget).norm(), 1e-4);
+}
+
 TEST_F(AtDesk, IsWithinAMillimetreWithNoiseAndTremor) {
   OperatorParameters parameters = quiet();
   parameters.remnant = OperatorParameters{}.remnant;

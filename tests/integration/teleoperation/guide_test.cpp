@@ -58,7 +58,7 @@ Eigen::Isometry3d at(const Vector3d& place) {
 
 class Guide : public testing::Test {
  protected:
-  Guide() {
+  explicit Guide(const SceneFrames& frames = {}) : registration_(frames) {
     for (std::size_t i = 0; i < arms_.size(); ++i) {
       const bool isLeft = i % 2 == 0;
       arms_[i].place(at({isLeft ? -0.04 : 0.04, 0, -0.03}));
@@ -106,7 +106,7 @@ class Guide : public testing::Test {
   suture::Manager manager_{"console"};
   std::array<ScriptedArm, 4> arms_;
   Eyes eyes_;
-  RegistrationTable registration_{SceneFrames{}};
+  RegistrationTable registration_;
   KnotGuide guide_{GuideParameters{}};
   Listener listener_;
 
@@ -242,6 +242,84 @@ TEST_F(Guide, FollowsNothingWhileItIsDisabled) {
   guide_.enable();
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   expectThatBothFollow();
+}
+
+/// Turns what stands there about `centre`, m.
+void turn(Eigen::Isometry3d& frame, const Vector3d& centre, double angle, const Vector3d& axis) {
+  const Eigen::Translation3d there(centre);
+  frame = there * Eigen::AngleAxisd(angle, axis.normalized()) * there.inverse() * frame;
+}
+
+/// Everything is turned some other way, tips and knot about where they are: no pair of axes is the
+/// same.
+SceneFrames turnedScene() {
+  SceneFrames frames;
+  turn(frames.left_base, {-0.04, 0, -0.03}, 0.7, {1, 0.2, 0});
+  turn(frames.right_base, {0.04, 0, -0.03}, -1.1, {0, 0.3, 1});
+  turn(frames.camera, {0, 0, -0.05}, 0.9, {0.5, 1, 0});
+  turn(frames.left_master, Vector3d::Zero(), 0.4, {0, 1, 1});
+  turn(frames.right_master, Vector3d::Zero(), -0.6, {1, 1, 0});
+  turn(frames.display, Vector3d::Zero(), 0.3, {1, 0, 1});
+  return frames;
+}
+
+/// What the surgeon sees at the display is what happens in the picture.
+class TurnedGuide : public Guide {
+ protected:
+  TurnedGuide() : Guide(turnedScene()) {}
+
+  void moveHands(const Vector3d& inDisplay) {
+    const Vector3d atConsole = frames_.display.linear() * inDisplay;
+    moveMaster(arms_[0], frames_.left_master.linear().transpose() * atConsole);
+    moveMaster(arms_[1], frames_.right_master.linear().transpose() * atConsole);
+    pass(200ms);
+  }
+  static void moveMaster(ScriptedArm& master, const Vector3d& by) {
+    master.place(Eigen::Translation3d(by) * master.pose());
+  }
+  Vector3d leftInPicture() const { return frames_.camera.inverse() * frames_.left_base * left(); }
+  Vector3d rightInPicture() const {
+    return frames_.camera.inverse() * frames_.right_base * right();
+  }
+  void expectThatBothGoAsTheHands(const Vector3d& inDisplay) {
+    const Vector3d leftBefore = leftInPicture(), rightBefore = rightInPicture();
+    moveHands(inDisplay);
+    EXPECT_LT((leftInPicture() - leftBefore - 0.4 * inDisplay).norm(), 1e-9);
+    EXPECT_LT((rightInPicture() - rightBefore - 0.4 * inDisplay).norm(), 1e-9);
+  }
+
+  SceneFrames frames_ = turnedScene();
+};
+
+TEST_F(TurnedGuide, HasBothSlavesMoveInThePictureAsTheHandsAtTheDisplay) {
+  expectThatBothGoAsTheHands({0.01, 0, 0});
+  expectThatBothGoAsTheHands({0, 0.01, 0});
+  expectThatBothGoAsTheHands({0, 0, -0.01});
+}
+
+TEST_F(TurnedGuide, TurnsBothSlavesInThePictureAsTheHandsAtTheDisplay) {
+  const Eigen::Matrix3d before = frames_.right_base.linear() * arms_[3].pose().linear();
+  const Eigen::AngleAxisd turned(0.3, frames_.display.linear().col(2));
+  const Eigen::Matrix3d base = frames_.right_master.linear();
+  Eigen::Isometry3d pose = arms_[1].pose();
+  pose.linear() = base.transpose() * turned * base * pose.linear();
+  arms_[1].place(pose);
+  pass(20ms);
+  const Eigen::AngleAxisd expected(0.3, frames_.camera.linear().col(2));
+  EXPECT_TRUE((frames_.right_base.linear() * arms_[3].pose().linear())
+                  .isApprox(expected.toRotationMatrix() * before, 1e-9));
+}
+
+TEST_F(TurnedGuide, FollowsInThePictureOfACameraThatWasMovedMeanwhile) {
+  expectThatBothGoAsTheHands({0.01, 0, 0});
+  turn(frames_.camera, {0, 0, -0.05}, 0.8, {0, 0.2, 1});
+  const Vector3d leftHeld = left(), rightHeld = right();
+  registration_.set_camera(frames_.camera);
+  pass(50ms);
+  EXPECT_TRUE(left().isApprox(leftHeld, 1e-9)) << "the camera moved, no arm";
+  EXPECT_TRUE(right().isApprox(rightHeld, 1e-9)) << "the camera moved, no arm";
+  expectThatBothGoAsTheHands({0.01, 0, 0});
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
 }
 
 TEST(KnotGuide, RefusesAScaleAndALineThatNobodyCanFollow) {
