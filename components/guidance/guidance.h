@@ -14,7 +14,7 @@ enum class SUTURE_TYPE() GuidanceState : std::uint8_t {
               ///< fresh data of each, and slaves that take goals
   Blind,      ///< the arms are ready, but nobody has seen the knot lately; both slaves hold
   Guiding,
-  Disabled,  ///< until enable()
+  Disabled,  ///< until enable(); also since a slave refused its goals for a reason that stays
 };
 
 struct SUTURE_TYPE() GuidanceProgress {

@@ -17,6 +17,9 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
+constexpr const char* kGoalsRefused =
+    "a slave refuses its goals; look at its warnings, insert its tool, then enable";
+
 FixtureModel model(const GuideParameters& parameters) {
   if (parameters.approach.norm() == 0) {
     throw suture::SetupError("guiding a knot along \"approach\" [0, 0, 0]",
@@ -69,6 +72,10 @@ void KnotGuide::run() {
     if (disabled) break;
     side->masterWatch.prepare();
     side->slaveWatch.prepare();
+  }
+  if (isRefused() && state_ == GuidanceState::Guiding) {
+    leave(GuidanceState::Disabled);
+    return messages_.error(kGoalsRefused);
   }
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
   if (missed) estimate_.forget();  // it does not know where the tips have been meanwhile
@@ -130,6 +137,11 @@ void KnotGuide::lookForKnot() {
   progress_.distance_to_target = fixtures_.distanceToTarget(*knot);
   progress_.lateral_error = fixtures_.lateralError(*knot);
   progress_.stamp = now;
+}
+
+bool KnotGuide::isRefused() {
+  const bool left = left_.slaveWatch.refuses();  // each has to be asked
+  return right_.slaveWatch.refuses() || left;
 }
 
 /// An arm that refuses goals, or slides along a joint limit, is not where it was sent.

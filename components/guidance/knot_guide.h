@@ -6,6 +6,7 @@
 #include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
+#include <suture/standard/message_port.h>
 
 #include <array>
 #include <chrono>
@@ -52,7 +53,8 @@ struct SUTURE_TYPE() GuideParameters {
 /// directions that the surgeon sees (registration/surgeon_view.h), as far as the fixtures permit
 /// (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen lately, both
 /// slaves hold; each time all is well again they begin anew from where they are. They also do if a
-/// slave's set-point is not where it was sent, since the fixtures are about where the tips are.
+/// slave's set-point is not where it was sent, since the fixtures are about where the tips are. A
+/// slave that would refuse its goals for ever disables the guide.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
   /// Throws suture::SetupError for a line of approach without a direction, or a scale that is not
@@ -97,6 +99,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   bool send(Side& side, const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
             const Eigen::Vector3d& tip);
   TipPair permitted(const TipPair& desired);
+  bool isRefused();
   /// Follows no more: both slaves hold.
   void leave(GuidanceState state);
   void enter(GuidanceState state);
@@ -107,6 +110,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   suture::Required<KnotVision> vision_{*this, "Vision"};
   suture::Required<Registration> registration_{*this, "Registration"};
   suture::Provided<Guidance> guidance_{*this, "Guidance", *this};
+  suture::MessagePort messages_{*this};
 
   CycleWatch cycles_;
   KnotFixtures fixtures_;

@@ -400,8 +400,9 @@ constexpr char kGuidanceDescription[] = R"json(
 }, {"name": "Blind", "value": 1, "wire": "blind",
 "doc": "the arms are ready, but nobody has seen the knot lately; both slaves hold"}, {
 "name": "Guiding", "value": 2, "wire": "guiding"}, {"name": "Disabled", "value": 3,
-"wire": "disabled", "doc": "until enable()"}]}], "structs": [{"name": "robots::GuidanceProgress",
-"fields": [{"name": "knot",
+"wire": "disabled",
+"doc": "until enable(); also since a slave refused its goals for a reason that stays"}]}],
+"structs": [{"name": "robots::GuidanceProgress", "fields": [{"name": "knot",
 "doc": "Where the knot is by the last sighting and by what the tips have moved since; in the scene.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {
 "name": "distance_to_target", "wire": "distanceToTarget",

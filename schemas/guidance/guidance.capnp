@@ -16,7 +16,7 @@ enum GuidanceState @0x909952bd3e04c1b4 $Meta.cxx("robots::GuidanceState") $Meta.
   # the arms are ready, but nobody has seen the knot lately; both slaves hold
   guiding @2 $Meta.cxx("Guiding") $Meta.value(2);
   disabled @3 $Meta.cxx("Disabled") $Meta.value(3);
-  # until enable()
+  # until enable(); also since a slave refused its goals for a reason that stays
 }
 
 struct GuidanceProgress @0xb62a9e40cb04e11e $Meta.cxx("robots::GuidanceProgress") {

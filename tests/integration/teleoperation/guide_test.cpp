@@ -4,6 +4,7 @@
 #include <suture/base/errors.h>
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>
+#include <suture/standard/messages.suture.h>
 
 #include <array>
 #include <chrono>
@@ -56,6 +57,15 @@ Eigen::Isometry3d at(const Vector3d& place) {
   return Eigen::Isometry3d(Eigen::Translation3d(place));
 }
 
+/// Keeps what the guide complained of last.
+struct Complaints final : suture::Device {
+  Complaints() {
+    messages.on().error([this](const suture::Message& message) { error = message.text; });
+  }
+  suture::Required<suture::Messages> messages{*this, "Messages"};
+  std::string error;
+};
+
 class Guide : public testing::Test {
  protected:
   explicit Guide(const SceneFrames& frames = {}) : registration_(frames) {
@@ -67,6 +77,7 @@ class Guide : public testing::Test {
     }
     manager_.connect("Guide/Vision", "Eyes/Vision");
     manager_.connect("Listener/Guidance", "Guide/Guidance");
+    manager_.connect("Complaints/Messages", "Guide/Messages");
     manager_.connect("Guide/Registration", "Registration/Registration");
     manager_.start();
     EXPECT_TRUE(becomes(GuidanceState::Guiding));
@@ -109,6 +120,7 @@ class Guide : public testing::Test {
   RegistrationTable registration_;
   KnotGuide guide_{GuideParameters{}};
   Listener listener_;
+  Complaints complaints_;
 
  private:
   // Before the constructor's body, which connects them.
@@ -117,6 +129,7 @@ class Guide : public testing::Test {
     manager_.add("Registration", registration_);
     manager_.add("Guide", guide_);
     manager_.add("Listener", listener_);
+    manager_.add("Complaints", complaints_);
     return true;
   }();
 };
@@ -229,6 +242,24 @@ TEST_F(Guide, SendsASlaveThatSlidesAlongALimitNotFarFromWhereItIs) {
     ASSERT_GT(goal.pose.translation().z(), -0.031 - kMostAstray);
   }
   EXPECT_GT(goals(), 1000u) << "the other one would follow no more";
+}
+
+// No goal leads there while its tool is not in, so nobody may believe that it is guided.
+TEST_F(Guide, IsDisabledByASlaveThatRefusesItsGoalsAndSaysWhy) {
+  for (ScriptedArm* slave : {&arms_[2], &arms_[3]}) {
+    slave->warn(ArmWarning::NotInserted);
+    ASSERT_TRUE(becomes(GuidanceState::Disabled));
+    pass(2ms);
+    ASSERT_TRUE(complaints_.processEvents());
+    EXPECT_NE(complaints_.error.find("refuses its goals"), std::string::npos) << complaints_.error;
+    complaints_.error.clear();
+    forgetGoals();
+    moveMasters({0, 0, 0.02}, 50);
+    EXPECT_EQ(goals(), 0u);
+    guide_.enable();
+    ASSERT_TRUE(becomes(GuidanceState::Guiding));
+    expectThatBothFollow();
+  }
 }
 
 TEST_F(Guide, FollowsNothingWhileItIsDisabled) {
