@@ -87,14 +87,16 @@ void KnotGuide::run() {
   lookForKnot();
   if (disabled) return;
   if (parameters_.fixtures && !progress_.valid) return leave(GuidanceState::Blind);
-  if (mustBeginAnew() || missed) begin();
+  if ((mustBeginAnew() || missed) && !begin()) return leave(GuidanceState::Preparing);
   if (!move()) return leave(GuidanceState::Preparing);
   enter(GuidanceState::Guiding);
 }
 
+/// False if it is not known where things stand. While it guides they stay where they were.
 bool KnotGuide::readScene() {
   const auto frames = registration_.frames();
-  if (!frames) return false;
+  sceneIsKnown_ = frames && frames.age() <= parameters_.registration_age;
+  if (!sceneIsKnown_) return left_.law.has_value();
   frames_ = *frames;
   fixtures_.setTissue(frames_.tissue);
   left_.look(surgeonView(frames_, robots::Side::Left, robots::Side::Left), parameters_.scale);
@@ -126,9 +128,11 @@ void KnotGuide::lookForKnot() {
   const suture::Time now = suture::now();
   const auto sighting = vision_.sighting();
   if (sighting && sighting->valid) {
-    const auto then = registration_.frames.at(sighting->stamp);  // a camera may have moved since
-    const SceneFrames& frames = then ? *then : frames_;
-    estimate_.seenAt(sighting->stamp, frames.camera * sighting->knot);
+    // Where the camera stood then, or nothing was seen: it may have moved since.
+    const auto then = registration_.frames.at(sighting->stamp);
+    if (then && sighting->stamp - then.stamp() <= parameters_.registration_age) {
+      estimate_.seenAt(sighting->stamp, then->camera * sighting->knot);
+    }
   }
   const auto knot = estimate_.knot(now);
   progress_.valid = knot.has_value();
@@ -156,9 +160,12 @@ bool KnotGuide::mustBeginAnew() {
          (setpoints_.right - tips_.right).norm() > most;
 }
 
-void KnotGuide::begin() {
+/// False if it is not known where things stand now.
+bool KnotGuide::begin() {
+  if (!sceneIsKnown_) return false;
   for (Side* side : {&left_, &right_}) side->anchor(side->slavePose.pose, parameters_.scale);
   tips_ = setpoints_;
+  return true;
 }
 
 void KnotGuide::Side::anchor(const Isometry3d& slaveSetpoint, double scale) {

@@ -32,6 +32,9 @@ struct SUTURE_TYPE() GuideParameters {
   suture::Duration max_age = std::chrono::milliseconds(20);
   /// The same for what the cameras saw: some three images.
   suture::Duration sighting_age = std::chrono::milliseconds(250);
+  /// Nor is guiding begun by a registration that was renewed longer ago, or a sighting believed
+  /// whose camera was registered so long before it. Guiding goes on by the one that it began with.
+  suture::Duration registration_age = std::chrono::milliseconds(250);
   /// Prepare and guide without waiting for enable().
   bool enable_at_start = true;
   /// Without, the slaves follow their masters wherever the knot is.
@@ -93,7 +96,7 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   bool read(Side& side);
   void lookForKnot();
   bool mustBeginAnew();
-  void begin();
+  bool begin();
   /// False if a slave did not take its goal.
   bool move();
   bool send(Side& side, const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
@@ -115,8 +118,9 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   CycleWatch cycles_;
   KnotFixtures fixtures_;
   SceneFrames frames_;
-  TipPair setpoints_;  // where the slaves say that their tips shall be, in the scene
-  TipPair tips_;       // where they have been sent: what setpoints_ come to within max_age
+  bool sceneIsKnown_ = false;  // now, and not as it was when guiding began
+  TipPair setpoints_;          // where the slaves say that their tips shall be, in the scene
+  TipPair tips_;               // where they have been sent: what setpoints_ come to within max_age
   KnotEstimate estimate_;
   GuidanceState state_ = GuidanceState::Disabled;
   bool enableAtFirstCycle_;

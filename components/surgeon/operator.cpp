@@ -88,7 +88,9 @@ Vector3d Operator::seenError(suture::Time now) {
   if (!sighting || !sighting->valid) return Vector3d::Zero();
   if (now - sighting->stamp > parameters_.picture_age) return Vector3d::Zero();
   const auto frames = registration_.frames.at(sighting->stamp);  // the camera may have been moved
-  if (!frames) return Vector3d::Zero();
+  if (!frames || sighting->stamp - frames.stamp() > parameters_.picture_age) {
+    return Vector3d::Zero();
+  }
   return sceneAtConsole(*frames) * (parameters_.target - frames->camera * sighting->knot);
 }
 

@@ -48,7 +48,8 @@ struct SUTURE_TYPE() OperatorParameters {
   SUTURE_FIELD(unit("m"), range(0, 0.002)) double tremor = 1e-4;
   /// The hands go no faster, whatever the error: our own estimate of careful work.
   SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.2;
-  /// The operator does not act on a picture that was exposed longer ago.
+  /// The operator does not act on a picture that was exposed longer ago, nor if its camera was
+  /// registered so long before it.
   suture::Duration picture_age = std::chrono::seconds(1);
   /// What the hands feel of the slaves.
   ForceFeedback force_feedback = ForceFeedback::None;

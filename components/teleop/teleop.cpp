@@ -110,11 +110,13 @@ void Teleop::step(suture::Time now) {
   if (state_ == TeleopState::Following) jawFollower_.follow(now);
 }
 
-/// False if there is a registration, or will be, that has not answered yet. One that is lost stays
-/// as it was.
+/// False if there is a registration, or will be, that has not answered lately. Whoever follows goes
+/// on by what was registered.
 bool Teleop::knowsView() {
   const auto frames = registration_.frames();
-  if (!frames) return registration_.isAbsent() || law_;
+  if (!frames || frames.age() > parameters_.registration_age) {
+    return registration_.isAbsent() || law_;
+  }
   const Eigen::Matrix3d view =
       surgeonView(*frames, parameters_.master_side, parameters_.slave_side);
   if (!view.isApprox(view_, 1e-12)) lawIsOld_ = true;

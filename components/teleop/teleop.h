@@ -47,6 +47,9 @@ struct SUTURE_TYPE() TeleopParameters {
   suture::Duration preparation_limit = std::chrono::seconds(60);
   /// Pedals and presence that are older are not known, which ends following.
   suture::Duration operator_age = std::chrono::milliseconds(200);
+  /// Following is not begun by a registration that was renewed longer ago. It goes on by the one
+  /// that it began with.
+  suture::Duration registration_age = std::chrono::milliseconds(250);
   /// Jaw radians a gripper radian, and the jaw with the gripper at 0: 60 degrees of the gripper are
   /// the 80 of the jaw.
   SUTURE_FIELD(range(0.01, 10)) double jaw_scale = 1.3333;

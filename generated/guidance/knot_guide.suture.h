@@ -20,6 +20,7 @@ struct GuideParametersSlot {
   double scale;
   std::int64_t max_age;            // std::chrono::nanoseconds, ns
   std::int64_t sighting_age;       // std::chrono::nanoseconds, ns
+  std::int64_t registration_age;   // std::chrono::nanoseconds, ns
   std::uint8_t enable_at_start;    // bool
   std::uint8_t fixtures;           // bool
   std::array<double, 3> target;    // Eigen::Vector3d, m

@@ -41,6 +41,8 @@ static_assert(std::is_same_v<decltype(TeleopParameters::alignment_tolerance), do
 static_assert(std::is_same_v<decltype(TeleopParameters::preparation_limit),
                              std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(TeleopParameters::operator_age), std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(TeleopParameters::registration_age),
+                             std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(TeleopParameters::jaw_scale), double>);
 static_assert(std::is_same_v<decltype(TeleopParameters::jaw_offset), double>);
 static_assert(std::is_same_v<decltype(TeleopParameters::jaw_rate), double>);
@@ -61,6 +63,7 @@ bool store(const TeleopParameters& value, TeleopParametersSlot& slot) {
   fits &= store(value.alignment_tolerance, slot.alignment_tolerance);
   fits &= store(value.preparation_limit, slot.preparation_limit);
   fits &= store(value.operator_age, slot.operator_age);
+  fits &= store(value.registration_age, slot.registration_age);
   fits &= store(value.jaw_scale, slot.jaw_scale);
   fits &= store(value.jaw_offset, slot.jaw_offset);
   fits &= store(value.jaw_rate, slot.jaw_rate);
@@ -80,6 +83,7 @@ void load(const TeleopParametersSlot& slot, TeleopParameters& value) {
   load(slot.alignment_tolerance, value.alignment_tolerance);
   load(slot.preparation_limit, value.preparation_limit);
   load(slot.operator_age, value.operator_age);
+  load(slot.registration_age, value.registration_age);
   load(slot.jaw_scale, value.jaw_scale);
   load(slot.jaw_offset, value.jaw_offset);
   load(slot.jaw_rate, value.jaw_rate);
@@ -100,6 +104,7 @@ void toWire(const TeleopParametersSlot& slot, wire::TeleopParameters::Builder ou
   out.setAlignmentTolerance(slot.alignment_tolerance);
   out.setPreparationLimit(slot.preparation_limit);
   out.setOperatorAge(slot.operator_age);
+  out.setRegistrationAge(slot.registration_age);
   out.setJawScale(slot.jaw_scale);
   out.setJawOffset(slot.jaw_offset);
   out.setJawRate(slot.jaw_rate);
@@ -118,6 +123,7 @@ Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot, Dur
   slot.alignment_tolerance = in.getAlignmentTolerance();
   slot.preparation_limit = in.getPreparationLimit();
   slot.operator_age = in.getOperatorAge();
+  slot.registration_age = in.getRegistrationAge();
   slot.jaw_scale = in.getJawScale();
   slot.jaw_offset = in.getJawOffset();
   slot.jaw_rate = in.getJawRate();
@@ -160,6 +166,7 @@ void fromJson(const suture::JsonReader& in, TeleopParameters& value) {
   reader.field("alignment_tolerance", value.alignment_tolerance, 0.001, 1);
   reader.field("preparation_limit", value.preparation_limit);
   reader.field("operator_age", value.operator_age);
+  reader.field("registration_age", value.registration_age);
   reader.field("jaw_scale", value.jaw_scale, 0.01, 10);
   reader.field("jaw_offset", value.jaw_offset, -2, 2);
   reader.field("jaw_rate", value.jaw_rate, 0.01, 50);

@@ -29,6 +29,7 @@ struct TeleopParametersSlot {
   double alignment_tolerance;      // rad
   std::int64_t preparation_limit;  // std::chrono::nanoseconds, ns
   std::int64_t operator_age;       // std::chrono::nanoseconds, ns
+  std::int64_t registration_age;   // std::chrono::nanoseconds, ns
   double jaw_scale;
   double jaw_offset;         // rad
   double jaw_rate;           // rad/s

@@ -32,4 +32,7 @@ struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") 
       $Meta.unit("m");
   enableAtStart @12 :Bool = true $Meta.cxx("enable_at_start");
   # Prepare and guide without waiting for enable().
+  registrationAge @13 :Int64 = 250000000 $Meta.cxx("registration_age") $Meta.period("1/1000000000");
+  # Nor is guiding begun by a registration that was renewed longer ago, or a sighting believed
+  # whose camera was registered so long before it. Guiding goes on by the one that it began with.
 }

@@ -28,7 +28,8 @@ struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParamet
   speed @8 :Float64 = 0.2 $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("m/s");
   # The hands go no faster, whatever the error: our own estimate of careful work.
   pictureAge @9 :Int64 = 1000000000 $Meta.cxx("picture_age") $Meta.period("1/1000000000");
-  # The operator does not act on a picture that was exposed longer ago.
+  # The operator does not act on a picture that was exposed longer ago, nor if its camera was
+  # registered so long before it.
   forceFeedback @10 :ForceFeedback $Meta.cxx("force_feedback");
   # What the hands feel of the slaves.
   stiffness @11 :Float64 = 300.0 $Meta.range(lowest = 0, highest = 5000) $Meta.unit("N/m");

@@ -44,4 +44,7 @@ struct TeleopParameters @0xd4e01364c600f6cf $Meta.cxx("robots::TeleopParameters"
   jawTolerance @14 :Float64 = 0.0349 $Meta.cxx("jaw_tolerance")
       $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("rad");
   # So near to that it follows.
+  registrationAge @15 :Int64 = 250000000 $Meta.cxx("registration_age") $Meta.period("1/1000000000");
+  # Following is not begun by a registration that was renewed longer ago. It goes on by the one
+  # that it began with.
 }

@@ -43,6 +43,12 @@ struct Desk {
     manager.connect("Operator/Registration", "Registration/Registration");
     manager.start();
   }
+  /// What the registration tells takes so much longer from now on.
+  void registerLate(suture::Duration delay) {
+    manager.disconnect("Operator/Registration");
+    manager.connect("Operator/Registration", "Registration/Registration", suture::Lane::Auto,
+                    std::chrono::seconds(1), {.answers = delay});
+  }
   Eigen::Vector3d knot() const {
     return Scene::kScale / 2 * (left.pose().translation() + right.pose().translation());
   }

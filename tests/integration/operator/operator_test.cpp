@@ -121,6 +121,15 @@ TEST_F(OnTheWay, HoldsWhileThePictureIsOld) {
   expectArrival();
 }
 
+/// A registration that comes late does not tell where the camera stood.
+TEST_F(OnTheWay, HoldsWhileNobodyKnowsWhereTheCameraStood) {
+  begin(200ms);
+  desk.registerLate(400ms);
+  expectRest();
+  desk.registerLate(0ms);
+  expectArrival();
+}
+
 TEST_F(OnTheWay, HoldsWhileNoPictureIsConnected) {
   begin(1s);
   desk.manager.disconnect("Operator/Vision");

@@ -99,6 +99,12 @@ class Guide : public testing::Test {
   }
   Vector3d left() const { return arms_[2].pose().translation(); }
   Vector3d right() const { return arms_[3].pose().translation(); }
+  /// What the registration tells takes so much longer from now on.
+  void registerLate(suture::Duration delay) {
+    manager_.disconnect("Guide/Registration");
+    manager_.connect("Guide/Registration", "Registration/Registration", suture::Lane::Auto,
+                     suture::Manager::kDefaultPatience, {.answers = delay});
+  }
   void forgetGoals() {
     arms_[2].forgetGoals();
     arms_[3].forgetGoals();
@@ -242,6 +248,65 @@ TEST_F(Guide, SendsASlaveThatSlidesAlongALimitNotFarFromWhereItIs) {
     ASSERT_GT(goal.pose.translation().z(), -0.031 - kMostAstray);
   }
   EXPECT_GT(goals(), 1000u) << "the other one would follow no more";
+}
+
+/// Where things stood is good enough to go on, until nobody has seen the knot from a camera that is
+/// registered.
+TEST_F(Guide, GoesOnByALostRegistrationAsLongAsTheKnotCounts) {
+  manager_.disconnect("Guide/Registration");
+  pass(50ms);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
+  moveMasters({0.01, 0, 0}, 100);
+  pass(5ms);
+  EXPECT_NEAR(left().x(), -0.04 + 0.004, 1e-6);
+  pass(200ms);
+  EXPECT_FALSE(guide_.progress().valid) << "the camera may be anywhere";
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Preparing);
+  manager_.connect("Guide/Registration", "Registration/Registration");
+  ASSERT_TRUE(becomes(GuidanceState::Guiding));
+  expectThatBothFollow();
+}
+
+TEST_F(Guide, DoesNotBeginByARegistrationThatIsOld) {
+  registerLate(400ms);
+  pass(100ms);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding) << "it goes on";
+  guide_.disable();
+  pass(2ms);
+  guide_.enable();
+  pass(1s);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Preparing);
+  registerLate(0ms);
+  ASSERT_TRUE(becomes(GuidanceState::Guiding));
+  expectThatBothFollow();
+}
+
+TEST_F(Guide, DoesNotBeginAnewByARegistrationThatIsOld) {
+  registerLate(400ms);
+  pass(100ms);
+  ASSERT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
+  arms_[3].warn(ArmWarning::StepTooFar);
+  pass(5ms);
+  EXPECT_EQ(guide_.guidance_state(), GuidanceState::Preparing);
+}
+
+/// Nobody has registered where the camera was when the picture was taken.
+TEST_F(Guide, SeesNothingInPicturesFromBeforeTheRegistration) {
+  RegistrationTable moved{[] {
+    SceneFrames frames;
+    frames.camera.translation().x() = 0.05;
+    return frames;
+  }()};
+  manager_.disconnect("Guide/Registration");
+  manager_.add("Moved", moved);
+  manager_.start();
+  manager_.connect("Guide/Registration", "Moved/Registration");
+  pass(20ms);
+  EXPECT_TRUE(guide_.progress().valid);
+  EXPECT_NEAR(guide_.progress().knot.x(), 0, 1e-9);
+  pass(50ms);
+  EXPECT_GT(guide_.progress().knot.x(), 0.005) << "now it was";
+  manager_.stop();  // before what it runs is gone
 }
 
 // No goal leads there while its tool is not in, so nobody may believe that it is guided.

@@ -127,6 +127,12 @@ class TeleopStates : public testing::Test {
     pass(10ms);
     return slave_.pose().translation() - before;
   }
+  /// What the registration tells takes so much longer from now on.
+  void registerLate(suture::Duration delay) {
+    manager_.disconnect("Teleop/Registration");
+    manager_.connect("Teleop/Registration", "Registration/Registration", suture::Lane::Auto,
+                     suture::Manager::kDefaultPatience, {.answers = delay});
+  }
   void turnMaster(double angle) {
     master_.place(master_.pose() * Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
     pass(10ms);
@@ -327,6 +333,24 @@ TEST_F(TeleopStates, DirectionsAreThoseThatTheSurgeonSees) {
   ASSERT_TRUE(reaches(TeleopState::Following));
   const Isometry3d seen = at(Vector3d::Zero(), -EIGEN_PI / 2) * slave_.pose();
   EXPECT_TRUE(master_.pose().linear().isApprox(seen.linear(), 1e-9)) << "aligned in the picture";
+}
+
+TEST_F(TeleopStates, ARegistrationThatIsOldIsFollowedOnAndBegunByNoMore) {
+  startFollowing();
+  registerLate(400ms);
+  pass(1s);
+  EXPECT_EQ(operator_.state(), TeleopState::Following);
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
+  console_.clutch = true;
+  pass(20ms);
+  console_.clutch = false;
+  pass(1s);
+  EXPECT_EQ(operator_.state(), TeleopState::Preparing);
+  EXPECT_EQ(wayOfSlave({0.1, 0, 0}), Vector3d::Zero());
+  registerLate(0ms);
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  pass(5ms);
+  EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
 }
 
 TEST_F(TeleopStates, ARotationOfSixDigitsIsMadeExact) {
