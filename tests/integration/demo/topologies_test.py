@@ -43,9 +43,13 @@ class Topologies(unittest.TestCase):
             return process.stdout
 
         text = compared("fig3a", "fig3c")
-        self.assertEqual(re.findall(r"(?m)^Teleop.*$", text),
-                         ["TeleopL/Jaw    PSM2/Jaw  PSM1/Jaw", "TeleopL/Slave  PSM2/Arm  PSM1/Arm",
-                          "TeleopR/Jaw    PSM1/Jaw  PSM2/Jaw", "TeleopR/Slave  PSM1/Arm  PSM2/Arm"])
+        self.assertEqual([" ".join(line.split()) for line in re.findall(r"(?m)^Teleop.*$", text)],
+                         ['TeleopL/frames/Slave/moving "PSM2_tip" "PSM1_tip"',
+                          'TeleopL/frames/Slave/reference "PSM2_base" "PSM1_base"',
+                          'TeleopR/frames/Slave/moving "PSM1_tip" "PSM2_tip"',
+                          'TeleopR/frames/Slave/reference "PSM1_base" "PSM2_base"',
+                          "TeleopL/Jaw PSM2/Jaw PSM1/Jaw", "TeleopL/Slave PSM2/Arm PSM1/Arm",
+                          "TeleopR/Jaw PSM1/Jaw PSM2/Jaw", "TeleopR/Slave PSM1/Arm PSM2/Arm"])
         self.assertIn("19 of 19 components run in the same process, 36 of 40 connections lead to the same provider.", text)
         self.assertIn(hashlib.sha256((PROGRAMS / "suture-workstation").read_bytes()).hexdigest(), text)
         text = compared("single", "fig3a")
