@@ -15,6 +15,8 @@ enum class SUTURE_TYPE() GuidanceState : std::uint8_t {
   Blind,      ///< the arms are ready, but nobody has seen the knot lately; both slaves hold
   Guiding,
   Disabled,  ///< until enable(); also since a slave refused its goals for a reason that stays
+  Clutched,  ///< a pedal takes the masters from their slaves, or nobody is at the console: both
+             ///< slaves hold, and the masters are the surgeon's to move
 };
 
 struct SUTURE_TYPE() GuidanceProgress {

@@ -86,6 +86,7 @@ void KnotGuide::run() {
   }
   lookForKnot();
   if (disabled) return;
+  if (!operator_.teleoperates()) return leave(GuidanceState::Clutched);
   if (parameters_.fixtures && !progress_.valid) return leave(GuidanceState::Blind);
   if ((mustBeginAnew() || missed) && !begin()) return leave(GuidanceState::Preparing);
   if (!move()) return leave(GuidanceState::Preparing);

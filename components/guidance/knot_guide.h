@@ -17,6 +17,9 @@
 #include "guidance/fixtures.h"
 #include "guidance/guidance.suture.h"
 #include "guidance/knot_estimate.h"
+#include "pedals/foot_pedals.suture.h"
+#include "pedals/operator_presence.suture.h"
+#include "pedals/operator_watch.h"
 #include "registration/registration.suture.h"
 #include "teleop/follow_law.h"
 #include "timing/cycle_watch.h"
@@ -35,6 +38,8 @@ struct SUTURE_TYPE() GuideParameters {
   /// Nor is guiding begun by a registration that was renewed longer ago, or a sighting believed
   /// whose camera was registered so long before it. Guiding goes on by the one that it began with.
   suture::Duration registration_age = std::chrono::milliseconds(250);
+  /// Pedals and presence that are older are not known: both slaves hold.
+  suture::Duration operator_age = std::chrono::milliseconds(200);
   /// Prepare and guide without waiting for enable().
   bool enable_at_start = true;
   /// Without, the slaves follow their masters wherever the knot is.
@@ -54,10 +59,11 @@ struct SUTURE_TYPE() GuideParameters {
 
 /// Each slave follows its master by the law of teleoperation (teleop/follow_law.h), in the
 /// directions that the surgeon sees (registration/surgeon_view.h), as far as the fixtures permit
-/// (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen lately, both
-/// slaves hold; each time all is well again they begin anew from where they are. They also do if a
-/// slave's set-point is not where it was sent, since the fixtures are about where the tips are. A
-/// slave that would refuse its goals for ever disables the guide.
+/// (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen lately, or the
+/// surgeon is not there or presses a pedal that takes the masters, both slaves hold; each time all
+/// is well again they begin anew from where they are. They also do if a slave's set-point is not
+/// where it was sent, since the fixtures are about where the tips are. A slave that would refuse
+/// its goals for ever disables the guide.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
   /// Throws suture::SetupError for a line of approach without a direction, or a scale that is not
@@ -112,9 +118,12 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   Side right_{*this, "RightMaster", "RightSlave"};
   suture::Required<KnotVision> vision_{*this, "Vision"};
   suture::Required<Registration> registration_{*this, "Registration"};
+  SUTURE_REQUIRED(optional()) suture::Required<FootPedals> pedals_{*this, "Pedals"};
+  SUTURE_REQUIRED(optional()) suture::Required<OperatorPresence> presence_{*this, "Presence"};
   suture::Provided<Guidance> guidance_{*this, "Guidance", *this};
   suture::MessagePort messages_{*this};
 
+  OperatorWatch operator_{pedals_, presence_, parameters_.operator_age};
   CycleWatch cycles_;
   KnotFixtures fixtures_;
   SceneFrames frames_;

@@ -13,6 +13,7 @@ const char* toString(robots::GuidanceState state) {
     case robots::GuidanceState::Blind: return "nobody sees the knot: both slaves hold";
     case robots::GuidanceState::Guiding: return "both hands are guided";
     case robots::GuidanceState::Disabled: return "guidance is disabled";
+    case robots::GuidanceState::Clutched: return "the clutch is pressed: both slaves hold";
   }
   return "?";
 }

@@ -42,6 +42,7 @@ static_assert(static_cast<std::uint8_t>(GuidanceState::Preparing) == 0);
 static_assert(static_cast<std::uint8_t>(GuidanceState::Blind) == 1);
 static_assert(static_cast<std::uint8_t>(GuidanceState::Guiding) == 2);
 static_assert(static_cast<std::uint8_t>(GuidanceState::Disabled) == 3);
+static_assert(static_cast<std::uint8_t>(GuidanceState::Clutched) == 4);
 static_assert(std::is_same_v<decltype(GuidanceProgress::knot), Eigen::Vector3d>);
 static_assert(std::is_same_v<decltype(GuidanceProgress::distance_to_target), double>);
 static_assert(std::is_same_v<decltype(GuidanceProgress::lateral_error), double>);
@@ -81,6 +82,7 @@ wire::GuidanceState wireGuidanceState(std::uint8_t slot) {
     case GuidanceState::Blind: return wire::GuidanceState::BLIND;
     case GuidanceState::Guiding: return wire::GuidanceState::GUIDING;
     case GuidanceState::Disabled: return wire::GuidanceState::DISABLED;
+    case GuidanceState::Clutched: return wire::GuidanceState::CLUTCHED;
   }
   return wire::GuidanceState{};
 }
@@ -91,6 +93,7 @@ bool isKnownGuidanceState(std::uint8_t slot) {
     case GuidanceState::Blind:
     case GuidanceState::Guiding:
     case GuidanceState::Disabled:
+    case GuidanceState::Clutched:
       return true;
   }
   return false;
@@ -106,6 +109,8 @@ Errc fromWire(wire::GuidanceState in, std::uint8_t& slot) {
         static_cast<std::uint8_t>(GuidanceState::Guiding), Errc{};
     case wire::GuidanceState::DISABLED: return slot =
         static_cast<std::uint8_t>(GuidanceState::Disabled), Errc{};
+    case wire::GuidanceState::CLUTCHED: return slot =
+        static_cast<std::uint8_t>(GuidanceState::Clutched), Errc{};
   }
   return Errc::Invalid;
 }
@@ -382,7 +387,7 @@ constexpr EventInfo kGuidanceEvents[] = {
 constexpr char kGuidanceDescription[] = R"json(
 {"name": "robots::Guidance",
 "doc": "Commands run in the guide's own thread before its next cycle; reads are from the end of its last\none.",
-"hash": "401a3087a44477f3da4a2fb4b04a549a", "commands": [{"name": "guidance_state", "kind": "read",
+"hash": "7f0a0c34d67de24cc65c667702ad318b", "commands": [{"name": "guidance_state", "kind": "read",
 "ordinal": 1, "wire": "guidanceState", "result": {"type": {"kind": "enum",
 "name": "robots::GuidanceState"}}, "queue": 16}, {"name": "progress", "kind": "read", "ordinal": 2,
 "doc": "It is told also while the guide waits for something, as far as the knot has been seen.",
@@ -401,8 +406,10 @@ constexpr char kGuidanceDescription[] = R"json(
 "doc": "the arms are ready, but nobody has seen the knot lately; both slaves hold"}, {
 "name": "Guiding", "value": 2, "wire": "guiding"}, {"name": "Disabled", "value": 3,
 "wire": "disabled",
-"doc": "until enable(); also since a slave refused its goals for a reason that stays"}]}],
-"structs": [{"name": "robots::GuidanceProgress", "fields": [{"name": "knot",
+"doc": "until enable(); also since a slave refused its goals for a reason that stays"}, {
+"name": "Clutched", "value": 4, "wire": "clutched",
+"doc": "a pedal takes the masters from their slaves, or nobody is at the console: both\nslaves hold, and the masters are the surgeon's to move"
+}]}], "structs": [{"name": "robots::GuidanceProgress", "fields": [{"name": "knot",
 "doc": "Where the knot is by the last sighting and by what the tips have moved since; in the scene.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {
 "name": "distance_to_target", "wire": "distanceToTarget",
@@ -431,11 +438,11 @@ constexpr char kGuidanceDescription[] = R"json(
 "name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "guidanceState", "is": "@0x909952bd3e04c1b4"
 }, {"at": 4, "name": "progress", "is": "@0xb62a9e40cb04e11e"}]}, {"id": "@0x909952bd3e04c1b4",
 "kind": "enum", "name": "GuidanceState", "members": [{"at": 0, "name": "preparing"}, {"at": 1,
-"name": "blind"}, {"at": 2, "name": "guiding"}, {"at": 3, "name": "disabled"}]}, {
-"id": "@0xb62a9e40cb04e11e", "kind": "struct", "name": "GuidanceProgress", "members": [{"at": 0,
-"name": "knot", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}, {"at": 4, "name": "valid", "is": "Bool"}, {"at": 5,
-"name": "distanceToTarget", "is": "Float64 unit \"m\""}, {"at": 6, "name": "lateralError",
+"name": "blind"}, {"at": 2, "name": "guiding"}, {"at": 3, "name": "disabled"}, {"at": 4,
+"name": "clutched"}]}, {"id": "@0xb62a9e40cb04e11e", "kind": "struct", "name": "GuidanceProgress",
+"members": [{"at": 0, "name": "knot", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 3,
+"name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 4, "name": "valid", "is": "Bool"}, {
+"at": 5, "name": "distanceToTarget", "is": "Float64 unit \"m\""}, {"at": 6, "name": "lateralError",
 "is": "Float64 unit \"m\""}]}]})json";
 
 }  // namespace
@@ -447,7 +454,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Guidance>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Guidance",
-      .hash = "401a3087a44477f3da4a2fb4b04a549a",
+      .hash = "7f0a0c34d67de24cc65c667702ad318b",
       .description = robots::kGuidanceDescription,
       .commands = robots::kGuidanceCommands,
       .events = robots::kGuidanceEvents,

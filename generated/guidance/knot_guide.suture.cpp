@@ -32,6 +32,7 @@ static_assert(std::is_same_v<decltype(GuideParameters::max_age), std::chrono::na
 static_assert(std::is_same_v<decltype(GuideParameters::sighting_age), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(GuideParameters::registration_age),
                              std::chrono::nanoseconds>);
+static_assert(std::is_same_v<decltype(GuideParameters::operator_age), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(GuideParameters::enable_at_start), bool>);
 static_assert(std::is_same_v<decltype(GuideParameters::fixtures), bool>);
 static_assert(std::is_same_v<decltype(GuideParameters::target), Eigen::Vector3d>);
@@ -50,6 +51,7 @@ bool store(const GuideParameters& value, GuideParametersSlot& slot) {
   fits &= store(value.max_age, slot.max_age);
   fits &= store(value.sighting_age, slot.sighting_age);
   fits &= store(value.registration_age, slot.registration_age);
+  fits &= store(value.operator_age, slot.operator_age);
   fits &= store(value.enable_at_start, slot.enable_at_start);
   fits &= store(value.fixtures, slot.fixtures);
   fits &= store(value.target, slot.target);
@@ -67,6 +69,7 @@ void load(const GuideParametersSlot& slot, GuideParameters& value) {
   load(slot.max_age, value.max_age);
   load(slot.sighting_age, value.sighting_age);
   load(slot.registration_age, value.registration_age);
+  load(slot.operator_age, value.operator_age);
   load(slot.enable_at_start, value.enable_at_start);
   load(slot.fixtures, value.fixtures);
   load(slot.target, value.target);
@@ -85,6 +88,7 @@ void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out)
   out.setMaxAge(slot.max_age);
   out.setSightingAge(slot.sighting_age);
   out.setRegistrationAge(slot.registration_age);
+  out.setOperatorAge(slot.operator_age);
   out.setEnableAtStart(slot.enable_at_start != 0);
   out.setFixtures(slot.fixtures != 0);
   toWire(slot.target, out.initTarget());
@@ -101,6 +105,7 @@ Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot, Durat
   slot.max_age = in.getMaxAge();
   slot.sighting_age = in.getSightingAge();
   slot.registration_age = in.getRegistrationAge();
+  slot.operator_age = in.getOperatorAge();
   slot.enable_at_start = in.getEnableAtStart();
   slot.fixtures = in.getFixtures();
   slot.radius = in.getRadius();
@@ -136,6 +141,7 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value) {
   reader.field("max_age", value.max_age);
   reader.field("sighting_age", value.sighting_age);
   reader.field("registration_age", value.registration_age);
+  reader.field("operator_age", value.operator_age);
   reader.field("enable_at_start", value.enable_at_start);
   reader.field("fixtures", value.fixtures);
   reader.field("target", value.target);
@@ -157,7 +163,9 @@ ComponentClass componentClass<robots::KnotGuide>() {
             robots::GuideParameters values;
             fromJson(parameters, values);
             if (parameters.failed()) return nullptr;
-            return std::unique_ptr<Component>(new robots::KnotGuide(values));
+            std::unique_ptr<Component> component(new robots::KnotGuide(values));
+            makeOptional(*component, {"Pedals", "Presence"});
+            return component;
           }};
 }
 

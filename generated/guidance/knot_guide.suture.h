@@ -6,6 +6,8 @@
 
 #include "guidance/knot_guide.h"
 #include "guidance/guidance.suture.h"
+#include "pedals/foot_pedals.suture.h"
+#include "pedals/operator_presence.suture.h"
 #include "registration/registration.suture.h"
 #include "vision/knot_vision.suture.h"
 
@@ -21,6 +23,7 @@ struct GuideParametersSlot {
   std::int64_t max_age;            // std::chrono::nanoseconds, ns
   std::int64_t sighting_age;       // std::chrono::nanoseconds, ns
   std::int64_t registration_age;   // std::chrono::nanoseconds, ns
+  std::int64_t operator_age;       // std::chrono::nanoseconds, ns
   std::uint8_t enable_at_start;    // bool
   std::uint8_t fixtures;           // bool
   std::array<double, 3> target;    // Eigen::Vector3d, m

@@ -17,6 +17,9 @@ enum GuidanceState @0x909952bd3e04c1b4 $Meta.cxx("robots::GuidanceState") $Meta.
   guiding @2 $Meta.cxx("Guiding") $Meta.value(2);
   disabled @3 $Meta.cxx("Disabled") $Meta.value(3);
   # until enable(); also since a slave refused its goals for a reason that stays
+  clutched @4 $Meta.cxx("Clutched") $Meta.value(4);
+  # a pedal takes the masters from their slaves, or nobody is at the console: both
+  # slaves hold, and the masters are the surgeon's to move
 }
 
 struct GuidanceProgress @0xb62a9e40cb04e11e $Meta.cxx("robots::GuidanceProgress") {

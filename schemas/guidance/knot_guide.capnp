@@ -35,4 +35,6 @@ struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") 
   registrationAge @13 :Int64 = 250000000 $Meta.cxx("registration_age") $Meta.period("1/1000000000");
   # Nor is guiding begun by a registration that was renewed longer ago, or a sighting believed
   # whose camera was registered so long before it. Guiding goes on by the one that it began with.
+  operatorAge @14 :Int64 = 200000000 $Meta.cxx("operator_age") $Meta.period("1/1000000000");
+  # Pedals and presence that are older are not known: both slaves hold.
 }

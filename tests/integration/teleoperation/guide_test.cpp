@@ -12,6 +12,7 @@
 
 #include "guidance/knot_guide.h"
 #include "integration/teleoperation/scripted_arm.h"
+#include "integration/teleoperation/test_console.h"
 #include "registration/registration_table.h"
 #include "support/pass.h"
 #include "support/stepped.h"
@@ -127,6 +128,7 @@ class Guide : public testing::Test {
   KnotGuide guide_{GuideParameters{}};
   Listener listener_;
   Complaints complaints_;
+  TestConsole console_;
 
  private:
   // Before the constructor's body, which connects them.
@@ -136,6 +138,7 @@ class Guide : public testing::Test {
     manager_.add("Guide", guide_);
     manager_.add("Listener", listener_);
     manager_.add("Complaints", complaints_);
+    manager_.add("Console", console_);
     return true;
   }();
 };
@@ -325,6 +328,59 @@ TEST_F(Guide, IsDisabledByASlaveThatRefusesItsGoalsAndSaysWhy) {
     ASSERT_TRUE(becomes(GuidanceState::Guiding));
     expectThatBothFollow();
   }
+}
+
+/// The surgeon has pedals, and a viewer that tells of presence.
+class GuideWithPedals : public Guide {
+ protected:
+  GuideWithPedals() {
+    manager_.connect("Guide/Pedals", "Console/Pedals");
+    manager_.connect("Guide/Presence", "Console/Presence");
+    pass(10ms);
+    EXPECT_TRUE(becomes(GuidanceState::Guiding));
+  }
+
+  /// Both slaves hold, and the masters move without them, until `resume()`; then they follow from
+  /// where they are.
+  template <class Resume>
+  void expectThatBothHoldUntil(const Resume& resume) {
+    ASSERT_TRUE(becomes(GuidanceState::Clutched));
+    pass(2ms);
+    forgetGoals();
+    const Vector3d leftHeld = left(), rightHeld = right();
+    moveMasters({0.03, 0.02, 0}, 50);
+    EXPECT_EQ(goals(), 0u);
+    resume();
+    ASSERT_TRUE(becomes(GuidanceState::Guiding));
+    pass(5ms);
+    EXPECT_GT(goals(), 0u);
+    EXPECT_TRUE(left().isApprox(leftHeld, 1e-9)) << "it jumped";
+    EXPECT_TRUE(right().isApprox(rightHeld, 1e-9)) << "it jumped";
+    expectThatBothFollow();
+  }
+};
+
+TEST_F(GuideWithPedals, HoldsBothSlavesWhileTheClutchIsPressed) {
+  console_.clutch = true;
+  expectThatBothHoldUntil([&] { console_.clutch = false; });
+}
+
+TEST_F(GuideWithPedals, HoldsBothSlavesWhileNobodyIsThere) {
+  console_.present = false;
+  expectThatBothHoldUntil([&] { console_.present = true; });
+}
+
+TEST_F(GuideWithPedals, HoldsBothSlavesWhilePedalsAreSilent) {
+  console_.stuck = true;
+  expectThatBothHoldUntil([&] { console_.stuck = false; });
+}
+
+/// The knot is not lost meanwhile: nobody but the tips moves it.
+TEST_F(GuideWithPedals, KnowsWhereTheKnotIsWhileTheClutchIsPressed) {
+  console_.clutch = true;
+  ASSERT_TRUE(becomes(GuidanceState::Clutched));
+  pass(100ms);
+  EXPECT_TRUE(guide_.progress().valid);
 }
 
 TEST_F(Guide, FollowsNothingWhileItIsDisabled) {

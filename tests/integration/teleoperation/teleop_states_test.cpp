@@ -5,15 +5,13 @@
 #include <suture/manager/manager.h>
 #include <suture/standard/messages.suture.h>
 
-#include <atomic>
 #include <chrono>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "integration/teleoperation/scripted_arm.h"
-#include "pedals/foot_pedals.suture.h"
-#include "pedals/operator_presence.suture.h"
+#include "integration/teleoperation/test_console.h"
 #include "registration/registration_table.h"
 #include "support/pass.h"
 #include "support/stepped.h"
@@ -33,26 +31,6 @@ Isometry3d at(const Vector3d& position, double angle) {
   pose.rotate(Eigen::AngleAxisd(angle, Vector3d::UnitZ()));
   return pose;
 }
-
-/// Pedals and viewer in the hands of the test. Its members are any thread's.
-class TestConsole final : public suture::PeriodicTask, public FootPedals, public OperatorPresence {
- public:
-  TestConsole() : PeriodicTask({.period = 5ms}) {}
-  ~TestConsole() override { stop(); }
-
-  PedalState pedals() const override { return {clutch, camera, false, stamp_}; }
-  Presence presence() const override { return {present, stamp_}; }
-  void run() override {
-    if (!stuck) stamp_ = suture::now();
-  }
-
-  std::atomic<bool> clutch = false, camera = false, present = true, stuck = false;
-
- private:
-  suture::Time stamp_;
-  suture::Provided<FootPedals> pedalPort_{*this, "Pedals", *this};
-  suture::Provided<OperatorPresence> presencePort_{*this, "Presence", *this};
-};
 
 /// Stands for whoever sets the teleoperation, and keeps what that tells.
 class Operator final : public suture::Device {
