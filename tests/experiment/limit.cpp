@@ -41,7 +41,7 @@ Eigen::Vector3d directionOf(Axis axis) {
 
 AtRest measureAtRest(const Eigen::Vector3d& direction) {
   suture::TestClock clock;
-  robots::test::LagProbe probe(OperatingRoom::kScale, direction,
+  robots::test::LagProbe probe(kScale, direction,
                                robots::test::knotScene().camera.linear().transpose() * direction);
   OperatingRoom room(over(0ms), kExact);
   room.seat(probe);
@@ -62,8 +62,7 @@ bool isStable(const Eigen::Vector3d& knot, const Eigen::Vector3d& direction,
               suture::Duration roundTrip) {
   suture::TestClock clock;
   const Eigen::Vector3d target = knot + 0.002 * direction;
-  robots::Operator surgeon(
-      {.target = target, .scale = OperatingRoom::kScale, .remnant = 0, .tremor = 0});
+  robots::Operator surgeon({.target = target, .scale = kScale, .remnant = 0, .tremor = 0});
   OperatingRoom room(over(roundTrip), kExact);
   room.seat(surgeon);
   room.connectOperator();

@@ -1,7 +1,10 @@
 #pragma once
 // What became of a trial.
 
+#include <suture/base/time.h>
+
 #include <Eigen/Core>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +45,7 @@ struct Moment {
 constexpr double kPlaced = 0.001;       ///< m
 constexpr double kStaysPlaced = 2;      ///< s
 constexpr double kMomentLength = 1e-3;  ///< s between two moments
+constexpr suture::Duration kMomentPeriod = std::chrono::milliseconds(1);
 
 /// How many moments `seconds` have.
 inline std::size_t momentsIn(double seconds) {

@@ -33,6 +33,9 @@ struct Trial {
   std::uint32_t seed = 1;
 };
 
+/// Slave metres a master metre, in every trial.
+constexpr double kScale = 0.4;
+
 /// How much longer a message takes that a stream has to repeat, on a connection with a message each
 /// `period`: README.md.
 suture::Duration repetitionTime(const Link& link, suture::Duration period);

@@ -1,0 +1,59 @@
+#pragma once
+// One direction of a link: the packets that are under way.
+
+#include <suture/base/time.h>
+
+#include <atomic>
+#include <cstdint>
+#include <deque>
+#include <random>
+#include <vector>
+
+namespace experiment {
+
+/// What packets meet on a link, in each of its directions.
+struct PacketFate {
+  suture::Duration way{0};     ///< how long each of them takes
+  suture::Duration jitter{0};  ///< and up to so much longer; what follows waits behind it
+  double loss = 0;             ///< chance of each to be lost, of 0 to 1
+  std::uint64_t seed = 1;
+};
+
+/// How many packets have come, and how many of those were lost. Any thread may read.
+struct PacketCounts {
+  std::atomic<std::uint64_t> taken{0}, lost{0}, delivered{0};
+};
+
+/// Belongs to one thread, but for its counts.
+class PacketLine {
+ public:
+  /// `from`, `to`: where packets are read and written. Equal seeds and streams lose the same
+  /// packets, counted from the first.
+  PacketLine(int from, int to, const PacketFate& fate, std::uint32_t stream);
+
+  int from() const { return from_; }
+  /// Reads what has come.
+  void take();
+  /// Writes what is due.
+  void deliver(suture::Time now);
+  /// When the next packet is due; suture::Time::max() if there is none.
+  suture::Time next() const;
+  const PacketCounts& counts() const { return counts_; }
+
+ private:
+  struct Packet {
+    suture::Time due;
+    std::vector<std::uint8_t> bytes;
+  };
+
+  double draw();
+
+  const int from_, to_;
+  const PacketFate fate_;
+  std::mt19937_64 random_;
+  std::deque<Packet> underWay_;
+  suture::Time lastDue_{};
+  PacketCounts counts_;
+};
+
+}  // namespace experiment

@@ -1,0 +1,44 @@
+#pragma once
+// What one side of a trial in real time has seen.
+
+#include <suture/base/time.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+namespace experiment {
+
+/// Where something was, by stamps of its own that ascend.
+class Course {
+ public:
+  struct Place {
+    std::int64_t stamp;  ///< ns, of the steady clock, which the processes of a machine share
+    double x, y, z;      ///< m
+  };
+
+  /// Keeps what is new.
+  void add(suture::Time stamp, const Eigen::Vector3d& place);
+  /// Between two stamps on the line between the places; zero if nothing is known.
+  Eigen::Vector3d at(suture::Time then) const;
+
+  std::vector<Place> places;
+};
+
+/// Of the console the masters, of the table all the rest.
+struct Record {
+  Course left, right;                  ///< the arms' tips, each in its own base frame
+  Course leftSetpoint, rightSetpoint;  ///< and where they shall be
+  Course knot;                         ///< in the scene
+  /// When the guide began to guide, when it ceased, and so on.
+  std::vector<std::int64_t> guidance;
+
+  bool guidedAt(suture::Time then) const;
+};
+
+/// Throws std::runtime_error if the file takes or has less than all.
+void write(const Record& record, std::FILE* file);
+Record readRecord(std::FILE* file);
+
+}  // namespace experiment

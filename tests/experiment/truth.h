@@ -1,0 +1,35 @@
+#pragma once
+// What the judge is told of a trial: what is true at an instant, and what follows from it.
+
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "experiment/result.h"
+#include "teleop/follow_law.h"
+
+namespace experiment {
+
+/// A slave and the master that leads it, each in its own base frame.
+struct Pair {
+  Eigen::Isometry3d master, slave, setpoint;
+};
+
+/// At one instant.
+struct Truth {
+  Eigen::Vector3d knot;  ///< in the scene, m
+  bool guided = false;
+  Pair left, right;
+};
+
+/// How far each slave is from where its master asks it to be now, from where both were when the
+/// guide last began. A value.
+class Tracking {
+ public:
+  /// `truth`: of instants that ascend.
+  Moment momentOf(const Truth& truth);
+
+ private:
+  std::optional<robots::FollowLaw> left_, right_;
+};
+
+}  // namespace experiment
