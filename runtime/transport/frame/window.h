@@ -11,7 +11,10 @@ namespace suture::frame {
 /// those when it goes on. Counts frames but for Acknowledge, beyond 2^32 from zero again.
 class Window {
  public:
-  static constexpr std::uint32_t kFrames = 32;
+  /// What comes at 1 kHz in a second: a longer round trip would leave gaps between the frames.
+  static constexpr std::uint32_t kFrames = 1024;
+  /// So many that have been taken are acknowledged together.
+  static constexpr std::uint32_t kAcknowledged = 16;
 
   /// True if one more frame may be sent.
   bool isOpen() const { return sent_ - acknowledged_ < kFrames; }
@@ -29,8 +32,7 @@ class Window {
     ++taken_;
     return taken_ - told_ <= kFrames;
   }
-  /// True from half a window on, so that the other end need not stop for it.
-  bool owesAcknowledgement() const { return taken_ - told_ >= kFrames / 2; }
+  bool owesAcknowledgement() const { return taken_ - told_ >= kAcknowledged; }
 
  private:
   std::uint32_t sent_ = 0, acknowledged_ = 0;  // ours, and of these taken by the other end

@@ -261,7 +261,7 @@ TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
   farLane.add(far);
   nearLane.add(near);
   const std::vector<std::byte> payload(pairs[0]->far->info.events[kMoved].payloadSize);
-  constexpr std::uint32_t kUnacknowledged = Window::kFrames / 2 - 1;
+  constexpr std::uint32_t kUnacknowledged = Window::kAcknowledged - 1;
   std::size_t sent = 0, heard = 0;
   for (const auto& one : pairs) {
     for (std::uint32_t i = 0; i < kUnacknowledged; ++i, ++sent) {

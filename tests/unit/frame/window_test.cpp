@@ -5,7 +5,7 @@ namespace suture::frame {
 namespace {
 
 /// Sends up to `most` of one end's frames to the other.
-unsigned send(Window& from, Window& to, unsigned most = 1000) {
+unsigned send(Window& from, Window& to, unsigned most = 2 * Window::kFrames) {
   unsigned count = 0;
   for (; count < most && from.isOpen(); ++count) {
     Header header{.kind = Kind::Event};
