@@ -46,13 +46,14 @@ Operator::Operator(const OperatorParameters& parameters)
 void Operator::run() {
   const suture::Time now = suture::now();
   const double seconds = secondsBetween(std::exchange(last_, now), now);
+  const Vector3d error = seenError(now);  // looks while it holds, so that it knows when it begins
   const bool missed = cycles_.missed(kLongestPause);
   const bool leftBrokeOff = left_.watch.hasBrokenOff();  // each has to be asked
   const bool brokeOff = right_.watch.hasBrokenOff() || leftBrokeOff;
   const bool ready =
       guided_ && guidance_.connected() && left_.watch.ready() && right_.watch.ready();
   if (!ready || missed || brokeOff) holds_ = false;
-  if (holds_) return lead(now, seconds);
+  if (holds_) return lead(now, seconds, error);
   if (ready) begin();
 }
 
@@ -72,8 +73,8 @@ bool Operator::orient() {
   return true;
 }
 
-void Operator::lead(suture::Time now, double seconds) {
-  Vector3d rate = model_.rate(now, seenError(now)) / parameters_.scale;
+void Operator::lead(suture::Time now, double seconds, const Vector3d& error) {
+  Vector3d rate = model_.rate(now, error) / parameters_.scale;
   const double speed = rate.norm();
   if (speed > parameters_.speed) rate *= parameters_.speed / speed;
   intended_ += seconds * rate;

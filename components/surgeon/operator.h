@@ -118,7 +118,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
   Eigen::Vector3d seenError(suture::Time now);
   bool orient();
   void begin();
-  void lead(suture::Time now, double seconds);
+  void lead(suture::Time now, double seconds, const Eigen::Vector3d& error);
 
   const OperatorParameters parameters_;
   Side left_, right_;

@@ -7,30 +7,35 @@
 namespace experiment {
 namespace {
 
-Point equalPoint() {
-  const Result result{.outcome = Outcome::Placed, .time = 5, .tracking50 = 0.002};
-  return {.trial = {}, .real = {.result = result}, .stepped = result};
+Result placed(double time, double tracking) {
+  return {.outcome = Outcome::Placed, .time = time, .tracking50 = tracking};
 }
 
-TEST(Agreement, IsWithinATenthOfTimeAndOfTracking) {
-  EXPECT_TRUE(agrees(equalPoint()));
-  Point point = equalPoint();
-  point.real.result.time = 5.49;
-  EXPECT_TRUE(agrees(point));
-  point.real.result.time = 5.51;
-  EXPECT_FALSE(agrees(point));
-  point = equalPoint();
-  point.real.result.tracking50 = 0.00179;
-  EXPECT_FALSE(agrees(point));
+/// Placed after 5 s, tracked within 2 mm.
+Point pointWith(const Result& real, bool fixtures) {
+  return {.trial = {.fixtures = fixtures},
+          .real = {placed(4, 0.001), real},
+          .stepped = {placed(4, 0.001), placed(6, 0.003)}};
 }
 
-TEST(Agreement, IsOfOutcomesToo) {
-  Point point = equalPoint();
-  point.real.result.outcome = Outcome::Misses;
-  EXPECT_FALSE(agrees(point));
-  point = equalPoint();
-  point.real.result.time.reset();
-  EXPECT_FALSE(agrees(point));
+TEST(Agreement, WithFixturesItIsOfTheTime) {
+  EXPECT_NEAR(difference(pointWith(placed(6.6, 9), true)), 0.06, 1e-9);
+  EXPECT_TRUE(agrees(pointWith(placed(6.99, 9), true)));
+  EXPECT_FALSE(agrees(pointWith(placed(7.01, 9), true)));
+  EXPECT_FALSE(agrees(pointWith(placed(4.99, 9), true)));
+}
+
+TEST(Agreement, WithoutFixturesItIsOfTheTracking) {
+  EXPECT_TRUE(agrees(pointWith(placed(9, 0.00339), false)));
+  EXPECT_FALSE(agrees(pointWith(placed(9, 0.00341), false)));
+}
+
+TEST(Agreement, AKnotThatIsNotPlacedAgreesWithNone) {
+  Result missed = placed(6, 0.003);
+  missed.outcome = Outcome::Misses;
+  EXPECT_FALSE(agrees(pointWith(missed, false)));
+  missed.time.reset();
+  EXPECT_FALSE(agrees(pointWith(missed, true)));
 }
 
 TEST(Agreement, ThereAreSixPoints) { EXPECT_EQ(realTimePoints().size(), 6u); }

@@ -15,10 +15,9 @@
 
 namespace experiment {
 
-/// Connects a required interface of one side to a provided one of the other, which has news each
-/// `period`.
+/// Connects a required interface of one side to a provided one of the other.
 using Crossing =
-    std::function<void(const char* required, const char* provided, suture::Duration period)>;
+    std::function<void(const char* required, const char* provided, const Traffic& traffic)>;
 
 /// Gives an arm power and homes it, as the guide does with those that it drives.
 class Readier final : public suture::PeriodicTask {

@@ -77,8 +77,21 @@ suture::rt::Scheduling scheduling() {
   return granted.scheduling;
 }
 
-/// The program's exit status. In real time first: it forks, which only a process without threads
-/// may do.
+experiment::Point runBothWays(Trial trial, std::uint32_t firstSeed,
+                              const suture::rt::Scheduling& threads) {
+  experiment::Point point{.trial = trial, .real = {}, .stepped = {}};
+  for (std::uint32_t i = 0; i < experiment::kSeeds; ++i) {
+    trial.seed = firstSeed + i;
+    const auto real = experiment::runInRealTime(trial, threads);
+    point.real.push_back(real.result);
+    point.packets += real.packets;
+    point.lost += real.lost;
+    point.stepped.push_back(experiment::run(trial));
+  }
+  return point;
+}
+
+/// The program's exit status.
 int compare(const Options& options) {
   const suture::rt::Scheduling threads = scheduling();
   fmt::print(
@@ -86,10 +99,8 @@ int compare(const Options& options) {
       "          placed after   knot off  tracking p50, p99      guided\n",
       toString(threads));
   bool all = true;
-  for (Trial& trial : experiment::realTimePoints()) {
-    trial.seed = options.seed;
-    const experiment::RealTimeResult real = experiment::runInRealTime(trial, threads);
-    const experiment::Point point{trial, real, experiment::run(trial)};
+  for (const Trial& trial : experiment::realTimePoints()) {
+    const experiment::Point point = runBothWays(trial, options.seed, threads);
     fmt::print("{}", experiment::describe(point));
     std::fflush(stdout);
     all = all && experiment::agrees(point);

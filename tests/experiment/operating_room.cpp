@@ -16,9 +16,9 @@ OperatingRoom::OperatingRoom(const Trial& trial, const CameraModel& camera)
     : trial_(trial),
       picturePeriod_(camera.period),
       table_(trial, camera),
-      overLink_([this](const char* required, const char* provided, suture::Duration period) {
+      overLink_([this](const char* required, const char* provided, const Traffic& traffic) {
         manager_.connect(required, provided, suture::Lane::Auto, std::chrono::seconds(1),
-                         delayOf(trial_.link, period, trial_.seed, ++crossings_));
+                         delayOf(trial_.link, traffic, trial_.seed, ++crossings_));
       }) {
   console_.addTo(manager_);
   table_.addTo(manager_);

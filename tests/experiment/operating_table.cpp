@@ -10,14 +10,15 @@ namespace {
 using namespace std::chrono_literals;
 using robots::GuideParameters;
 
-constexpr suture::Duration kMasterPeriod = 1ms;
+// Both masters are of one process.
+constexpr Traffic kMasters{.period = 1ms, .sharing = 2};
 
 /// The guide acts on data of the masters as late as the link makes them, and no later.
 GuideParameters guideOf(const Trial& trial) {
   const Link& link = trial.link;
   GuideParameters parameters{
       .scale = kScale, .fixtures = trial.fixtures, .target = robots::test::kKnotTarget};
-  const suture::ConnectionDelay late = delayOf(link, kMasterPeriod, 0, 0);
+  const suture::ConnectionDelay late = delayOf(link, kMasters, 0, 0);
   parameters.max_age += late.answers + late.faults.jitter;
   if (link.loss > 0) parameters.max_age += late.faults.delayLength;
   return parameters;
@@ -50,8 +51,8 @@ void OperatingTable::addTo(suture::Manager& manager) {
 }
 
 void OperatingTable::connectMasters(const Crossing& cross) const {
-  cross("Guide/LeftMaster", "MTML/Arm", kMasterPeriod);
-  cross("Guide/RightMaster", inputs_ == Inputs::Two ? "MTMR/Arm" : "MTML/Arm", kMasterPeriod);
+  cross("Guide/LeftMaster", "MTML/Arm", kMasters);
+  cross("Guide/RightMaster", inputs_ == Inputs::Two ? "MTMR/Arm" : "MTML/Arm", kMasters);
 }
 
 }  // namespace experiment

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace experiment {
 namespace {
@@ -35,18 +36,20 @@ std::vector<Trial> grid(const std::vector<Duration>& delays, const std::vector<L
 
 }  // namespace
 
-Duration repetitionTime(const Link& link, Duration period) {
-  return link.roundTrip + std::min(kRepeatedAcknowledgements * period, kLeastTimeout);
+Duration repetitionTime(const Link& link, const Traffic& traffic) {
+  const Duration packets = traffic.period / traffic.sharing;
+  return link.roundTrip + std::min(kRepeatedAcknowledgements * packets, kLeastTimeout);
 }
 
-suture::ConnectionDelay delayOf(const Link& link, Duration period, std::uint64_t seed,
+suture::ConnectionDelay delayOf(const Link& link, const Traffic& traffic, std::uint64_t seed,
                                 std::uint64_t number) {
   const Duration way = link.roundTrip / 2;
   return {.commands = way,
           .answers = way,
           .faults = {.seed = seed << 8 | number,
-                     .delay = link.loss,
-                     .delayLength = repetitionTime(link, period),
+                     .delay = 1 - std::pow(1 - link.loss, traffic.sharing),
+                     .delayLength = repetitionTime(link, traffic),
+                     .delayAgain = true,
                      .jitter = part(way, link.jitter),
                      .ordered = true}};
 }

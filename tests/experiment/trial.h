@@ -36,13 +36,19 @@ struct Trial {
 /// Slave metres a master metre, in every trial.
 constexpr double kScale = 0.4;
 
-/// How much longer a message takes that a stream has to repeat, on a connection with a message each
-/// `period`: README.md.
-suture::Duration repetitionTime(const Link& link, suture::Duration period);
+/// What crosses the link on a connection: a message each `period`. So many connections with as much
+/// share a stream, where each waits for what another has lost.
+struct Traffic {
+  suture::Duration period{0};
+  int sharing = 1;
+};
 
-/// The link as it is put on a connection with a message each `period`. Equal seeds give equal
-/// faults; `number` tells the link's connections from each other.
-suture::ConnectionDelay delayOf(const Link& link, suture::Duration period, std::uint64_t seed,
+/// How much longer a message takes that a stream has to repeat: README.md.
+suture::Duration repetitionTime(const Link& link, const Traffic& traffic);
+
+/// The link as it is put on a connection. Equal seeds give equal faults; `number` tells the link's
+/// connections from each other.
+suture::ConnectionDelay delayOf(const Link& link, const Traffic& traffic, std::uint64_t seed,
                                 std::uint64_t number);
 
 /// 0 to 500 ms by 50 ms, without and with 10 % of jitter, with 0, 1, 5 and 10 % of loss, with and

@@ -13,7 +13,8 @@ namespace {
 using namespace std::chrono_literals;
 
 TEST(Trial, EachWayTakesHalfOfTheRoundTrip) {
-  const suture::ConnectionDelay delay = delayOf({.roundTrip = 300ms, .jitter = 0.1}, 1ms, 1, 1);
+  const suture::ConnectionDelay delay =
+      delayOf({.roundTrip = 300ms, .jitter = 0.1}, {.period = 1ms}, 1, 1);
   EXPECT_EQ(delay.commands, 150ms);
   EXPECT_EQ(delay.answers, 150ms);
   EXPECT_EQ(delay.faults.jitter, 15ms);
@@ -21,11 +22,21 @@ TEST(Trial, EachWayTakesHalfOfTheRoundTrip) {
 }
 
 TEST(Trial, AStreamRepeatsAfterThreeAcknowledgementsOrItsTimeout) {
-  EXPECT_EQ(repetitionTime({.roundTrip = 300ms}, 1ms), 303ms);
-  EXPECT_EQ(repetitionTime({.roundTrip = 300ms}, 100ms), 500ms);
+  EXPECT_EQ(repetitionTime({.roundTrip = 300ms}, {.period = 1ms}), 303ms);
+  EXPECT_EQ(repetitionTime({.roundTrip = 300ms}, {.period = 100ms}), 500ms);
 }
 
-TEST(Trial, ALinkWithoutDelayJitterAndLossIsNone) { EXPECT_FALSE(delayOf({}, 1ms, 1, 1).any()); }
+TEST(Trial, WhoSharesAStreamWaitsForWhatAnotherHasLost) {
+  const Link link{.roundTrip = 300ms, .loss = 0.1};
+  const suture::ConnectionDelay delay = delayOf(link, {.period = 1ms, .sharing = 2}, 1, 1);
+  EXPECT_NEAR(delay.faults.delay, 0.19, 1e-9);
+  EXPECT_EQ(delay.faults.delayLength, 301'500us);  // another's packets acknowledge as well
+  EXPECT_TRUE(delay.faults.delayAgain);
+}
+
+TEST(Trial, ALinkWithoutDelayJitterAndLossIsNone) {
+  EXPECT_FALSE(delayOf({}, {.period = 1ms}, 1, 1).any());
+}
 
 TEST(Trial, TheGridsHaveWhatTheyPromise) {
   EXPECT_EQ(fullGrid().size(), 11u * 2 * 4 * 2 * 2);

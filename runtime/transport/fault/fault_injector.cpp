@@ -37,11 +37,21 @@ bool FaultInjector::isLost() {
   return alone;
 }
 
+/// How often a message is delayed for which `draw` is below the chance of it. One draw tells all:
+/// it is below the chance's square as rarely as two would both be below the chance.
+int FaultInjector::times(double draw) const {
+  int count = 1;
+  if (!plan_.delayAgain || plan_.delay >= 1) return count;
+  for (double chance = plan_.delay * plan_.delay; draw < chance; chance *= plan_.delay) ++count;
+  return count;
+}
+
 // Draws equally often for each message, so that what befalls one does not change the next.
 Fate FaultInjector::next() {
   const bool lost = isLost();
   const bool duplicated = strikes(plan_.duplicate), reordered = strikes(plan_.reorder);
-  const bool delayed = strikes(plan_.delay), stalled = strikes(plan_.stall);
+  const double delay = draw();
+  const bool stalled = strikes(plan_.stall);
   const double jitter = draw(), again = draw();
   if (lost) return {.lost = true};
   Fate fate;
@@ -50,8 +60,8 @@ Fate FaultInjector::next() {
     fate.duplicateLater = part(plan_.holdBack, again);
     count(&FaultCounts::duplicated);
   }
-  if (delayed) {
-    fate.later += plan_.delayLength;
+  if (delay < plan_.delay) {
+    fate.later += times(delay) * plan_.delayLength;
     count(&FaultCounts::delayed);
   }
   if (reordered) {

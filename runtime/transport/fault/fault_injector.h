@@ -29,6 +29,7 @@ class FaultInjector {
   double draw();
   bool strikes(double chance) { return draw() < chance; }
   bool isLost();
+  int times(double draw) const;
   void count(std::atomic<std::uint64_t> FaultCounts::*which);
 
   const FaultPlan plan_;

@@ -66,6 +66,22 @@ TEST(FaultInjector, LosesAsOftenAsIsAsked) {
   EXPECT_EQ(lostOf({.seed = 5}), 0);
 }
 
+TEST(FaultInjector, OneThatIsLateMayBeLateAgain) {
+  const auto lateOf = [](bool again) {
+    FaultInjector injector({.seed = 5, .delay = 0.1, .delayLength = 1ms, .delayAgain = again}, 0);
+    std::vector<int> counts(10);
+    for (int i = 0; i < 100'000; ++i)
+      ++counts[static_cast<std::size_t>(injector.next().later / 1ms)];
+    return counts;
+  };
+  const auto once = lateOf(false), again = lateOf(true);
+  EXPECT_EQ(once[1], again[1] + again[2] + again[3] + again[4] + again[5] + again[6]);
+  EXPECT_EQ(once[2], 0);
+  EXPECT_NEAR(again[1], 9000, 300);
+  EXPECT_NEAR(again[2], 900, 100);
+  EXPECT_NEAR(again[3], 90, 30);
+}
+
 TEST(FaultInjector, JitterLetsNoneOvertakeOnAStream) {
   FaultInjector datagrams({.seed = 9, .jitter = 5ms}, 0);
   FaultInjector stream({.seed = 9, .jitter = 5ms, .ordered = true}, 0);
