@@ -20,12 +20,12 @@ void Console::seat(suture::Manager& manager, suture::Task& surgeon, const Crossi
   manager.add("Surgeon", surgeon);
   manager.connect("Surgeon/Left", "MTML/Arm");
   manager.connect("Surgeon/Right", "MTMR/Arm");
-  cross("Surgeon/Vision", "Camera/Vision", {.period = picturePeriod});
+  cross("Surgeon/Vision", "Camera/Vision", {.stream = 2, .period = picturePeriod});
 }
 
 void Console::connectOperator(suture::Manager& manager, const Crossing& cross,
                               suture::Duration picturePeriod) {
-  cross("Surgeon/Guidance", "Guide/Guidance", {.period = picturePeriod});
+  cross("Surgeon/Guidance", "Guide/Guidance", {.stream = 2, .period = picturePeriod});
   manager.connect("Surgeon/Registration", "Registration/Registration");
 }
 

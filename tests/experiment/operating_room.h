@@ -4,8 +4,6 @@
 
 #include <suture/manager/manager.h>
 
-#include <cstdint>
-
 #include "experiment/camera.h"
 #include "experiment/console.h"
 #include "experiment/operating_table.h"
@@ -38,7 +36,6 @@ class OperatingRoom {
  private:
   const Trial trial_;
   const suture::Duration picturePeriod_;
-  std::uint64_t crossings_ = 0;  // connections over the link
   Console console_;
   OperatingTable table_;
   suture::Manager manager_{"room"};

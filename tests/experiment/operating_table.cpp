@@ -11,14 +11,14 @@ using namespace std::chrono_literals;
 using robots::GuideParameters;
 
 // Both masters are of one process.
-constexpr Traffic kMasters{.period = 1ms, .sharing = 2};
+constexpr Traffic kMasters{.stream = 1, .period = 1ms, .sharing = 2};
 
 /// The guide acts on data of the masters as late as the link makes them, and no later.
 GuideParameters guideOf(const Trial& trial) {
   const Link& link = trial.link;
   GuideParameters parameters{
       .scale = kScale, .fixtures = trial.fixtures, .target = robots::test::kKnotTarget};
-  const suture::ConnectionDelay late = delayOf(link, kMasters, 0, 0);
+  const suture::ConnectionDelay late = delayOf(link, kMasters, 0);
   parameters.max_age += late.answers + late.faults.jitter;
   if (link.loss > 0) parameters.max_age += late.faults.delayLength;
   return parameters;

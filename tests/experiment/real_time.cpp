@@ -35,7 +35,7 @@ Record recordIn(std::FILE* file) {
 }
 
 PacketFate fateOf(const Trial& trial) {
-  const suture::ConnectionDelay delay = delayOf(trial.link, {}, trial.seed, 0);
+  const suture::ConnectionDelay delay = delayOf(trial.link, {}, trial.seed);
   return {.way = delay.answers,
           .jitter = delay.faults.jitter,
           .loss = trial.link.loss,

@@ -41,15 +41,14 @@ Duration repetitionTime(const Link& link, const Traffic& traffic) {
   return link.roundTrip + std::min(kRepeatedAcknowledgements * packets, kLeastTimeout);
 }
 
-suture::ConnectionDelay delayOf(const Link& link, const Traffic& traffic, std::uint64_t seed,
-                                std::uint64_t number) {
+suture::ConnectionDelay delayOf(const Link& link, const Traffic& traffic, std::uint64_t seed) {
   const Duration way = link.roundTrip / 2;
   return {.commands = way,
           .answers = way,
-          .faults = {.seed = seed << 8 | number,
+          .faults = {.seed = seed << 8 | traffic.stream,
                      .delay = 1 - std::pow(1 - link.loss, traffic.sharing),
                      .delayLength = repetitionTime(link, traffic),
-                     .delayAgain = true,
+                     .delayAgain = link.loss,
                      .jitter = part(way, link.jitter),
                      .ordered = true}};
 }

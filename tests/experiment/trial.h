@@ -39,6 +39,7 @@ constexpr double kScale = 0.4;
 /// What crosses the link on a connection: a message each `period`. So many connections with as much
 /// share a stream, where each waits for what another has lost.
 struct Traffic {
+  std::uint64_t stream = 0;  ///< which of the link's
   suture::Duration period{0};
   int sharing = 1;
 };
@@ -46,10 +47,9 @@ struct Traffic {
 /// How much longer a message takes that a stream has to repeat: README.md.
 suture::Duration repetitionTime(const Link& link, const Traffic& traffic);
 
-/// The link as it is put on a connection. Equal seeds give equal faults; `number` tells the link's
-/// connections from each other.
-suture::ConnectionDelay delayOf(const Link& link, const Traffic& traffic, std::uint64_t seed,
-                                std::uint64_t number);
+/// The link as it is put on a connection. Equal seeds give equal faults, at the same moments to all
+/// of a stream.
+suture::ConnectionDelay delayOf(const Link& link, const Traffic& traffic, std::uint64_t seed);
 
 /// 0 to 500 ms by 50 ms, without and with 10 % of jitter, with 0, 1, 5 and 10 % of loss, with and
 /// without fixtures, with two inputs and one.

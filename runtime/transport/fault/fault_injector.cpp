@@ -38,11 +38,13 @@ bool FaultInjector::isLost() {
 }
 
 /// How often a message is delayed for which `draw` is below the chance of it. One draw tells all:
-/// it is below the chance's square as rarely as two would both be below the chance.
+/// it is below a product of chances as rarely as as many draws would each be below its own.
 int FaultInjector::times(double draw) const {
+  constexpr int kMost = 100;  // of what is always delayed again
   int count = 1;
-  if (!plan_.delayAgain || plan_.delay >= 1) return count;
-  for (double chance = plan_.delay * plan_.delay; draw < chance; chance *= plan_.delay) ++count;
+  for (double chance = plan_.delay * plan_.delayAgain; draw < chance && count < kMost; ++count) {
+    chance *= plan_.delayAgain;
+  }
   return count;
 }
 

@@ -32,9 +32,9 @@ struct FaultPlan {
   Duration holdBack = std::chrono::milliseconds(5);
   double delay = 0;  ///< chance to take `delayLength` longer; what follows waits behind it
   Duration delayLength = std::chrono::milliseconds(20);
-  /// One that takes longer may with the same chance take as much longer again, and so on, as what a
-  /// stream repeats may be lost again.
-  bool delayAgain = false;
+  /// Chance of one that takes longer to take as much longer again, and so on, as what a stream
+  /// repeats may be lost again.
+  double delayAgain = 0;
   Duration jitter{0};  ///< each takes up to so much longer, so that others may overtake
   /// Jitter lets none overtake: what follows waits behind a late one, as it does on a stream.
   bool ordered = false;

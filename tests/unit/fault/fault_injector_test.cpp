@@ -67,14 +67,14 @@ TEST(FaultInjector, LosesAsOftenAsIsAsked) {
 }
 
 TEST(FaultInjector, OneThatIsLateMayBeLateAgain) {
-  const auto lateOf = [](bool again) {
+  const auto lateOf = [](double again) {
     FaultInjector injector({.seed = 5, .delay = 0.1, .delayLength = 1ms, .delayAgain = again}, 0);
     std::vector<int> counts(10);
     for (int i = 0; i < 100'000; ++i)
       ++counts[static_cast<std::size_t>(injector.next().later / 1ms)];
     return counts;
   };
-  const auto once = lateOf(false), again = lateOf(true);
+  const auto once = lateOf(0), again = lateOf(0.1);
   EXPECT_EQ(once[1], again[1] + again[2] + again[3] + again[4] + again[5] + again[6]);
   EXPECT_EQ(once[2], 0);
   EXPECT_NEAR(again[1], 9000, 300);
