@@ -4,7 +4,7 @@
 # threads, a thousand restarts of a peer, a million changed sessions, twenty rounds of faults between processes, ten minutes of
 # faults of messages, ten draws of random types and contracts, each scenario of conformance on each row that
 # is possible, a million seeds of the explorer, the planted faults, a build in which each source is compiled by itself, the
-# whole grid of the experiment over a link, and the demo as a newcomer runs it.
+# whole grid of the experiment over a link and six of its points in real time, and the demo as a newcomer runs it.
 #   tests/long.sh [MUTANTS] [SECONDS]
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -46,4 +46,9 @@ for _ in {1..10}; do
   done
 done
 "$build/bin/suture-experiment" --csv "$build/experiment.csv" --png "$build/experiment.png"
+if [ "$(id -u)" = 0 ]; then
+  "$build/bin/suture-experiment" --real-time
+else
+  echo "skipped: suture-experiment --real-time makes network namespaces, which needs root"
+fi
 examples/demo.sh --seconds 5

@@ -176,6 +176,7 @@ FaultPlan Deployment::readFaults(const json& connection, const std::string& poin
   length("hold_back", plan.holdBack);
   plan.delay = given->value("delay", plan.delay);
   length("delay_length", plan.delayLength);
+  plan.delayAgain = given->value("delay_again", plan.delayAgain);
   length("jitter", plan.jitter);
   plan.ordered = given->value("ordered", plan.ordered);
   plan.stall = given->value("stall", plan.stall);

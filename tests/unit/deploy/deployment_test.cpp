@@ -143,6 +143,7 @@ TEST(Deployment, FaultsOfAConnection) {
   const suture::FaultPlan all = faultsOf(
       R"({"seed": 7, "loss": 0.01, "burst": 0.02, "burst_length": 3, "duplicate": 0.03,
           "reorder": 0.04, "hold_back": "2ms", "delay": 0.05, "delay_length": "3ms",
+          "delay_again": 0.07,
           "jitter": "4ms", "ordered": true, "stall": 0.06, "stall_length": "5ms"})");
   EXPECT_EQ(all.seed, 7u);
   EXPECT_EQ(all.loss, 0.01);
@@ -153,6 +154,7 @@ TEST(Deployment, FaultsOfAConnection) {
   EXPECT_EQ(all.holdBack, 2ms);
   EXPECT_EQ(all.delay, 0.05);
   EXPECT_EQ(all.delayLength, 3ms);
+  EXPECT_EQ(all.delayAgain, 0.07);
   EXPECT_EQ(all.jitter, 4ms);
   EXPECT_TRUE(all.ordered);
   EXPECT_EQ(all.stall, 0.06);
