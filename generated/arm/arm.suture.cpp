@@ -2356,9 +2356,9 @@ constexpr char kArmDescription[] = R"json(
 "ordinal": 24, "wire": "localSetpointCp", "result": {"type": {"kind": "struct",
 "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv", "kind": "read",
 "ordinal": 25, "wire": "measuredCv",
-"doc": "Of the tip, in the directions of the reference frame, which it names.", "result": {
-"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {"name": "setpoint_cv",
-"kind": "read", "ordinal": 26, "wire": "setpointCv",
+"doc": "How the tip moves, in the directions of the reference frame, which the twist names.",
+"result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
+"name": "setpoint_cv", "kind": "read", "ordinal": 26, "wire": "setpointCv",
 "doc": "How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in\nthe first cycle of a motion, it is 0. Stamp: the arm's cycle.",
 "result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
 "name": "body_measured_cf", "kind": "read", "ordinal": 27, "wire": "bodyMeasuredCf",

@@ -365,7 +365,7 @@ class Required<robots::Arm> : public Required<suture::Messages> {
       *this, static_cast<std::uint16_t>(Id::local_measured_cp)};
   ReadCommand<&Contract::local_setpoint_cp, robots::PoseStampedSlot> local_setpoint_cp{
       *this, static_cast<std::uint16_t>(Id::local_setpoint_cp)};
-  /// Of the tip, in the directions of the reference frame, which it names.
+  /// How the tip moves, in the directions of the reference frame, which the twist names.
   ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{
       *this, static_cast<std::uint16_t>(Id::measured_cv)};
   /// How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in

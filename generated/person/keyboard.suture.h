@@ -7,6 +7,7 @@
 #include "person/keyboard.h"
 #include "arm/arm.suture.h"
 #include "drives/gripper_hand.suture.h"
+#include "pedals/foot_pedals.suture.h"
 #include "teleop/teleoperation.suture.h"
 
 namespace suture {

@@ -608,11 +608,12 @@ constexpr char kTeleoperationDescription[] = R"json(
 "name": "disable", "kind": "void", "ordinal": 2, "doc": "Stops following; the slave holds.",
 "queue": 16}, {"name": "teleop_state", "kind": "read", "ordinal": 3, "wire": "teleopState",
 "result": {"type": {"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16}, {
-"name": "anchors", "kind": "read", "ordinal": 4, "doc": "Of the present or last time of following.",
-"result": {"type": {"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}, {
-"name": "set_scale", "kind": "write", "ordinal": 5, "wire": "setScale", "parameters": [{
-"name": "scale", "type": {"kind": "Float64"}, "range": [0.01, 10.0]}], "queue": 16}, {
-"name": "lock_rotation", "kind": "write", "ordinal": 6, "wire": "lockRotation",
+"name": "anchors", "kind": "read", "ordinal": 4,
+"doc": "The anchors of the present or last time of following.", "result": {"type": {
+"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}, {"name": "set_scale",
+"kind": "write", "ordinal": 5, "wire": "setScale", "parameters": [{"name": "scale", "type": {
+"kind": "Float64"}, "range": [0.01, 10.0]}], "queue": 16}, {"name": "lock_rotation",
+"kind": "write", "ordinal": 6, "wire": "lockRotation",
 "doc": "The slave keeps its orientation. Unlocked, the master is aligned anew before following.",
 "parameters": [{"name": "lock", "type": {"kind": "Bool"}}], "queue": 16}, {
 "name": "lock_translation", "kind": "write", "ordinal": 7, "wire": "lockTranslation",

@@ -101,7 +101,7 @@ class Required<robots::Teleoperation> : public RequiredBase {
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
   ReadCommand<&Contract::teleop_state, std::uint8_t> teleop_state{
       *this, static_cast<std::uint16_t>(Id::teleop_state)};
-  /// Of the present or last time of following.
+  /// The anchors of the present or last time of following.
   ReadCommand<&Contract::anchors, robots::FollowAnchorsSlot> anchors{
       *this, static_cast<std::uint16_t>(Id::anchors)};
   Command<&Contract::set_scale, robots::TeleoperationSetScaleArguments> set_scale{

@@ -125,7 +125,7 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
       $Meta.cxx("local_setpoint_cp") $Meta.kind("read");
   measuredCv @25 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
       $Meta.cxx("measured_cv") $Meta.kind("read");
-  # Of the tip, in the directions of the reference frame, which it names.
+  # How the tip moves, in the directions of the reference frame, which the twist names.
   setpointCv @26 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
       $Meta.cxx("setpoint_cv") $Meta.kind("read");
   # How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in

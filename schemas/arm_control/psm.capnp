@@ -36,8 +36,8 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   # So does an effort that is above what the joint may take for longer than this.
   angularAcceleration @9 :Float64 = 40.0 $Meta.cxx("angular_acceleration")
       $Meta.range(lowest = 0.1, highest = 1000) $Meta.unit("rad/s2");
-  # Of moves: how fast the rotating joints may speed up and slow down. Nothing is published of
-  # what the joints can, so this is our own, as are the two below.
+  # This is how fast the rotating joints may speed up and slow down in a move. Nothing is
+  # published of what the joints can, so this is our own, as are the two below.
   insertionAcceleration @10 :Float64 = 4.0 $Meta.cxx("insertion_acceleration")
       $Meta.range(lowest = 0.01, highest = 100) $Meta.unit("m/s2");
   # The same of the insertion.

@@ -13,8 +13,8 @@ struct KeyboardParameters @0x8e0f5ddd24393fee $Meta.cxx("robots::KeyboardParamet
   turningSpeed @3 :Float64 = 0.3 $Meta.cxx("turning_speed") $Meta.range(lowest = 0.01, highest = 2)
       $Meta.unit("rad/s");
   opening @4 :Float64 = 0.5 $Meta.range(lowest = 0, highest = 1.047) $Meta.unit("rad");
-  # Of the gripper when it is open.
+  # The gripper is this far open when it is not closed.
   hold @5 :Int64 = 150000000 $Meta.period("1/1000000000");
-  # The motion ends so long after the last repeat of its key. Where the terminal's first repeat
+  # The motion ends this long after the last repeat of its key. Where the terminal's first repeat
   # comes later than this, the hand rests for a moment after the first press.
 }

@@ -111,7 +111,7 @@ struct ServoCartesian @0x90f303a4951092d4 $Meta.cxx("robots::ServoCartesian") {
   force @4 :Types.Vec3 $Meta.unit("N");
   torque @5 :Types.Vec3 $Meta.unit("N.m");
   axisMode @6 :List(ServoMode) $Meta.cxx("axis_mode") $Meta.shape("6");
-  # Of x, y, z and the rotations about them.
+  # The modes of x, y, z and the rotations about them, in this order.
   stamp @7 :Int64 $Meta.clock("steady");
 }
 

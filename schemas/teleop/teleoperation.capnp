@@ -56,7 +56,7 @@ interface Teleoperation @0x9c2044876661808e $Meta.cxx("robots::Teleoperation") {
   teleopState @3 (sent :Rpc.Sent) -> (value :TeleopState, stamp :Int64) $Meta.cxx("teleop_state")
       $Meta.kind("read");
   anchors @4 (sent :Rpc.Sent) -> (value :FollowAnchors, stamp :Int64) $Meta.kind("read");
-  # Of the present or last time of following.
+  # The anchors of the present or last time of following.
   setScale @5 (scale :Float64 $Meta.range(lowest = 0.01, highest = 10), sent :Rpc.Sent) -> ()
       $Meta.cxx("set_scale") $Meta.kind("write") $Meta.queue(16);
   lockRotation @6 (lock :Bool, sent :Rpc.Sent) -> () $Meta.cxx("lock_rotation") $Meta.kind("write")

@@ -409,12 +409,12 @@ constexpr char kCollectingDescription[] = R"json(
 "ordinal": 4, "result": {"type": {"kind": "struct", "name": "suture::CollectingInterval"}},
 "queue": 16}, {"name": "collecting", "kind": "read", "ordinal": 5, "result": {"type": {
 "kind": "Bool"}}, "queue": 16}, {"name": "counts", "kind": "read", "ordinal": 6,
-"doc": "Of the present time of collecting, or of the last one.", "result": {"type": {
-"kind": "struct", "name": "suture::CollectedCounts"}}, "queue": 16}], "events": [], "enums": [],
-"structs": [{"name": "suture::CollectingInterval", "doc": "How much is collected.", "fields": [{
-"name": "every", "doc": "every n-th row or event", "type": {"kind": "UInt32"}, "range": [1.0,
-4294967295.0], "default": 1}, {"name": "atLeast", "doc": "between the stamps of two", "type": {
-"kind": "duration", "period": "1/1000000000"}, "default": 0.0}]}, {
+"doc": "Counts what the present time of collecting has written, or the last one.", "result": {
+"type": {"kind": "struct", "name": "suture::CollectedCounts"}}, "queue": 16}], "events": [],
+"enums": [], "structs": [{"name": "suture::CollectingInterval", "doc": "How much is collected.",
+"fields": [{"name": "every", "doc": "every n-th row or event", "type": {"kind": "UInt32"},
+"range": [1.0, 4294967295.0], "default": 1}, {"name": "atLeast", "doc": "between the stamps of two",
+"type": {"kind": "duration", "period": "1/1000000000"}, "default": 0.0}]}, {
 "name": "suture::CollectedCounts",
 "doc": "What became of the rows or events of a time of collecting. Once the collector has caught up with\nits provider, the three add up to what was produced.",
 "fields": [{"name": "collected", "doc": "handed to the sink", "type": {"kind": "UInt64"},

@@ -79,7 +79,7 @@ class Required<suture::Collecting> : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::interval)};
   ReadCommand<&Contract::collecting, std::uint8_t> collecting{
       *this, static_cast<std::uint16_t>(Id::collecting)};
-  /// Of the present time of collecting, or of the last one.
+  /// Counts what the present time of collecting has written, or the last one.
   ReadCommand<&Contract::counts, CollectedCountsSlot> counts{
       *this, static_cast<std::uint16_t>(Id::counts)};
 

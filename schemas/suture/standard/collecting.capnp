@@ -47,7 +47,7 @@ interface Collecting @0xe3eaf7ddf2538295 $Meta.cxx("suture::Collecting") {
   interval @4 (sent :Rpc.Sent) -> (value :CollectingInterval, stamp :Int64) $Meta.kind("read");
   collecting @5 (sent :Rpc.Sent) -> (value :Bool, stamp :Int64) $Meta.kind("read");
   counts @6 (sent :Rpc.Sent) -> (value :CollectedCounts, stamp :Int64) $Meta.kind("read");
-  # Of the present time of collecting, or of the last one.
+  # Counts what the present time of collecting has written, or the last one.
 }
 
 interface CollectingEvents @0xe8cbe73a9ddc44ad $Meta.eventsOf("suture::Collecting") {
