@@ -36,8 +36,12 @@ Sample<void> RequiredBase::judgeAge(Time stamp) {
   return fallBack(watch->contract.onStale, Errc::Stale, stamp);
 }
 
+bool RequiredBase::ruledByContract(Errc error) const {
+  return (error == Errc::Lost || error == Errc::Faulted) && channel_->watch != nullptr;
+}
+
 Sample<void> RequiredBase::judgeLoss(Errc error, std::uint16_t command, std::byte* slot) {
-  if ((error != Errc::Lost && error != Errc::Faulted) || channel_->watch == nullptr) return error;
+  if (!ruledByContract(error)) return error;
   const auto column = static_cast<unsigned>(info_.commands[command].column);
   const Result<Time> stamp = channel_->state->read(column, slot);
   if (!stamp || !admitsCopy(command, slot)) return error;
@@ -153,8 +157,13 @@ Sample<void> RequiredBase::readAt(Time at, std::uint16_t command, std::byte* slo
 Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t> commands,
                                    std::span<std::byte* const> slots, bool& device) {
   std::array<std::byte*, 64> byColumn{};  // a contract has no more reads
+  Errc loss{};
+  const auto whyNot = [&loss](Errc error) { return loss == Errc{} ? error : loss; };
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (const Errc error = ask(commands[i], device); error != Errc{} || device) return error;
+    const Errc error = ask(commands[i], device);
+    if (device) return error;
+    if (error != Errc{} && (at != nullptr || !ruledByContract(error))) return error;
+    loss = error;
     byColumn[static_cast<std::size_t>(info_.commands[commands[i]].column)] = slots[i];
   }
   const rt::StateTable& state = *channel_->state;
@@ -163,9 +172,10 @@ Sample<void> RequiredBase::readRow(const Time* at, std::span<const std::uint16_t
       at == nullptr ? state.readRow(wanted) : state.readRowAt(*at, wanted);
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const auto column = static_cast<unsigned>(info_.commands[commands[i]].column);
-    if (const Errc error = row.missing(column); error != Errc{}) return error;
-    if (!admitsCopy(commands[i], slots[i])) return Errc::Invalid;
+    if (const Errc error = row.missing(column); error != Errc{}) return whyNot(error);
+    if (!admitsCopy(commands[i], slots[i])) return whyNot(Errc::Invalid);
   }
+  if (loss != Errc{}) return fallBack(channel_->watch->contract.onLoss, loss, row.stamp);
   if (at != nullptr) return Sample<void>(row.stamp);
   channel_->noteRead(row.stamp);
   return judgeAge(row.stamp);

@@ -207,6 +207,8 @@ class RequiredBase {
   Sample<void> judgeAge(Time stamp);
   /// The same where `error` stands in the way: if the provider is lost, as the contract says.
   Sample<void> judgeLoss(Errc error, std::uint16_t command, std::byte* slot);
+  /// True if the connection's contract says what a read answers that meets `error`.
+  bool ruledByContract(Errc error) const;
   Sample<void> fallBack(Fallback fallback, Errc error, Time stamp);
   /// True if `answer` stands for a value that is zero by contract.
   bool zeroes(const Sample<void>& answer) const;

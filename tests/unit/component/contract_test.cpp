@@ -133,6 +133,29 @@ TEST_F(Contract, AfterALossCommandsFailAndReadsFallBack) {
   EXPECT_EQ(watch_->losses, 1u);
 }
 
+TEST_F(Contract, AfterALossSeveralReadsOfOneRowFallBackToo) {
+  connect({.onLoss = Fallback::Zero});
+  arm_.stop();
+  const auto row = readTogether(reader_.slave.measured_cp);
+  EXPECT_TRUE(row);
+  EXPECT_EQ(row.error(), Errc::Lost);
+  EXPECT_TRUE(std::get<0>(*row).pose.affine().isZero(0));
+  const auto before = readTogetherAt(now(), reader_.slave.measured_cp);
+  EXPECT_FALSE(before) << "a read of a time is not judged";
+  EXPECT_EQ(before.error(), Errc::Lost);
+}
+
+TEST_F(Contract, WithoutAContractALossIsAllThatAReadAnswers) {
+  connectTo(arm_);
+  EXPECT_EQ(read().error(), Errc::NotYet);
+  arm_.cycle();
+  EXPECT_TRUE(read());
+  arm_.stop();
+  EXPECT_EQ(read().error(), Errc::Lost);
+  EXPECT_FALSE(read().carriesValue());
+  EXPECT_FALSE(readTogether(reader_.slave.measured_cp).carriesValue());
+}
+
 TEST_F(Contract, ALossMayParkTheReaderThatDoesNotEvenRead) {
   connect({.onLoss = Fallback::Fault});
   int runs = 0;
