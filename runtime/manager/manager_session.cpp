@@ -89,6 +89,15 @@ class SessionServer final : public wire::Session::Server {
   kj::Promise<void> resolve(ResolveContext context) override {
     const std::string name = stringOf(context.getParams().getProcess());
     const std::uint32_t wait = context.getParams().getWaitMilliseconds();
+    const bool waits = wait != 0 && names_->registry().find(name) == nullptr;
+    if (waits && !names_->hasRoom()) {
+      asker_.refuse({Kind::LIMIT_REACHED, "find process '" + name +
+                                              "': " + std::to_string(NameService::kMostWaiting) +
+                                              " wait for names here, and no more may. It is not "
+                                              "there now; ask again later."},
+                    context.getResults().initRefused());
+      return kj::READY_NOW;
+    }
     context.allowCancellation();
     return names_->whenKnown(name, wait).then([this, context, name, wait]() mutable {
       auto results = context.getResults();
@@ -172,10 +181,13 @@ void NameService::forgetAnswered() {
   waiting_ = kj::mv(others);
 }
 
+bool NameService::hasRoom() {
+  if (waiting_.size() >= kMostWaiting) forgetAnswered();
+  return waiting_.size() < kMostWaiting;
+}
+
 kj::Promise<void> NameService::whenKnown(const std::string& name, std::uint32_t waitMilliseconds) {
   if (waitMilliseconds == 0 || registry_.find(name) != nullptr) return kj::READY_NOW;
-  if (waiting_.size() >= kMostWaiting) forgetAnswered();
-  if (waiting_.size() >= kMostWaiting) return kj::READY_NOW;
   auto pair = kj::newPromiseAndFulfiller<void>();
   waiting_.add(Waiting{name, kj::mv(pair.fulfiller)});
   const auto wait = std::min(waitMilliseconds, kLongestWaitMilliseconds) * kj::MILLISECONDS;

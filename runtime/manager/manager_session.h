@@ -18,7 +18,7 @@ namespace suture {
 /// sessions.
 class NameService final : public kj::Refcounted {
  public:
-  /// How many may wait for names at a time; who comes then is answered at once.
+  /// How many may wait for names at a time; who comes then is refused at once.
   static constexpr std::size_t kMostWaiting = 4096;
 
   explicit NameService(kj::Timer& timer) : timer_(timer), aging_(age().eagerlyEvaluate(nullptr)) {}
@@ -26,7 +26,9 @@ class NameService final : public kj::Refcounted {
   Registry& registry() { return registry_; }
   /// Wakes who waits for `name`.
   void announce(const std::string& name);
-  /// Resolves when `name` is known, or after the wait, which is bounded.
+  /// True if one more may wait.
+  bool hasRoom();
+  /// Resolves when `name` is known, or after the wait, which is bounded. Only if there is room.
   kj::Promise<void> whenKnown(const std::string& name, std::uint32_t waitMilliseconds);
 
  private:

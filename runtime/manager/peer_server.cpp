@@ -226,7 +226,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
 bool PeerServer::takesOver(const std::string& client, const std::string& name,
                            ConnectContext& context) {
   if (host_.isSuperseded(client, bootId_, context.getParams().getEpoch())) {
-    toWire({Kind::ALREADY_CONNECTED,
+    refuse({Kind::ALREADY_CONNECTED,
             "connecting " + name +
                 ": a later attempt of the same interface has come first. Nothing has to be done."},
            context.getResults().initRefused());
@@ -372,8 +372,8 @@ kj::Promise<void> PeerServer::explain(ExplainContext context) {
         suture::explain(info, context.getResults().initExplained());
         return kj::READY_NOW;
       },
-      [context](const Refusal& refusal) mutable {
-        toWire(refusal, context.getResults().initRefused());
+      [this, context](const Refusal& refusal) mutable {
+        refuse(refusal, context.getResults().initRefused());
       });
 }
 

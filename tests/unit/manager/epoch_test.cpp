@@ -157,6 +157,7 @@ TEST_F(Epochs, OneThatComesTooLateIsRefused) {
             "connecting left:Teleop/Slave -> there:PSM/Arm: a later attempt of the same interface "
             "has come first. Nothing has to be done.");
   EXPECT_EQ(standing(), 1u);
+  EXPECT_EQ(there_.refusals().count, 1u);
 }
 
 // It would misread what lies in shared memory and in frames.

@@ -170,8 +170,12 @@ TEST_P(GlobalManagerTest, ResolvingWaitsNoLongerThanAsked) {
 
 TEST_P(GlobalManagerTest, SoManyMayWaitAndNoMore) {
   auto peer = enrolled("left");
+  testing::internal::CaptureStderr();
   const std::string answer = peer->resolveBehind(NameService::kMostWaiting);
-  EXPECT_TRUE(contains(answer, "find process 'nobody'")) << answer;
+  const std::string told = testing::internal::GetCapturedStderr();
+  const std::string limit = "find process 'nobody': 4096 wait for names here, and no more may";
+  EXPECT_TRUE(contains(answer, limit)) << answer;
+  EXPECT_TRUE(contains(told, "suture-manager: refused ") && contains(told, limit)) << told;
   // Those who have gone leave their places to others.
   std::unique_ptr<Peer> late;
   TestThread other([&] {

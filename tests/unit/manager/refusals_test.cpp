@@ -2,12 +2,16 @@
 #include <gtest/gtest.h>
 #include <suture/base/virtual_time.h>
 #include <suture/component/event_task.h>
+#include <suture/transport/rpc/dialer.h>
+#include <suture/transport/rpc/link.h>
+#include <unistd.h>
 
 #include <algorithm>
 
 #include "reference/gripper_arm.suture.h"
 #include "reference/still_arm.h"
 #include "support/pass.h"
+#include "support/patience.h"
 #include "support/refusal.h"
 #include "unit/manager/two_processes.h"
 
@@ -84,6 +88,40 @@ TEST(RefusalsTest, WhatTheClientIsToldTheProviderTellsToo) {
     EXPECT_EQ(told, "there: refused " + latest + "\n");
   }
   EXPECT_EQ(processes.here.refusals().count, 0u);
+}
+
+/// Asks the process behind `address` what "PSM/Leg" is. Returns the refusal, or "".
+std::string whyNotExplained(const std::string& address) {
+  rpc::ControlThread control;
+  return control.run(kPatience, [&] {
+    return rpc::dial(control.port(), rpc::Address::parse(address), kPatience)
+        .then([&](kj::AutoCloseFd socket) {
+          auto link =
+              kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(control.port(), kj::mv(socket)),
+                                  capnp::rpc::twoparty::Side::CLIENT);
+          auto request = link->bootstrap<wire::Peer>().explainRequest();
+          request.setComponent("PSM");
+          request.setInterface("Leg");
+          return request.send()
+              .then([](auto&& results) {
+                return results.isRefused() ? fromWire(results.getRefused()).text : std::string();
+              })
+              .attach(kj::mv(link));
+        });
+  });
+}
+
+TEST(RefusalsTest, WhoOnlyLooksForWhatIsNotThereIsToldOfToo) {
+  RefusingArm arm;
+  TwoProcesses processes;
+  processes.there.add("PSM", arm);
+  processes.start();
+  const std::string socket = "there." + std::to_string(getpid()) + ".sock";
+  const std::string told = whyNotExplained("unix:" + processes.directory.file(socket));
+  EXPECT_NE(told.find("'there:PSM/Leg'"), std::string::npos) << told;
+  const auto [refused, latest] = processes.there.refusals();
+  EXPECT_EQ(refused, 1u);
+  EXPECT_TRUE(latest.ends_with(told)) << latest;
 }
 
 }  // namespace
