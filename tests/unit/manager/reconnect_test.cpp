@@ -248,6 +248,41 @@ TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
       [&] { return channels.front()->counts->heard(ConnectionEnd::Client).executed > 0; }));
 }
 
+/// Without a lane provider and client are of one process.
+class StartedAgain : public testing::TestWithParam<std::optional<Lane>> {};
+
+INSTANTIATE_TEST_SUITE_P(Lanes, StartedAgain,
+                         testing::Values(std::nullopt, Lane::Shm, Lane::Frame, Lane::Rpc),
+                         [](const auto& row) {
+                           return std::string(row.param ? toString(*row.param) : "local");
+                         });
+
+TEST_P(StartedAgain, AComponentIsLostToItsClientsUntilTheyAreConnectedAnew) {
+  ArmTask arm;
+  Client client;
+  TwoProcesses processes;
+  Manager& clients = GetParam() ? processes.here : processes.there;
+  processes.there.add("PSM", arm);
+  clients.add("Teleop", client);
+  processes.start();
+  const auto connect = [&] {
+    clients.connect("Teleop/Slave", GetParam() ? "there:PSM/Arm" : "PSM/Arm",
+                    GetParam().value_or(Lane::Auto));
+  };
+  connect();
+  ASSERT_TRUE(eventually([&] { return arm.holds > 0 && client.error == Errc{}; }));
+  arm.stop();
+  ASSERT_TRUE(eventually([&] { return client.error == Errc::Lost; }));
+  const int before = arm.holds;
+  arm.start();
+  pass(3s);
+  EXPECT_EQ(client.error, Errc::Lost);
+  EXPECT_EQ(arm.holds, before) << "nothing of the old connection is executed";
+  clients.disconnect("Teleop/Slave");
+  connect();
+  EXPECT_TRUE(eventually([&] { return arm.holds > before && client.error == Errc{}; }));
+}
+
 TEST(Reconnect, AStaleReadAwaitsTheOperator) {
   OneProcess<ArmTask> here;
   here.connect({.maxAge = 1ns, .resume = Resume::Operator});
