@@ -13,7 +13,7 @@ Result placed(double time, double tracking) {
 
 /// Placed after 5 s, tracked within 2 mm.
 Point pointWith(const Result& real, bool fixtures) {
-  return {.trial = {.fixtures = fixtures},
+  return {.trial = {.link = {}, .fixtures = fixtures},
           .real = {placed(4, 0.001), real},
           .stepped = {placed(4, 0.001), placed(6, 0.003)}};
 }
