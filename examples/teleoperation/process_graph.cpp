@@ -19,8 +19,7 @@ using Eigen::Vector2d;
 using picture::Canvas;
 using robots::Colour;
 
-constexpr Colour kBlack{0, 0, 0}, kBoxes{215, 225, 245}, kPaper{255, 255, 255},
-    kWires{120, 120, 120};
+constexpr Colour kInk{0, 0, 0}, kBoxes{215, 225, 245}, kPaper{255, 255, 255}, kWires{120, 120, 120};
 constexpr double kLetter = 8, kLine = 18;  // px: a letter's width, and from line to line
 constexpr double kTitle = 30;              // px, above the graph
 // With more processes there is no room for what each link has carried.
@@ -61,7 +60,7 @@ void label(Canvas& canvas, const Vector2d& middle, const std::vector<std::string
   canvas.fill(middle - half, middle + half, colour);
   Vector2d place = middle - half + Vector2d(6, kLine - 2);
   for (const std::string& line : lines) {
-    canvas.text(place, line, kBlack);
+    canvas.text(place, line, kInk);
     place.y() += kLine;
   }
 }
@@ -107,7 +106,7 @@ void drawGraph(Canvas& canvas, const ProcessGraph& graph, int top) {
   canvas.text({40, top + kTitle - 8.0},
               std::string("the processes and what lies between them") +
                   (hasFigures ? "; ages: the greatest p99 of each kind" : ""),
-              kBlack);
+              kInk);
   const auto place = [&](std::size_t process) { return placeOf(process, graph, canvas, top); };
   for (const auto& link : graph.links) canvas.line(place(link.first), place(link.second), kWires);
   for (const auto& link : graph.links) {
