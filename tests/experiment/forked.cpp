@@ -62,7 +62,9 @@ void Forked::awaitEnd() {
   sigwait(&signals, &received);
 }
 
-void Forked::end() const { kill(process_, SIGTERM); }
+void Forked::end() const {
+  if (process_ > 0) kill(process_, SIGTERM);
+}
 
 void Forked::requireSuccess() {
   int status = 0;

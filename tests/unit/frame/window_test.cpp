@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 #include <suture/transport/frame/window.h>
 
+#include <deque>
+#include <utility>
+
 namespace suture::frame {
 namespace {
 
@@ -29,6 +32,28 @@ TEST(Window, AStoppedPeerFindsSoManyFramesAndNoMore) {
   acknowledge(far, near);
   EXPECT_FALSE(far.owesAcknowledgement());
   EXPECT_EQ(send(near, far), Window::kFrames);
+}
+
+/// A frame each millisecond, over a link where each way takes a quarter of a second.
+TEST(Window, ALongLinkLeavesNoGaps) {
+  constexpr int kWay = 250;
+  Window near, far;
+  std::deque<std::pair<int, Header>> there, back;  // and when they arrive
+  for (int now = 0; now < 3000; ++now) {
+    for (; !there.empty() && there.front().first == now; there.pop_front()) {
+      ASSERT_TRUE(far.takes(there.front().second));
+    }
+    for (; !back.empty() && back.front().first == now; back.pop_front()) {
+      ASSERT_TRUE(near.takes(back.front().second));
+    }
+    if (far.owesAcknowledgement()) {
+      back.emplace_back(now + kWay, Header{.kind = Kind::Acknowledge});
+      far.sends(back.back().second);
+    }
+    ASSERT_TRUE(near.isOpen()) << now;
+    there.emplace_back(now + kWay, Header{.kind = Kind::Event});
+    near.sends(there.back().second);
+  }
 }
 
 TEST(Window, FramesTheOtherWayAcknowledge) {
