@@ -694,26 +694,27 @@ constexpr char kJournalDescription[] = R"json(
 "ordinal": 2, "payload": [{"name": "value", "type": {"kind": "struct", "name": "shapes::Moment"}}, {
 "name": "value2", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "counted", "kind": "write",
 "ordinal": 3, "payload": {"type": {"kind": "Int64"}}, "queue": 16}], "enums": [], "structs": [{
-"name": "shapes::Moment", "doc": "It has a time of each clock, of which only one is shifted.", "fields": [{
-"name": "steady", "type": {"kind": "time", "clock": "steady"}}, {"name": "system", "type": {
-"kind": "time", "clock": "system"}}, {"name": "number", "type": {"kind": "Int64"}, "default": 0}]},
-{"name": "shapes::Moments", "doc": "One in each container.", "fields": [{"name": "pair", "type": {
-"kind": "array", "element": {"kind": "time", "clock": "steady"}, "length": 2}}, {"name": "list",
-"type": {"kind": "list", "element": {"kind": "time", "clock": "steady"}, "capacity": 3}}, {
-"name": "moments", "type": {"kind": "list", "element": {"kind": "struct", "name": "shapes::Moment"
-}, "capacity": 2}}, {"name": "nested", "type": {"kind": "list", "element": {"kind": "list",
-"element": {"kind": "time", "clock": "steady"}, "capacity": 2}, "capacity": 2}}, {
-"name": "byNumber", "type": {"kind": "map", "key": {"kind": "Int32"}, "value": {"kind": "time",
-"clock": "steady"}, "capacity": 2}}, {"name": "perhaps", "type": {"kind": "optional", "element": {
-"kind": "time", "clock": "steady"}}}, {"name": "moment", "type": {"kind": "optional", "element": {
-"kind": "struct", "name": "shapes::Moment"}}}, {"name": "entry", "type": {"kind": "tuple",
-"elements": [{"kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct",
-"name": "shapes::Moment"}]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{
+"name": "shapes::Moment", "doc": "It has a time of each clock, of which only one is shifted.",
+"fields": [{"name": "steady", "type": {"kind": "time", "clock": "steady"}}, {"name": "system",
+"type": {"kind": "time", "clock": "system"}}, {"name": "number", "type": {"kind": "Int64"},
+"default": 0}]}, {"name": "shapes::Moments", "doc": "One in each container.", "fields": [{
+"name": "pair", "type": {"kind": "array", "element": {"kind": "time", "clock": "steady"},
+"length": 2}}, {"name": "list", "type": {"kind": "list", "element": {"kind": "time",
+"clock": "steady"}, "capacity": 3}}, {"name": "moments", "type": {"kind": "list", "element": {
+"kind": "struct", "name": "shapes::Moment"}, "capacity": 2}}, {"name": "nested", "type": {
+"kind": "list", "element": {"kind": "list", "element": {"kind": "time", "clock": "steady"},
+"capacity": 2}, "capacity": 2}}, {"name": "byNumber", "type": {"kind": "map", "key": {
+"kind": "Int32"}, "value": {"kind": "time", "clock": "steady"}, "capacity": 2}}, {
+"name": "perhaps", "type": {"kind": "optional", "element": {"kind": "time", "clock": "steady"}}}, {
+"name": "moment", "type": {"kind": "optional", "element": {"kind": "struct",
+"name": "shapes::Moment"}}}, {"name": "entry", "type": {"kind": "tuple", "elements": [{
 "kind": "Int64"}, {"kind": "time", "clock": "steady"}, {"kind": "struct", "name": "shapes::Moment"}
-]}}]}], "wire": [{"id": "@0xc3053cb224b0c85f", "kind": "interface", "name": "Journal",
-"cxx": "shapes::Journal", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xf44a38be83c21076"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
+]}}, {"name": "either", "type": {"kind": "variant", "alternatives": [{"kind": "Int64"}, {
+"kind": "time", "clock": "steady"}, {"kind": "struct", "name": "shapes::Moment"}]}}]}], "wire": [{
+"id": "@0xc3053cb224b0c85f", "kind": "interface", "name": "Journal", "cxx": "shapes::Journal",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xf44a38be83c21076"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "put", "is": "kind \"write\"",
 "parameters": [{"at": 0, "name": "from", "is": "Int64 clock \"steady\""}, {"at": 1,
 "name": "number", "is": "Int64"}, {"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
 "at": 2, "name": "count", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "number",
