@@ -48,10 +48,12 @@ class Demo:
 
     def await_progress(self):
         """Reads up to the first line of progress: everything is connected and runs."""
+        lines = []
         for line in self.process.stdout:
             if re.match(r" *\d+ s ", line):
                 return
-        raise AssertionError("the demo ended before its first line of progress")
+            lines.append(line)
+        raise AssertionError("the demo ended before its first line of progress:\n" + "".join(lines))
 
     def result(self):
         return json.loads(self.json.read_text())
