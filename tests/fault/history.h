@@ -11,6 +11,20 @@
 
 namespace suture {
 
+/// What one end's report says of the commands of a client. Words, as they travel in a log.
+struct HistorySums {
+  std::uint64_t accepted = 0;
+  std::uint64_t executed = 0;  ///< also those whose handler threw
+  std::uint64_t others = 0;    ///< with any other outcome that is known
+  std::uint64_t lost = 0, unknown = 0, underWay = 0;
+  std::uint64_t heard = 0;    ///< the client's end: how many of `executed` and `others` the process
+                              ///< at the other end has told
+  std::uint64_t process = 0;  ///< the incarnation of the process that counts
+  std::uint64_t other = 0;    ///< that of the process at the other end
+
+  bool operator==(const HistorySums&) const = default;
+};
+
 /// One line of a log. All steady clocks are this machine's.
 struct HistoryEntry {
   enum class Kind : std::uint8_t {
@@ -21,8 +35,8 @@ struct HistoryEntry {
     Killed,     ///< the client was, by the test: what is under way needs no end
     Connected,  ///< the client found a new connection: `epoch`, over `lane`
     Told,       ///< the client was told that its connection `epoch` is lost: `error`
-    Counted,    ///< the client's ledger says at the end that `id` of its commands were executed,
-                ///< and that `epoch` others may have been
+    Counted,    ///< the client says in the end what became of its commands: `sums`
+    Served,     ///< so does a provider; `id`: how many of them its handlers have begun
   };
 
   Kind kind = Kind::Sent;
@@ -35,6 +49,7 @@ struct HistoryEntry {
   std::int64_t wall = 0;  ///< the wall clock of who wrote it down, ns: no rule is about it
   Duration age{0};        ///< executed: what the runtime compared with the ttl
   std::string lane = {};  ///< by its name
+  HistorySums sums = {};
 };
 
 /// Writes each entry at once, so that it survives a SIGKILL. One thread.
@@ -77,6 +92,8 @@ struct Tolerance {
 ///  - those of a client are executed in the order in which it sent them, so that none of an older
 ///    connection comes after one of a newer;
 ///  - as many of a client's commands were executed as its ledger says, or as may have been by it;
+///  - in the ledger of either end each command that was accepted is in one place, and a client has
+///    heard of no more than the process that it was connected to last, started once, has counted;
 ///  - a client hears the events of one provider in their order, each once, and none of an older
 ///    provider after one of a newer.
 std::vector<std::string> violations(const std::vector<HistoryEntry>& history,

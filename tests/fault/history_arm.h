@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 
 #include "fault/history.h"
@@ -36,6 +37,19 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
     return StillArm::distance(goal);
   }
 
+  /// Once it has been stopped: notes what the report of its process says of the commands of client
+  /// number `client`.
+  void noteLedger(std::uint32_t client, const suture::HistorySums& sums) {
+    log_.write({.kind = suture::HistoryEntry::Kind::Served,
+                .at = suture::now(),
+                .client = client,
+                .id = executedOf_[client],
+                .sums = sums});
+  }
+
+  /// Any thread: its next cycle takes so long.
+  void hang(suture::Duration length) { hangs_ = length.count(); }
+
   /// How many commands it has executed so far. Any thread.
   std::uint64_t executions() const { return executions_; }
   /// How many events so far. Any thread.
@@ -56,6 +70,7 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   void executed(const PoseStamped& goal, suture::Duration ttl) {
     ++executions_;
     const Tag tag = tagIn(goal);
+    ++executedOf_[tag.who];
     log_.write({.kind = suture::HistoryEntry::Kind::Executed,
                 .at = suture::now(),
                 .client = tag.who,
@@ -65,6 +80,7 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
                 .age = arm_.commandAge()});
   }
   void run() override {
+    if (hangs_ != 0) suture::pass(suture::Duration{hangs_.exchange(0)});
     for (int i = 0; i < eventsPerCycle_; ++i) {
       arm_.emit().arrived(poseOf({number_, ++events_}));
     }
@@ -75,6 +91,8 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   const int eventsPerCycle_;
   mutable std::atomic<std::uint64_t> executions_{0};
   std::atomic<std::uint64_t> events_{0};
+  std::atomic<suture::Duration::rep> hangs_{0};
+  std::map<std::uint32_t, std::uint64_t> executedOf_;  // commands, by client
   suture::Provided<reference::ArmLike> arm_{*this, "Arm", *this};
 };
 

@@ -5,7 +5,6 @@
 #include <suture/component/channel.h>
 #include <suture/component/device.h>
 #include <suture/component/required.h>
-#include <suture/observe/report.h>
 
 #include <algorithm>
 #include <array>
@@ -80,12 +79,10 @@ class HistoryCaller final : public Device {
     look();
   }
 
-  /// Notes what the client's report says of its commands. Nothing is sent any more.
-  void noteLedger(const ConnectionReport& report) {
+  /// Notes what the report of its process says of its commands. Nothing is sent any more.
+  void noteLedger(const HistorySums& sums) {
     look();
-    note({.kind = HistoryEntry::Kind::Counted,
-          .id = report.executed + report.failed,
-          .epoch = report.unknown + report.underWay});
+    note({.kind = HistoryEntry::Kind::Counted, .sums = sums});
   }
 
   HistoryPort arm{*this, "Arm"};

@@ -44,6 +44,7 @@ class Checker {
       case Kind::Killed: killed_[entry.client] = entry.at; break;
       case Kind::Connected: break;
       case Kind::Counted: counted_[entry.client] = entry; break;
+      case Kind::Served: served_[{entry.client, entry.sums.process}] = entry; break;
       case Kind::Told: told_.try_emplace({entry.client, entry.epoch}, entry.at); break;
     }
   }
@@ -58,6 +59,7 @@ class Checker {
       forbidExecutionAfterLoss(which, command);
     }
     for (const auto& [client, ledger] : counted_) compareWith(ledger);
+    for (const auto& [which, ledger] : served_) requireExecutions(ledger);
     return std::move(found_);
   }
 
@@ -101,11 +103,38 @@ class Checker {
     for (const auto& [which, command] : commands_) {
       if (which.first == ledger.client) executed += static_cast<unsigned>(command.executions);
     }
-    if (executed >= ledger.id && executed <= ledger.id + ledger.epoch) return;
-    found_.push_back("the ledger of client " + std::to_string(ledger.client) + " says that " +
-                     std::to_string(ledger.id) + " commands were executed, and " +
-                     std::to_string(ledger.epoch) + " may have been; " + std::to_string(executed) +
-                     " were");
+    const HistorySums& sums = ledger.sums;
+    const std::uint64_t possible = sums.unknown + sums.underWay;
+    const std::string owner = "the ledger of client " + std::to_string(ledger.client);
+    requireBalance(owner, sums);
+    if (executed < sums.executed || executed > sums.executed + possible) {
+      found_.push_back(owner + " says that " + std::to_string(sums.executed) +
+                       " commands were executed, and " + std::to_string(possible) +
+                       " may have been; " + std::to_string(executed) + " were");
+    }
+    const auto served = served_.find({ledger.client, sums.other});
+    if (served == served_.end() || served->second.sums.other != sums.process) return;
+    const HistorySums& provider = served->second.sums;
+    if (sums.heard <= provider.executed + provider.others) return;
+    found_.push_back(owner + " has heard of " + std::to_string(sums.heard) +
+                     " outcomes, and its provider has counted " +
+                     std::to_string(provider.executed + provider.others));
+  }
+
+  void requireExecutions(const HistoryEntry& ledger) {
+    const std::string owner = "the provider's ledger of client " + std::to_string(ledger.client);
+    requireBalance(owner, ledger.sums);
+    if (ledger.sums.executed == ledger.id) return;
+    found_.push_back(owner + " says that " + std::to_string(ledger.sums.executed) +
+                     " commands were executed; " + std::to_string(ledger.id) + " were");
+  }
+
+  void requireBalance(const std::string& owner, const HistorySums& sums) {
+    const std::uint64_t places =
+        sums.executed + sums.others + sums.lost + sums.unknown + sums.underWay;
+    if (places == sums.accepted) return;
+    found_.push_back(owner + " has places for " + std::to_string(places) + " of " +
+                     std::to_string(sums.accepted) + " commands");
   }
 
   void sent(const HistoryEntry& entry) {
@@ -166,6 +195,8 @@ class Checker {
   std::map<std::uint32_t, HistoryEntry> newest_;   // executed, by client
   std::map<std::uint32_t, HistoryEntry> heard_;    // the newest, by client
   std::map<std::uint32_t, HistoryEntry> counted_;  // the last word, by client
+  // The last word of providers, by client and incarnation.
+  std::map<std::pair<std::uint32_t, std::uint64_t>, HistoryEntry> served_;
   std::map<std::uint32_t, Time> killed_;
   std::map<std::pair<std::uint32_t, std::uint64_t>, Time> told_;      // by client and connection
   std::map<std::pair<std::uint32_t, std::uint64_t>, int> afterLoss_;  // commands, likewise

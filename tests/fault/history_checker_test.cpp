@@ -120,16 +120,69 @@ TEST(HistoryChecker, ACommandThatWasSentOnTheConnectionAfterTheLostOneIsFree) {
   expectNone(history);
 }
 
+/// What both ends of the first client's connection say in the end.
+struct Ledgers {
+  HistorySums client{.accepted = 103,
+                     .executed = 98,
+                     .others = 2,
+                     .lost = 1,
+                     .unknown = 2,
+                     .heard = 97,
+                     .process = 7,
+                     .other = 8};
+  HistorySums provider{.accepted = 97, .executed = 96, .others = 1, .process = 8, .other = 7};
+  std::uint64_t begun = 96;
+
+  History history() const {
+    History all = sound();
+    HistoryEntry entry{Kind::Counted, all.back().at, 1};
+    entry.sums = client;
+    all.push_back(entry);
+    entry.kind = Kind::Served;
+    entry.id = begun;
+    entry.sums = provider;
+    all.push_back(entry);
+    return all;
+  }
+};
+
 TEST(HistoryChecker, ALedgerThatMissesAnExecutionOrInventsOne) {
-  History history = sound();
-  history.push_back({Kind::Counted, history.back().at, 1, 98, 2});
-  expectNone(history);
-  history.back().id = 97;
-  expectOne(history,
+  Ledgers ledgers;
+  expectNone(ledgers.history());
+  --ledgers.client.executed;
+  ++ledgers.client.others;
+  expectOne(ledgers.history(),
             "the ledger of client 1 says that 97 commands were executed, and 2 may have been; 100 "
             "were");
-  history.back().id = 101;
-  expectOne(history, "says that 101 commands were executed");
+  ledgers.client.executed = 101;
+  ledgers.client.others = 0;
+  --ledgers.client.lost;
+  expectOne(ledgers.history(), "says that 101 commands were executed");
+}
+
+TEST(HistoryChecker, ALedgerThatHasNoPlaceForACommandOrTwo) {
+  Ledgers ledgers;
+  ++ledgers.client.accepted;
+  expectOne(ledgers.history(), "the ledger of client 1 has places for 103 of 104 commands");
+  ledgers = {};
+  ++ledgers.provider.underWay;
+  expectOne(ledgers.history(), "the provider's ledger of client 1 has places for 98 of 97");
+}
+
+TEST(HistoryChecker, AProvidersLedgerThatDoesNotKnowWhatItExecuted) {
+  Ledgers ledgers;
+  ledgers.begun = 95;
+  expectOne(ledgers.history(),
+            "the provider's ledger of client 1 says that 96 commands were executed; 95 were");
+}
+
+TEST(HistoryChecker, AClientThatHasHeardOfMoreThanTheSameProcessHasCounted) {
+  Ledgers ledgers;
+  ++ledgers.client.heard;
+  expectOne(ledgers.history(),
+            "the ledger of client 1 has heard of 98 outcomes, and its provider has counted 97");
+  ledgers.client.other = 9;
+  expectNone(ledgers.history());
 }
 
 TEST(HistoryChecker, ACallThatEndsLate) {
@@ -205,6 +258,7 @@ TEST(HistoryLog, ReadsBackWhatWasWrittenButACutLine) {
   History history = sound();
   nth(history, Kind::Connected, 0).lane = "shm";
   nth(history, Kind::Executed, 0).age = 1ms;
+  nth(history, Kind::Executed, 0).sums = {.accepted = 1, .other = 2};
   std::vector<std::string> files;
   {
     for (const char* name : {"a", "b", "c"}) files.push_back(directory.file(name));
@@ -223,6 +277,7 @@ TEST(HistoryLog, ReadsBackWhatWasWrittenButACutLine) {
   EXPECT_EQ(back[1].lane, "");
   EXPECT_EQ(back[2].limit, 500ms);
   EXPECT_EQ(back[2].age, 1ms);
+  EXPECT_EQ(back[2].sums, (HistorySums{.accepted = 1, .other = 2}));
   EXPECT_EQ(back[2].at, kStart + 2ms);
 }
 

@@ -4,8 +4,8 @@
 // listens. Ends on SIGTERM.
 
 #include <suture/manager/manager.h>
-#include <suture/observe/observe.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <string>
@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "fault/history_caller.h"
+#include "fault/history_sums.h"
 #include "support/hosted_process.h"
 
 namespace {
@@ -30,6 +31,16 @@ void connect(const suture::HostedProcess& process, suture::Manager& manager, con
       std::this_thread::sleep_for(5ms);
     }
   }
+}
+
+/// Those of commands that a connected provider has yet to tell.
+void awaitOutcomes(const suture::Manager& manager) {
+  const auto areKnown = [&manager] {
+    const auto all = suture::sumsOf(manager);
+    return std::all_of(all.begin(), all.end(),
+                       [](const auto& one) { return one.second.underWay == 0; });
+  };
+  for (int i = 0; i < 400 && !areKnown(); ++i) std::this_thread::sleep_for(5ms);
 }
 
 }  // namespace
@@ -53,7 +64,8 @@ int main(int, char** argv) {
       if (mode == "busy") client.ask();
       if (mode == "bursts") client.burst();
     }
-    for (const auto& one : suture::observe(manager, {}).connections) client.noteLedger(one);
+    awaitOutcomes(manager);
+    for (const auto& [name, sums] : suture::sumsOf(manager)) client.noteLedger(sums);
     manager.stop();
   });
 }

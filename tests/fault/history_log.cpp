@@ -2,6 +2,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -14,6 +16,20 @@ namespace suture {
 namespace {
 
 const std::string kNone = "-";  // it stands for no word at all
+
+using SumWords = std::array<std::uint64_t, sizeof(HistorySums) / sizeof(std::uint64_t)>;
+
+std::string textOf(const HistorySums& sums) {
+  std::string text;
+  for (const std::uint64_t word : std::bit_cast<SumWords>(sums)) text += std::to_string(word) + " ";
+  return text;
+}
+
+HistorySums readSums(std::istringstream& words) {
+  SumWords sums{};
+  for (std::uint64_t& word : sums) words >> word;
+  return std::bit_cast<HistorySums>(sums);
+}
 
 std::int64_t wallClock() {
   const auto since = std::chrono::system_clock::now().time_since_epoch();
@@ -35,7 +51,8 @@ void HistoryLog::write(const HistoryEntry& entry) {
       " " + std::to_string(entry.client) + " " + std::to_string(entry.id) + " " +
       std::to_string(entry.epoch) + " " + std::to_string(entry.limit.count()) + " " +
       std::to_string(static_cast<int>(entry.error)) + " " + std::to_string(wallClock()) + " " +
-      std::to_string(entry.age.count()) + " " + (entry.lane.empty() ? kNone : entry.lane) + " .\n";
+      std::to_string(entry.age.count()) + " " + (entry.lane.empty() ? kNone : entry.lane) + " " +
+      textOf(entry.sums) + ".\n";
   if (::write(file_, line.data(), line.size()) != static_cast<ssize_t>(line.size())) {
     throw std::runtime_error("cannot write a history");
   }
@@ -52,7 +69,9 @@ std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files) {
       std::int64_t at = 0, limit = 0, age = 0;
       std::string last;
       words >> kind >> at >> entry.client >> entry.id >> entry.epoch >> limit >> error >>
-          entry.wall >> age >> entry.lane >> last;
+          entry.wall >> age >> entry.lane;
+      entry.sums = readSums(words);
+      words >> last;
       if (last != ".") continue;
       entry.kind = static_cast<HistoryEntry::Kind>(kind);
       entry.at = fromNanoseconds(at);

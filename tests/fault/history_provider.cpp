@@ -10,11 +10,24 @@
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fault/history_arm.h"
+#include "fault/history_sums.h"
 #include "fault/shaky_task.h"
 #include "support/hosted_process.h"
+
+namespace {
+
+/// The number of the client "client7:Client/Arm" of a connection; 0: it is another's.
+std::uint32_t clientIn(const std::string& connection) {
+  constexpr std::string_view kProcess = "client";
+  if (!connection.starts_with(kProcess)) return 0;
+  return static_cast<std::uint32_t>(std::atoi(connection.c_str() + kProcess.size()));
+}
+
+}  // namespace
 
 int main(int, char** argv) {
   return suture::statusOf([argv] {
@@ -35,6 +48,10 @@ int main(int, char** argv) {
     }
     manager.start();
     process.awaitEnd();
+    arm.stop();
+    for (const auto& [name, sums] : suture::sumsOf(manager)) {
+      if (const std::uint32_t client = clientIn(name); client != 0) arm.noteLedger(client, sums);
+    }
     manager.stop();
   });
 }

@@ -114,6 +114,7 @@ TEST_P(Kill, LeavesSoundHistoriesAndTheRestGoesOn) {
   EXPECT_EQ(manager_->end(SIGTERM), 0);
   const auto history = system_.history();
   EXPECT_EQ(system_.lanes(), System::Lanes{lane()});
+  EXPECT_TRUE(system_.haveReported());
   expectSoundHistory(history);
   std::printf("%d killed, %zu entries\n", kills_, history.size());
   EXPECT_GT(kills_, 0);

@@ -104,6 +104,7 @@ class Proxy : public testing::TestWithParam<const char*> {
     EXPECT_EQ(provider_->end(SIGTERM), 0);
     EXPECT_GT(proxy().injected(), 0u);
     EXPECT_EQ(system_.lanes(), System::Lanes{lane()});
+    EXPECT_TRUE(system_.haveReported());
     std::printf("seed %u: %d faults, %zu entries\n", faultSeed(),
                 static_cast<int>(proxy().injected()), system_.history().size());
   }

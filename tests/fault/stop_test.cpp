@@ -128,6 +128,7 @@ TEST_P(Stop, LeavesSoundHistories) {
   EXPECT_EQ(provider_->end(SIGTERM), 0);
   EXPECT_EQ(manager_->end(SIGTERM), 0);
   EXPECT_EQ(system_.lanes(), System::Lanes{lane()});
+  EXPECT_TRUE(system_.haveReported());
   // A client that stands still is late.
   expectSoundHistory(system_.history(), {.lateness = kBusyMachine + kStopped});
   std::printf("seed %u: %d stops, %zu entries\n", faultSeed(), stops, system_.history().size());

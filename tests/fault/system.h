@@ -152,6 +152,14 @@ class System {
              entry.limit != Duration{0};
     });
   }
+  /// True if the latest client and the latest provider have written down what they counted.
+  bool haveReported() const {
+    const auto reported = [](const std::vector<HistoryEntry>& history, HistoryEntry::Kind kind) {
+      return has(history, Time{}, [kind](const HistoryEntry& one) { return one.kind == kind; });
+    };
+    return reported(clientsHistory(), HistoryEntry::Kind::Counted) &&
+           reported(providersHistory(), HistoryEntry::Kind::Served);
+  }
   /// Clients have been connected over these, by their names.
   using Lanes = std::set<std::string>;
   Lanes lanes() const {
