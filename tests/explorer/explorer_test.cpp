@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 
@@ -76,14 +77,18 @@ TEST_P(Explorer, FindsNothingUnderNewSeeds) {
   const std::uint64_t count = asked("SUTURE_SEEDS", 200) / kBlocks;
   const std::uint64_t first = asked("SUTURE_FIRST_SEED", 1) + GetParam() * count;
   unsigned answered = 0, harms = 0;
+  std::map<std::string, std::uint64_t> lanes;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const Outcome outcome = expectSound(seed);
     answered += outcome.answered;
     harms += outcome.harms;
+    ++lanes[outcome.lane];
   }
   EXPECT_EQ(answered, count);
   EXPECT_GE(harms, count);
-  std::printf("%lu worlds were done harm %u times.\n", count, harms);
+  std::printf("%lu worlds were done harm %u times", count, harms);
+  for (const auto& [lane, worlds] : lanes) std::printf(", %lu on %s", worlds, lane.c_str());
+  std::printf(".\n");
 }
 
 INSTANTIATE_TEST_SUITE_P(Blocks, Explorer, testing::Range(std::uint64_t{0}, kBlocks));

@@ -26,6 +26,8 @@ constexpr Duration kHarm = 1s;       // how long a world is done harm
 constexpr Duration kRecovery = 1s;   // within which it works again
 constexpr Duration kLateness = 2ms;  // of a call that ends beyond its deadline: a cycle of the arm
 constexpr Duration kLongestPause = 200ms;
+// Seeds of these choices are apart from the others, which stay what they were for each seed.
+constexpr std::uint64_t kSeedOfMore = 0x9e3779b97f4a7c15;
 constexpr Duration kSilence = 100ms;  // some pauses are longer, and some are not
 
 /// Chooses all that is left to chance.
@@ -73,32 +75,46 @@ std::string describe(suture::Lane lane, const suture::ConnectionDelay& delay) {
 
 /// The provider's process: an arm with a history of its own.
 struct Robot {
-  Robot(const std::string& address, const std::string& log, std::uint32_t number)
-      : arm(log, number), manager("robot", address) {
-    manager.add("PSM", arm);
-    manager.start();
+  /// Its tasks run as `process`, and what carries its connections as `network`.
+  Robot(const std::string& address, const std::string& log, std::uint32_t number,
+        suture::TestClock::Process& process, suture::TestClock::Process& network)
+      : arm(log, number) {
+    network.run([&] { manager.emplace("robot", address); });
+    process.run([this] {
+      manager->add("PSM", arm);
+      manager->start();
+    });
   }
-  ~Robot() { manager.stop(); }
+  ~Robot() { manager->stop(); }
 
   reference::HistoryArm arm;
-  suture::Manager manager;
+  std::optional<suture::Manager> manager;
 };
 
 class World {
  public:
   World(std::uint64_t seed, suture::TestClock& clock, Outcome& outcome)
-      : chance_(seed), outcome_(outcome), robotsProcess_(clock), consolesProcess_(clock) {
+      : chance_(seed),
+        more_(seed ^ kSeedOfMore),
+        outcome_(outcome),
+        robotsProcess_(clock),
+        robotsNetwork_(clock),
+        consolesNetwork_(clock) {
     const suture::Lane lane = chooseLane(chance_);
     const suture::ConnectionDelay delay = chooseFaults(chance_, seed);
-    outcome_.setup = describe(lane, delay);
+    outcome_.lane = toString(lane);
+    outcome_.setup = describe(lane, delay) + (hangs_ ? ", an arm that hangs" : "") +
+                     (splits_ ? ", a network that splits" : "") +
+                     (hasOperator_ ? ", an operator" : "");
     bringManagerUp();
     bringRobotUp();
-    consolesProcess_.run([&] {
+    const auto resumption = hasOperator_ ? suture::Resume::Operator : suture::Resume::Automatic;
+    consolesNetwork_.run([&] {
       console_ = std::make_unique<suture::Manager>("console", address_);
       console_->add("Operator", caller_);
       console_->start();
       console_->connect("Operator/Arm", "robot:PSM/Arm", lane, suture::Manager::kDefaultPatience,
-                        delay, {.silence = kSilence});
+                        delay, {.resume = resumption, .silence = kSilence});
     });
   }
   ~World() {
@@ -125,24 +141,33 @@ class World {
   void bringRobotUp() {
     ++robots_;
     const std::string log = newLog("robot" + std::to_string(robots_));
-    robotsProcess_.run([&] { robot_ = std::make_unique<Robot>(address_, log, robots_); });
+    robot_ = std::make_unique<Robot>(address_, log, robots_, robotsProcess_, robotsNetwork_);
   }
 
-  /// The client works in the test's thread, which is of the console's process, too.
+  /// The client works in the test's thread.
   void work() {
     if (const Duration pause{standStill_.exchange(0)}; pause > Duration{0}) {
-      consolesProcess_.freeze();
+      consolesNetwork_.freeze();
       suture::pass(pause);
-      consolesProcess_.thaw();
+      consolesNetwork_.thaw();
     }
     chance_.oneIn(8) ? caller_.burst() : caller_.ask();
     (void)caller_.processEvents();
+    if (hasOperator_ && more_.oneIn(16)) resume();
     suture::pass(1ms);
+  }
+  /// Lets commands through, if they await that.
+  void resume() {
+    try {
+      console_->resumeConnection("Operator/Arm");
+    } catch (const suture::SetupError&) {  // they await nobody, or the arm is still lost
+    }
   }
   /// The world works as soon as a call is answered.
   void recover() {
     const suture::Time deadline = suture::now() + kRecovery;
     while (suture::now() < deadline) {
+      if (hasOperator_) resume();
       const auto answer = caller_.arm.distance.start({}).within(20ms);
       if (answer) {
         ++outcome_.answered;
@@ -159,7 +184,7 @@ class World {
     // only when it is there again.
     const suture::Time deadline = suture::now() + kRecovery;
     while (!isSettled() && suture::now() < deadline) suture::pass(1ms);
-    const suture::ConnectionReport console = of(*console_), robot = of(robot_->manager);
+    const suture::ConnectionReport console = of(*console_), robot = of(*robot_->manager);
     const std::uint64_t known = console.executed + console.failed;
     require(console.underWay == 0, "all commands have an outcome");
     require(console.sent == known + console.late + console.refused + console.replaced +
@@ -182,7 +207,7 @@ class World {
   }
   bool isSettled() const {
     const suture::ConnectionReport console = of(*console_);
-    return console.underWay == 0 && hasHeard(console, of(robot_->manager));
+    return console.underWay == 0 && hasHeard(console, of(*robot_->manager));
   }
   void require(bool holds, const std::string& what) {
     if (!holds) outcome_.broken.push_back("not so: " + what);
@@ -204,9 +229,11 @@ class World {
   // In a thread of its own, beside the client's.
   void doHarm() {
     const suture::Time end = suture::now() + kHarm;
-    Chance chance(chance_.below(UINT64_MAX));
+    Chance chance(chance_.below(UINT64_MAX)), more(more_.below(UINT64_MAX));
     while (suture::now() < end) {
       suture::pass(chance.upTo(kLongestPause));
+      if (hangs_ && more.oneIn(3)) robot_->arm.hang(more.upTo(2 * kLongestPause));
+      if (splits_ && more.oneIn(3)) split(more);
       harm(chance);
       ++outcome_.harms;
     }
@@ -225,9 +252,9 @@ class World {
         bringManagerUp();
         break;
       case 2:
-        robot_->manager.suspend("PSM");
+        robot_->manager->suspend("PSM");
         suture::pass(chance.upTo(kLongestPause));
-        robot_->manager.resume("PSM");
+        robot_->manager->resume("PSM");
         break;
       case 3: freezeRobot(chance); break;
       case 4: freezeConsole(chance); break;
@@ -240,16 +267,28 @@ class World {
   }
   void freezeRobot(Chance& chance) {
     robotsProcess_.freeze();
+    robotsNetwork_.freeze();
     suture::pass(chance.upTo(kLongestPause));
+    robotsNetwork_.thaw();
     robotsProcess_.thaw();
+  }
+  /// Neither process hears of the other, though both work.
+  void split(Chance& chance) {
+    suture::TestClock::Process& network = chance.oneIn(2) ? robotsNetwork_ : consolesNetwork_;
+    network.freeze();
+    suture::pass(chance.upTo(kLongestPause));
+    network.thaw();
   }
   void freezeConsole(Chance& chance) { standStill_ = chance.upTo(kLongestPause).count(); }
 
-  Chance chance_;
+  Chance chance_, more_;
+  const bool hangs_ = more_.oneIn(3);
+  const bool hasOperator_ = more_.oneIn(4);
+  const bool splits_ = more_.oneIn(3);
   Outcome& outcome_;
   suture::TemporaryDirectory directory_;
   const std::string address_ = "unix:" + directory_.file("manager.sock");
-  suture::TestClock::Process robotsProcess_, consolesProcess_;
+  suture::TestClock::Process robotsProcess_, robotsNetwork_, consolesNetwork_;
   std::vector<std::string> logs_;
   suture::rpc::ControlThread control_;
   std::unique_ptr<suture::GlobalManager> names_;

@@ -11,6 +11,7 @@ namespace explorer {
 
 /// Tells what became of a world.
 struct Outcome {
+  std::string lane;
   std::string setup;  ///< lane and faults, for people
   std::vector<std::string>
       broken;             ///< what must not be: rules of the history, problems of the clock
