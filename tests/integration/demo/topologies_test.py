@@ -12,7 +12,8 @@ import unittest
 from programs import Demo
 
 PROGRAMS = pathlib.Path(sys.argv.pop(1))
-TOPOLOGIES = pathlib.Path(__file__).resolve().parents[3] / "examples" / "teleoperation"
+EXAMPLES = pathlib.Path(__file__).resolve().parents[3] / "examples"
+TOPOLOGIES = EXAMPLES / "teleoperation"
 
 
 def refusal_of(topology):
@@ -28,6 +29,18 @@ class Topologies(unittest.TestCase):
         for file in files:
             title = json.loads(file.read_text())["title"]
             self.assertRegex(text, rf"(?m)^  {file.stem} +{title}$")
+
+    def test_whoever_moves_a_slave_has_contracts_with_what_it_follows(self):
+        contracts = 0
+        for file in EXAMPLES.glob("*/*.json"):
+            deployment = json.loads(file.read_text())
+            movers = [f"{process['name']}:{one['name']}/" for process in deployment["processes"]
+                      for one in process["components"] if one["class"] in ("Teleop", "KnotGuide")]
+            for one in deployment["connections"]:
+                if one["from"].startswith(tuple(movers)) and one["to"].endswith(("/Arm", "/Vision")):
+                    self.assertIn("max_age", one.get("contract", {}), f"{file}: {one['from']}")
+                    contracts += 1
+        self.assertGreaterEqual(contracts, 35)
 
     def test_unknown_name_is_answered_with_those_that_there_are(self):
         status, output, errors = refusal_of("fig3d")
