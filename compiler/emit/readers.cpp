@@ -21,16 +21,49 @@ bool isDeclared(const std::string& name, const model::Header& home) {
                      [&](const model::Component& one) { return one.parameters == name; });
 }
 
-/// Which header's source reads a type that a value in `holder` has a part of: its own, or if that
-/// is another target's, the holder's.
-const model::Header& readerOf(const model::Header& home, const model::Header& holder) {
-  return home.own ? home : holder;
+/// Does another target declare how it is read?
+bool isReadElsewhere(const std::string& name, const model::Header& home) {
+  return !home.own && isDeclared(name, home);
 }
+
+/// Which header's source reads each type that parameters of our components consist of: its own, or
+/// if that is another target's, the first of ours that has a value of it.
+class ReaderHomes {
+ public:
+  explicit ReaderHomes(const Context& context) : context_(context) {
+    for (const model::Header& header : context.model.headers) {
+      if (!header.own) continue;
+      for (const model::Component& component : header.components) {
+        if (component.parameters) visit(*component.parameters, header);
+      }
+    }
+  }
+
+  const model::Header& of(const std::string& name) const { return *homes_.at(name); }
+
+ private:
+  void visit(const std::string& name, const model::Header& holder) {
+    const model::Header& home = *context_.lookup.headerOf(name);
+    if (isReadElsewhere(name, home)) return;
+    const model::Header& reader = home.own ? home : holder;
+    if (!homes_.emplace(name, &reader).second) return;
+    if (const model::Struct* const declaration = context_.lookup.findStruct(name)) {
+      for (const model::Field& field : declaration->fields) visit(field.type, reader);
+    }
+  }
+  void visit(const model::Type& type, const model::Header& holder) {
+    if (!type.name.empty()) visit(type.name, holder);
+    for (const model::Type& element : type.element) visit(element, holder);
+  }
+
+  const Context& context_;
+  std::map<std::string, const model::Header*> homes_;
+};
 
 /// Walks through all that parameters of our components consist of, from header to header.
 class SharedParts {
  public:
-  explicit SharedParts(const Context& context) : context_(context) {
+  SharedParts(const Context& context, const ReaderHomes& homes) : context_(context), homes_(homes) {
     for (const model::Header& header : context.model.headers) {
       if (!header.own) continue;
       for (const model::Component& component : header.components) {
@@ -45,7 +78,8 @@ class SharedParts {
  private:
   void visit(const std::string& name, const model::Header& holder) {
     const model::Header& home = *context_.lookup.headerOf(name);
-    const model::Header& reader = readerOf(home, holder);
+    if (isReadElsewhere(name, home)) return;
+    const model::Header& reader = homes_.of(name);
     if (&reader != &holder && reader.path == context_.header.path && !isDeclared(name, home)) {
       names_.insert(name);
     }
@@ -60,6 +94,7 @@ class SharedParts {
   }
 
   const Context& context_;
+  const ReaderHomes& homes_;
   std::set<std::pair<std::string, const model::Header*>> seen_;
   std::set<std::string> names_;
 };
@@ -67,7 +102,8 @@ class SharedParts {
 /// The types that a header's source reads, parts before wholes.
 class Parts {
  public:
-  Parts(const Context& context, const std::set<std::string>& shared) : context_(context) {
+  Parts(const Context& context, const ReaderHomes& homes, const std::set<std::string>& shared)
+      : context_(context), homes_(homes) {
     for (const model::Component& component : context.header.components) {
       if (component.parameters) add(*component.parameters);
     }
@@ -82,10 +118,9 @@ class Parts {
   void add(const std::string& name) {
     if (!seen_.insert(name).second) return;
     const model::Header& home = *context_.lookup.headerOf(name);
-    if (home.path != context_.header.path) {
-      if (isDeclared(name, home)) return;
-      if (home.own) return elsewhere_[home.path].push_back(name);
-    }
+    if (home.path != context_.header.path && isDeclared(name, home)) return;
+    const std::string& reader = homes_.of(name).path;
+    if (reader != context_.header.path) return elsewhere_[reader].push_back(name);
     if (const model::Struct* const declaration = context_.lookup.findStruct(name)) {
       for (const model::Field& field : declaration->fields) add(field.type);
     }
@@ -98,6 +133,7 @@ class Parts {
   }
 
   const Context& context_;
+  const ReaderHomes& homes_;
   std::set<std::string> seen_;
   std::vector<std::string> names_;
   std::map<std::string, std::vector<std::string>> elsewhere_;
@@ -154,10 +190,17 @@ std::string signature(const std::string& name, const Context& context) {
   return "void fromJson(const suture::JsonReader& in, " + type + "& value)";
 }
 
-/// `known`: another source knows of it. Whatever else is read is equal wherever it is.
+/// How a reader is linked that `known` says other sources of ours know of. Whatever else is read is
+/// equal wherever it is, and so is a reader of another target's type, which yet another target may
+/// have too.
+std::string linkage(const std::string& name, const Context& context, bool known) {
+  if (!known) return "inline ";
+  return context.lookup.headerOf(name)->own ? "" : "[[gnu::weak]] ";
+}
+
 void emitReader(Code& code, const Context& context, const std::string& name, bool known) {
   const std::string type = relative(name, namespaceFor(name, context));
-  code.open(known ? "" : "inline ", signature(name, context), " {");
+  code.open(linkage(name, context, known), signature(name, context), " {");
   if (const model::Struct* const declaration = context.lookup.findStruct(name)) {
     emitStruct(code, *declaration, namespaceFor(name, context));
   } else {
@@ -235,7 +278,9 @@ void emitClass(Code& code, const model::Component& component) {
 
 }  // namespace
 
-bool readsForOthers(const Context& context) { return !SharedParts(context).names().empty(); }
+bool readsForOthers(const Context& context) {
+  return !SharedParts(context, ReaderHomes(context)).names().empty();
+}
 
 bool hasReaders(const model::Header& header) {
   return std::any_of(
@@ -264,8 +309,9 @@ void emitReaderDeclarations(Code& code, const Context& context, const std::strin
 }
 
 void emitReaders(Code& code, const Context& context) {
-  const SharedParts shared(context);
-  const Parts parts(context, shared.names());
+  const ReaderHomes homes(context);
+  const SharedParts shared(context, homes);
+  const Parts parts(context, homes, shared.names());
   emitForeignReaders(code, context, parts.elsewhere());
   std::string open;
   for (const std::string& name : parts.names()) {
