@@ -1,6 +1,7 @@
 #include "compiler/emit/page.h"
 
 #include <filesystem>
+#include <string_view>
 
 #include "compiler/emit/markdown.h"
 #include "compiler/emit/page_commands.h"
@@ -18,6 +19,12 @@ std::string contractHeading(const std::string& name) {
 
 std::string componentHeading(const std::string& name) {
   return model::unqualified(name) + " (component)";
+}
+
+/// The include root below which a header was found: pages of one root lie in one tree.
+std::string_view rootOf(const model::Header& header) {
+  const std::string_view file = header.file;
+  return file.ends_with(header.path) ? file.substr(0, file.size() - header.path.size()) : file;
 }
 
 std::string paragraph(const std::string& text) { return text.empty() ? "" : text + "\n\n"; }
@@ -120,11 +127,11 @@ class Page {
     return table.text();
   }
 
-  /// A link to where the contract is described, if that is a page of this project.
+  /// A link to where the contract is described, if that is a page of the same tree.
   std::string contractName(const std::string& name) const {
     std::string shown = inCode(relative(name, header_.cxxNamespace));
     const model::Header* const home = context_.lookup.headerOf(name);
-    if (!home || !home->own) return shown;
+    if (!home || !(home->own || rootOf(*home) == rootOf(header_))) return shown;
     const std::string anchor = anchorOf(contractHeading(name));
     if (home->path == header_.path) return link(shown, anchor);
     const std::filesystem::path page = model::stemOf(home->path) + ".suture.md";

@@ -156,6 +156,32 @@ TEST_F(EmitTest, DescriptionSaysWhatTheTypesAre) {
   EXPECT_EQ(json["interfaces"][0]["events"][0]["latched"], true);
 }
 
+TEST_F(EmitTest, APageLinksToTheContractsOfOtherTargetsInItsTree) {
+  model::Header& contract = sample::armHeader(model_);
+  contract.own = false;
+  for (model::Header& one : model_.headers) one.file = "/project/" + one.path;
+  const std::string link = "[`Arm`](arm.suture.md#arm-contract)";
+  EXPECT_TRUE(contains(text("robots/simulated_arm.suture.md"), link));
+  contract.file = "/usr/include/" + contract.path;
+  EXPECT_FALSE(contains(text("robots/simulated_arm.suture.md"), link));
+}
+
+TEST_F(EmitTest, OneSourceReadsATypeOfAnotherTargetForAllParameters) {
+  sample::armHeader(model_).own = false;  // with the enum that parameters have a value of
+  model::Header other = model_.headers.back();
+  other.path = "robots/third_arm.h";
+  other.components[0].name = "robots::ThirdArm";
+  other.components[0].parameters = other.structs[0].name = "robots::ThirdParameters";
+  model_.headers.push_back(other);
+  const std::string reader = "void fromJson(const suture::JsonReader& in, Mode& value)";
+  const std::string first = text("robots/simulated_arm.suture.cpp"),
+                    second = text("robots/third_arm.suture.cpp");
+  EXPECT_TRUE(contains(first, "[[gnu::weak]] " + reader + " {")) << first;
+  EXPECT_TRUE(contains(second, "// Defined in robots/simulated_arm.suture.cpp.")) << second;
+  EXPECT_TRUE(contains(second, reader + ";"));
+  EXPECT_FALSE(contains(second, reader + " {")) << "a unity build would have it twice";
+}
+
 TEST_F(EmitTest, TheEntryPointListsTheComponentsOfAllOwnHeaders) {
   model::Header other = model_.headers.back();
   other.path = "robots/other_arm.h";
