@@ -1,6 +1,5 @@
 #pragma once
-// SHA-256 (FIPS 180-4), for ids and contract hashes. Here because it is the only thing the compiler
-// would need a cryptography library for.
+// SHA-256 as ids and contract hashes have it.
 
 #include <array>
 #include <cstdint>
