@@ -8,7 +8,7 @@ foreach(name base rt component wiring tls rpc shm frame fault delay standard man
   set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries suture_${name})
 endforeach()
-set(robots robots robots_core robots_kinematics robots_vision robots_vision_core)
+set(robots robots robots_contracts robots_core robots_kinematics robots_vision robots_vision_core)
 set_target_properties(${libraries} ${robots} PROPERTIES
   VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(programs suture-manager suture_cli)

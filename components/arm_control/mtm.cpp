@@ -11,7 +11,7 @@ namespace {
 ArmModel<7> model(const MtmParameters& parameters) {
   const dynamics::ArmMechanics<7> mechanics = dynamics::mtmMechanics();
   const kinematics::Chain<7> chain =
-      parameters.side == MtmSide::Left ? kinematics::mtmLeft() : kinematics::mtmRight();
+      parameters.side == Side::Left ? kinematics::mtmLeft() : kinematics::mtmRight();
   ArmModel<7> model{
       .chain = chain,
       .joint_names = {"outer_yaw", "shoulder_pitch", "elbow_pitch", "platform", "wrist_pitch",

@@ -16,13 +16,12 @@
 #include "arm_control/crtk_arm.h"
 #include "arm_control/drive_link.h"
 #include "arm_control/gripper_reading.h"
+#include "robot_types/side.h"
 
 namespace robots {
 
-enum class SUTURE_TYPE() MtmSide : std::uint8_t { Left, Right };
-
 struct SUTURE_TYPE() MtmParameters {
-  MtmSide side = MtmSide::Left;
+  Side side = Side::Left;
   suture::Duration period = std::chrono::milliseconds(1);
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
   /// This is how fast the joints may speed up and slow down in a move. Nothing is published of what

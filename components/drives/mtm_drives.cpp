@@ -13,8 +13,7 @@ namespace {
 
 std::unique_ptr<SimulatedJoints<7>> joints(const MtmDrivesParameters& parameters) {
   using Joints = SimulatedJoints<7>::Joints;
-  const auto chain =
-      parameters.side == MasterSide::Left ? kinematics::mtmLeft() : kinematics::mtmRight();
+  const auto chain = parameters.side == Side::Left ? kinematics::mtmLeft() : kinematics::mtmRight();
   const Joints rates = Joints::Constant(parameters.angular_rate);
   Joints parked = kinematics::mtmHome();
   parked[1] = 0.3;

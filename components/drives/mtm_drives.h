@@ -18,14 +18,13 @@
 #include "drives/held_gripper.h"
 #include "drives/permit_watch.h"
 #include "drives/simulated_drives.h"
+#include "robot_types/side.h"
 
 namespace robots {
 
-/// Which of a surgeon's two masters: their joints have mirrored limits.
-enum class SUTURE_TYPE() MasterSide : std::uint8_t { Left, Right };
-
 struct SUTURE_TYPE() MtmDrivesParameters {
-  MasterSide side = MasterSide::Left;
+  /// Which of a surgeon's two masters: their joints have mirrored limits.
+  Side side = Side::Left;
   suture::Duration period = std::chrono::microseconds(667);
   /// How far the measured joints trail their goal: here, the hand that moves the master.
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
@@ -48,6 +47,8 @@ class SUTURE_COMPONENT() MtmDrives final : public suture::PeriodicTask, public S
 
   void run() override;
   void onFault() override { brake(); }
+  /// They have stopped meanwhile, so they get no power before the arm has been enabled again.
+  void onRestart() override { permit(false); }
 
  private:
   MtmDrives(const MtmDrivesParameters& parameters, std::shared_ptr<HeldGripper> gripper);

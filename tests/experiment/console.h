@@ -46,7 +46,7 @@ class Console {
   static void connectOperator(suture::Manager& manager, const Crossing& cross,
                               suture::Duration picturePeriod);
 
-  robots::test::DrivenMtm left{robots::MtmSide::Left}, right{robots::MtmSide::Right};
+  robots::test::DrivenMtm left{robots::Side::Left}, right{robots::Side::Right};
 
  private:
   Readier readier_;  // the hand that leads nothing holds a master all the same

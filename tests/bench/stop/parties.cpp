@@ -10,8 +10,7 @@ namespace bench {
 using robots::DrivePower;
 using suture::Time;
 
-ArmPair::ArmPair(std::size_t firstArm, robots::MtmSide side)
-    : first(firstArm), master(side, kPermit) {
+ArmPair::ArmPair(std::size_t firstArm, robots::Side side) : first(firstArm), master(side, kPermit) {
   master.drives.schedule(urgent(80));
   slave.drives.schedule(urgent(80));
 }

@@ -36,7 +36,7 @@ inline constexpr std::array<ArmPlace, kArmCount> kArms{
 /// A master and a slave, whose drives need a permit, and somebody who looks at the images.
 struct ArmPair {
   /// `first`: of kArms.
-  ArmPair(std::size_t first, robots::MtmSide side);
+  ArmPair(std::size_t first, robots::Side side);
   void addTo(suture::Manager& manager);
 
   static constexpr suture::Duration kPermit = std::chrono::milliseconds(30);

@@ -54,8 +54,7 @@ void serveVision(const Arguments& given) {
 }
 
 void servePair(const Arguments& given) {
-  ArmPair pair(given.isLeft() ? 0 : 2,
-               given.isLeft() ? robots::MtmSide::Left : robots::MtmSide::Right);
+  ArmPair pair(given.isLeft() ? 0 : 2, given.isLeft() ? robots::Side::Left : robots::Side::Right);
   serve(given, pair, [&](suture::Manager& manager, suture::Lane lane) {
     connectPair(manager, pair, kElsewhere, lane);
   });

@@ -53,8 +53,8 @@ std::uint64_t StopSystem::end() {
 
 void StopSystem::addHere() {
   desk_.emplace();
-  left_.emplace(0, robots::MtmSide::Left);
-  right_.emplace(2, robots::MtmSide::Right);
+  left_.emplace(0, robots::Side::Left);
+  right_.emplace(2, robots::Side::Right);
   vision_.emplace();
   desk_->addTo(*manager_);
   vision_->addTo(*manager_);

@@ -66,7 +66,7 @@ struct Theatre {
   /// How far the knot is from its target, m.
   double error() const { return (strand.strand().nodes.col(Strand::kKnot) - kKnotTarget).norm(); }
 
-  DrivenMtm leftMaster{MtmSide::Left}, rightMaster{MtmSide::Right};
+  DrivenMtm leftMaster{Side::Left}, rightMaster{Side::Right};
   DrivenPsm leftSlave, rightSlave;
   Operator surgeon{{.target = kKnotTarget}};
   KnotGuide guide{{.target = kKnotTarget}};

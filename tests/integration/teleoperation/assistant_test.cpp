@@ -53,7 +53,7 @@ class AssistantTest : public testing::Test {
   }
 
   Coordinator coordinator_{CoordinatorParameters{}};
-  DrivenMtm master_{MtmSide::Left, 30ms};
+  DrivenMtm master_{Side::Left, 30ms};
   DrivenPsm slave_{30ms};
   Teleop teleop_{TeleopParameters{}};
   Bystander bystander_;

@@ -32,13 +32,8 @@ struct DrivenPsm : DrivenArm<Psm, PsmDrives> {
 };
 
 struct DrivenMtm : DrivenArm<Mtm, MtmDrives> {
-  explicit DrivenMtm(MtmSide side = MtmSide::Left, suture::Duration permit = {})
-      : DrivenArm{Mtm({.side = side}), MtmDrives({.side = driven(side), .permit = permit})} {}
-
- private:
-  static MasterSide driven(MtmSide side) {
-    return side == MtmSide::Left ? MasterSide::Left : MasterSide::Right;
-  }
+  explicit DrivenMtm(Side side = Side::Left, suture::Duration permit = {})
+      : DrivenArm{Mtm({.side = side}), MtmDrives({.side = side, .permit = permit})} {}
 };
 
 }  // namespace robots::test

@@ -79,7 +79,7 @@ class Knot : public testing::TestWithParam<suture::Lane> {
   suture::TestClock::Process eyesProcess_{suture::clockOfTest()};
   suture::rpc::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
-  DrivenMtm leftMaster_{MtmSide::Left}, rightMaster_{MtmSide::Right};
+  DrivenMtm leftMaster_{Side::Left}, rightMaster_{Side::Right};
   DrivenPsm leftSlave_, rightSlave_;
   KnotSurgeon surgeon_{{.carry = {0.01, 0, -0.07}, .sway = 0.01}};
   std::unique_ptr<KnotGuide> guide_;

@@ -110,7 +110,7 @@ class Stop : public testing::TestWithParam<suture::Lane> {
   suture::rpc::ControlThread control_;
   suture::GlobalManager names_{control_, "unix:" + directory_.file("m.sock")};
   Coordinator coordinator_{CoordinatorParameters{}};
-  DrivenMtm leftMaster_{MtmSide::Left, kPermit}, rightMaster_{MtmSide::Right, kPermit};
+  DrivenMtm leftMaster_{Side::Left, kPermit}, rightMaster_{Side::Right, kPermit};
   DrivenPsm leftSlave_{kPermit}, rightSlave_{kPermit};
   OperatorPanel panel_;
   suture::Manager desk_{"desk", names_.address()}, left_{"left", names_.address()},
