@@ -30,6 +30,13 @@ printf '%s\n' lock deployment frames shared handshake generated golden | xargs -
   ./{}_fuzz -max_total_time="$seconds" -max_len=8192 -timeout=10 -artifact_prefix=found/{}_ \
     found/{} corpus/{} 2>&1 | sed -u "s/^/{}: /"'
 
+# The tiers leave it out under the sanitizers, as they have an allocator and locks of their own and it needs the arm.
+for preset in tsan asan; do
+  cmake --preset $preset --log-level=WARNING
+  cmake --build --preset $preset --target task_thread_test -- --quiet
+  "build/$preset/bin/task_thread_test" --gtest_brief=1
+done
+
 cmake --build --preset dev -- --quiet
 SUTURE_CONFORMANCE=full "$build/bin/conformance_test" --gtest_brief=1
 SUTURE_SEEDS=1000000 "$build/bin/explorer_test" --gtest_filter='*NewSeeds*' --gtest_brief=1
