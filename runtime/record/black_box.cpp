@@ -4,6 +4,8 @@
 #include <suture/rt/state_table.h>
 
 #include <exception>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace suture {
@@ -97,6 +99,9 @@ void BlackBox::look(Watched& watched) {
     write(component, first, last, reason, file);
     options_.tell(what + ". Its last state is in " + file.string());
   } catch (const std::exception& error) {
+    // What is there of it would only take the room that the next one needs.
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
     options_.tell(what + ". Its last state is not kept: " + error.what());
   }
 }

@@ -29,8 +29,8 @@ struct BlackBoxOptions {
 /// its state tables to "<folder>/<prefix><component>.<n>.jsonl" (JsonLines), n being the number
 /// of its fault. Faults that came since the last look share a file, that of the last of them;
 /// its first line says which they are. Tells of a disk that is full or a folder that is missing,
-/// and goes on. Replaces a file of that name, so another run of the process needs another
-/// prefix.
+/// leaves no part of a file there, and goes on. Replaces a file of that name, so another run of
+/// the process needs another prefix.
 class BlackBox {
  public:
   /// Before the components are started and connected. Asks for all reads that they provide, so that
