@@ -199,7 +199,8 @@ Errc endOfCalls(ChannelStatus status) {
 
 ChannelStatus statusIn(ComponentState state) {
   switch (state) {
-    case ComponentState::Suspended: return ChannelStatus::Suspended;
+    case ComponentState::Suspended:
+    case ComponentState::Stopped: return ChannelStatus::Suspended;
     case ComponentState::Faulted: return ChannelStatus::Faulted;
     default: return ChannelStatus::Connected;
   }

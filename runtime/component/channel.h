@@ -38,7 +38,7 @@ enum class ChannelStatus : std::uint8_t {
   Lost,       ///< the far end went away
   Faulted,    ///< the provider's handler threw
   Closed,     ///< this connection was taken down; both ends let go of it
-  Suspended,  ///< the provider executes nothing until it is resumed
+  Suspended,  ///< the provider executes nothing until it is resumed, or started again
   Lapsed,     ///< provider endpoint: its client has not been heard of for as long as it waits
 };
 

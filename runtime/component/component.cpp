@@ -67,8 +67,7 @@ bool Component::ownedByThisThread() {
 }
 
 bool Component::mayRunHandlers() const {
-  const ComponentState state = state_.load(std::memory_order_seq_cst);
-  return state != ComponentState::Stopped && statusIn(state) == ChannelStatus::Connected;
+  return statusIn(state_.load(std::memory_order_seq_cst)) == ChannelStatus::Connected;
 }
 
 bool Component::ownedByAnotherThread() const {
@@ -104,8 +103,9 @@ void Component::makeTransition(Transition transition) {
     resumed_.store(toNanoseconds(now()), std::memory_order_release);
   }
   if (!changeState(from, *to)) return;
-  if (transition == Transition::Suspend || transition == Transition::Resume ||
-      transition == Transition::Restart) {
+  // Those whose connection a stop has ended are told by endLife(); who has connected since then, by
+  // a start.
+  if (transition != Transition::Configure && transition != Transition::Stop) {
     for (ProvidedBase* provided : provided_) provided->announce(statusIn(state()));
   }
 }

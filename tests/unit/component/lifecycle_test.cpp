@@ -63,6 +63,19 @@ TEST(Lifecycle, ATaskGoesThroughItWithItsHooksInItsOwnThread) {
   EXPECT_TRUE(eventually([&] { return task.cycles > before; }));
 }
 
+TEST(Lifecycle, WhoConnectsToAStoppedTaskIsToldThatItRestsUntilItIsStartedAgain) {
+  Living<PeriodicTask> task(kQuick);
+  task.start();
+  task.stop();
+  ArmClient client;
+  connectLocally(client.arm, task.arm, "test");
+  EXPECT_EQ(client.arm.unusable(), Errc::Suspended);
+  EXPECT_EQ(client.arm.hold().error(), Errc::Suspended);
+  task.start();
+  EXPECT_TRUE(eventually([&] { return client.arm.unusable() == Errc{}; }));
+  EXPECT_TRUE(client.arm.hold());
+}
+
 TEST(Lifecycle, WhatIsNotLegalIsRefusedWithWhatIs) {
   Living<PeriodicTask> task(kQuick);
   EXPECT_EQ(refusal([&] { task.request(Transition::Suspend); }),
