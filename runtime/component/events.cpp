@@ -84,14 +84,16 @@ void RequiredBase::passSubscriptionsOn(EventSet joining) {
 }
 
 std::size_t RequiredBase::handleQueuedEvents() {
-  const std::shared_ptr<Channel> channel = channel_;  // a handler of a device may take over another
+  const std::shared_ptr<Channel> channel = channel_;
   if (channel == nullptr) return 0;
   noteTaking();
   std::size_t handled = 0;
   // A task that is asked to stop ends after this handler; a collector takes the rest in onStop().
   const bool atItsEnd = owner_.ending();
-  // A provider that emits faster than they are handled must not keep the task from its cycle.
-  while (handled < channel->events.capacity() && (atItsEnd || !owner_.ending())) {
+  // A provider that emits faster than they are handled must not keep the task from its cycle. What
+  // is left of a connection that a handler of a device has found over is not heard.
+  while (channel_ == channel && handled < channel->events.capacity() &&
+         (atItsEnd || !owner_.ending())) {
     const rt::EventRecord* const record = channel->events.next();
     if (record == nullptr) break;
     // Release the event even if the handler throws: it must not meet the same event again.
