@@ -61,6 +61,7 @@ void EventCollector::onStop() {
 void EventCollector::follow() {
   const bool fresh = channel_ != source_->channel();
   if (fresh) {
+    if (collection_.active()) noticeDropped();  // by the connection of before
     channel_ = source_->channel();
     droppedBefore_ = 0;
   }

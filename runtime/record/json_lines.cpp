@@ -41,13 +41,13 @@ JsonLines::Contract::Contract(const InterfaceInfo& info) {
   const json description = json::parse(info.description);
   const json& commands = description.at("commands");
   for (std::uint16_t i = 0; i < info.commands.size(); ++i) {
-    if (info.commands[i].kind != CommandKind::Read) continue;
+    if (info.commands[i].kind != CommandKind::Read || info.commands[i].sharedResult) continue;
     SlotLayout layout(commands.at(i).at("result").at("type"), description);
     requireSize(layout, info.commands[i].resultSize, info.name, info.commands[i].name);
     reads.emplace(i, Read{keyOf(info.commands[i].name), std::move(layout)});
   }
   for (std::uint16_t i = 0; i < info.events.size(); ++i) {
-    if (info.events[i].payloadSize == 0) continue;
+    if (info.events[i].payloadSize == 0 || info.events[i].sharedPayload) continue;
     SlotLayout layout = payloadLayout(description.at("events").at(i), description);
     requireSize(layout, info.events[i].payloadSize, info.name, info.events[i].name);
     events.emplace(i, std::move(layout));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <string>
 #include <utility>
 
 namespace suture {
@@ -21,6 +22,12 @@ T valueAt(const std::byte* memory) {
   T value;
   std::memcpy(&value, memory, sizeof(T));
   return value;
+}
+
+/// "1/1000" is a thousandth.
+double secondsOf(const std::string& period) {
+  const std::size_t slash = period.find('/');
+  return std::stod(period.substr(0, slash)) / std::stod(period.substr(slash + 1));
 }
 
 json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
@@ -109,7 +116,11 @@ void SlotLayout::readType(const json& type, const json& contract) {
     readScalar("Int64");
   } else if (kind == "duration") {
     readScalar(type.value("scalar", "Int64"));
-    if (kind_ == Kind::Int64) kind_ = Kind::Nanoseconds;
+    if (kind_ == Kind::Int64) {
+      kind_ = Kind::Nanoseconds;
+    } else {
+      seconds_ = secondsOf(type.value("period", "1/1"));
+    }
   } else if (kind == "nothing") {
     kind_ = Kind::Nothing;
   } else if (type.contains("scalar")) {
@@ -240,8 +251,8 @@ json SlotLayout::scalarToJson(const std::byte* slot) const {
     case Kind::UInt16: return valueAt<std::uint16_t>(slot);
     case Kind::UInt32: return valueAt<std::uint32_t>(slot);
     case Kind::UInt64: return valueAt<std::uint64_t>(slot);
-    case Kind::Float32: return number(valueAt<float>(slot));
-    case Kind::Float64: return number(valueAt<double>(slot));
+    case Kind::Float32: return number(seconds_ * valueAt<float>(slot));
+    case Kind::Float64: return number(seconds_ * valueAt<double>(slot));
     case Kind::Nanoseconds: return static_cast<double>(valueAt<std::int64_t>(slot)) * 1e-9;
     case Kind::Enum: {
       json value = element().toJson(slot);

@@ -85,6 +85,7 @@ class SlotLayout {
   std::vector<Part> parts_;
   std::size_t count_ = 0;    // capacity, length, or rows
   std::size_t columns_ = 1;  // of a matrix
+  double seconds_ = 1;       // of one count of a duration of real representation
   std::vector<std::pair<std::int64_t, std::string>> enumerators_;
 };
 

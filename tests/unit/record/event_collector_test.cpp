@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
+#include <suture/component/channel.h>
+#include <suture/component/device.h>
 #include <suture/component/periodic_task.h>
 #include <suture/manager/manager.h>
 #include <suture/record/event_collector.h>
@@ -86,6 +88,32 @@ TEST(EventCollector, ASlowSinkLosesEventsAndTheyAreCounted) {
   run.finish(1);
   EXPECT_EQ(sink.numbers.size(), run.collector.counts().collected);
   EXPECT_EQ(sink.lost, run.collector.counts().missed);
+}
+
+struct BurstEmitter final : Device, StillArm {
+  Provided<ArmLike> port{*this, "Arm", *this};
+};
+
+// The collector finds itself connected anew when it wakes up.
+TEST(EventCollector, CountsWhatAConnectionOfBeforeHasDropped) {
+  CountingSink sink;
+  BurstEmitter arm;
+  EventCollector collector(interfaceInfo<ArmLike>(), {}, sink);
+  Manager manager{"here"};
+  manager.add("PSM", arm);
+  manager.add("Collector", collector);
+  manager.connect("Collector/Source", "PSM/Arm");
+  manager.start();
+  pass(20ms);
+  for (int i = 0; i < 1000; ++i) (void)arm.port.emit().arrived(PoseStamped{});
+  const auto before = manager.channels().at(0);
+  manager.disconnect("Collector/Source");
+  manager.connect("Collector/Source", "PSM/Arm");
+  pass(20ms);
+  manager.stop();
+  EXPECT_GT(before->events.dropped(), 0u);
+  EXPECT_EQ(collector.counts().missed, before->events.dropped());
+  EXPECT_EQ(sink.lost, before->events.dropped());
 }
 
 TEST(EventCollector, KeepsEveryNthEvent) {

@@ -56,6 +56,23 @@ TEST(JsonLines, WritesOneObjectALine) {
   EXPECT_EQ(lines[2]["value"], true);
 }
 
+TEST(JsonLines, LeavesOutWhatLivesOnTheHeap) {
+  InterfaceInfo contract = interfaceInfo<robots::Arm>();
+  std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
+  const auto heap = static_cast<std::size_t>(robots::ArmCommand::measured_js);
+  commands[heap].sharedResult = true;
+  commands[heap].resultSize = sizeof(void*);
+  contract.commands = commands;
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("run.jsonl");
+  JsonLines sink(file);
+  const CollectedValue values[] = {
+      {static_cast<std::uint16_t>(robots::ArmCommand::measured_cp), nullptr}};
+  sink.row({"Collector", contract}, 17, fromNanoseconds(6), values);
+  ASSERT_TRUE(sink.flush());
+  EXPECT_TRUE(linesOf(file).at(0).contains("measured_cp"));
+}
+
 TEST(JsonLines, AReadDoesNotTakeTheNameOfTheLinesOwnKey) {
   InterfaceInfo contract = interfaceInfo<robots::Arm>();
   std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());

@@ -49,6 +49,8 @@ TEST(SlotLayout, Scalars) {
   EXPECT_EQ(read(R"({"kind": "Float64"})", std::numeric_limits<double>::quiet_NaN()), nullptr);
   EXPECT_EQ(read(R"({"kind": "duration", "period": "1/1000"})", std::int64_t{1'500'000}), 0.0015);
   EXPECT_EQ(read(R"({"kind": "duration", "period": "1/1", "scalar": "Float64"})", 2.5), 2.5);
+  EXPECT_EQ(read(R"({"kind": "duration", "period": "1/1000", "scalar": "Float64"})", 5.0), 0.005);
+  EXPECT_EQ(read(R"({"kind": "duration", "period": "60/1", "scalar": "Float64"})", 0.5), 30);
   EXPECT_EQ(read(R"({"kind": "time", "clock": "steady"})", std::int64_t{42}), 42);
   EXPECT_EQ(read(R"({"kind": "enum", "name": "Mode"})", std::uint8_t{7}), "On");
   EXPECT_EQ(read(R"({"kind": "enum", "name": "Mode"})", std::uint8_t{3}), 3);
