@@ -6,7 +6,6 @@
 #include <suture/component/periodic_task.h>
 #include <suture/component/required.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -34,8 +33,8 @@ class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
 
   void run() override;
 
-  /// Any thread: rows that did not fit because the file was too slow.
-  std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+  /// Any thread: records that are not in the file, since it was too slow or its disk is full.
+  std::uint64_t dropped() const { return writer_.lost(); }
 
  private:
   RecordingWriter<KnotRow> writer_;
@@ -45,7 +44,6 @@ class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
   suture::Required<Registration> registration_{*this, "Registration"};
   KnotRow row_;
   bool guiding_ = false;  // by the last event; a guide that is lost sends none
-  std::atomic<std::uint64_t> dropped_{0};
 };
 
 }  // namespace robots

@@ -7,7 +7,6 @@
 #include <suture/component/periodic_task.h>
 #include <suture/component/required.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -35,8 +34,8 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
 
   void run() override;
 
-  /// Any thread: records that did not fit because the file was too slow.
-  std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+  /// Any thread: records that are not in the file, since it was too slow or its disk is full.
+  std::uint64_t dropped() const { return writer_.lost(); }
 
  private:
   void keep(const Record& record);
@@ -47,7 +46,6 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
   SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};
   suture::Time last_;
   bool enabled_ = false;
-  std::atomic<std::uint64_t> dropped_{0};
 };
 
 }  // namespace robots

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <vector>
@@ -42,11 +43,18 @@ class RecordingWriter final : private suture::PeriodicTask {
   /// the file is so far behind that the ring is full.
   bool push(const Row& row) {
     const std::size_t pushed = pushed_.load(std::memory_order_relaxed);
-    if (pushed - written_.load(std::memory_order_acquire) == ring_.size()) return false;
+    if (pushed - written_.load(std::memory_order_acquire) == ring_.size()) {
+      lost_.fetch_add(1, std::memory_order_relaxed);
+      return false;
+    }
     ring_[pushed % ring_.size()] = row;
     pushed_.store(pushed + 1, std::memory_order_release);
     return true;
   }
+
+  /// Any thread: how many rows are not in the file, since it was too far behind, or the file system
+  /// did not take them. After the first that it did not take it is given no more.
+  std::uint64_t lost() const { return lost_.load(std::memory_order_relaxed); }
 
  private:
   void run() override { drain(); }
@@ -56,7 +64,8 @@ class RecordingWriter final : private suture::PeriodicTask {
       write(out_, ring_[written % ring_.size()]);
       written_.store(++written, std::memory_order_release);
     }
-    out_.flush();
+    if (!out_.flush()) lost_.fetch_add(written - flushed_, std::memory_order_relaxed);
+    flushed_ = written;
   }
 
   std::ofstream out_;
@@ -65,6 +74,8 @@ class RecordingWriter final : private suture::PeriodicTask {
   std::vector<Row> ring_;
   std::atomic<std::size_t> pushed_{0};
   std::atomic<std::size_t> written_{0};
+  std::size_t flushed_ = 0;  // of those written, as the writing thread knows
+  std::atomic<std::uint64_t> lost_{0};
 };
 
 }  // namespace robots

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "recorder/recording_writer.h"
+#include "support/eventually.h"
 #include "support/temporary_directory.h"
 
 namespace robots::test {
@@ -111,6 +112,14 @@ TEST_F(RecordingTest, NamesFileAndLineOfABrokenRecording) {
     EXPECT_NE(std::string(error.what()).find(file_.string() + ":2"), std::string::npos)
         << error.what();
   }
+}
+
+TEST_F(RecordingTest, CountsWhatTheDiskDoesNotTake) {
+  RecordingWriter<Record> writer("/dev/full", kRecords);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(writer.push(ArmRow{}));
+  EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 3; }));
+  EXPECT_TRUE(writer.push(ArmRow{}));
+  EXPECT_TRUE(suture::eventually([&] { return writer.lost() == 4; })) << "and what comes later";
 }
 
 TEST_F(RecordingTest, RefusesFilesItCannotUse) {
