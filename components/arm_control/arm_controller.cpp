@@ -180,9 +180,8 @@ JointSolution ArmController<N>::inverse_kinematics(const PoseStamped& goal) cons
 template <int N>
 void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N>>& drives) {
   take(drives);
-  // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
   const bool paused = now - std::exchange(lastStep_, now) > StreamWatch::kSilence;
-  if (paused && state_.state == ArmState::Enabled) restIn(ArmState::Enabled, "holding");
+  if (paused && state_.state == ArmState::Enabled) goOnAfterPause();
   if (const auto joint = trailing()) {
     fail({ArmWarning::FollowingError, *joint}, "following error");
   }
@@ -195,6 +194,18 @@ void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N
   }
   setpointRate_.update(now, setpoint_);
   publish(now);
+  begun_.reset();
+}
+
+/// After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
+/// A move that was asked for since then begins now, from where the joints are.
+template <int N>
+void ArmController<N>::goOnAfterPause() {
+  const std::optional<Joints> begun = begun_;
+  const bool homing = homing_;
+  if (begun) move_.reset();  // it has not ended
+  restIn(ArmState::Enabled, "holding");
+  if (begun) startMove(*begun, homing);
 }
 
 template <int N>
@@ -304,6 +315,7 @@ void ArmController<N>::startMove(const Joints& goal, bool homing) {
   const typename JointMove<N>::Limits limits{model_.rate_limit, model_.acceleration_limit};
   move_ = JointMove<N>({setpoint_, setpointRate_.rate()}, goal, limits, moveRatios_);
   moveStart_ = lastStep_;
+  begun_ = goal;
   homing_ = homing;
   setpointStamp_ = {};
   enter(ArmState::Enabled, homing ? "homing" : "moving");
@@ -314,6 +326,7 @@ void ArmController<N>::endMove(bool reached) {
   servoing_.end();
   streamer_ = nullptr;
   line_.reset();
+  begun_.reset();
   sliding_ = false;
   if (!move_) return;
   move_.reset();

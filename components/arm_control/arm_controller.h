@@ -52,7 +52,7 @@ struct ArmModel {
   Joints encoder_step = Joints::Zero();  ///< rad or m: what one count is of the joint
   DriveBounds tool = {};
   DriveWatchOptions watch = {};
-  /// What the arm weighs, if that is known.
+  /// It tells the efforts that carry the arm's weight, if that is known.
   std::optional<dynamics::ArmDynamics<N>> weight = {};
   std::optional<InsertionRule> insertion = {};
   /// s: a servo goal may lie so far from the set-point as the joints can move in this time.
@@ -145,6 +145,7 @@ class ArmController {
     return std::nullopt;
   }
   void enter(ArmState state, const char* activity);
+  void goOnAfterPause();
   void startMove(const Joints& goal, bool homing);
   void endMove(bool reached);
   void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
@@ -183,6 +184,7 @@ class ArmController {
   suture::Time setpointStamp_;  // of the streamed goal it came from; unset otherwise
   std::optional<JointMove<N>> move_;
   suture::Time moveStart_;            // the cycle that its first set-point is of
+  std::optional<Joints> begun_;       // the goal of a move that has begun since the last step
   std::optional<JointLine<N>> line_;  // to the last goal that is interpolated
   bool homing_ = false;
   StreamWatch servoing_;                               // whatever else the arm does ends it

@@ -204,6 +204,7 @@ void CrtkArm<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const char
   if (!arm_.mayMove()) return;
   if (!goal) return arm_.warn(ArmWarning::Malformed);
   const Joints& limit = arm_.model_.rate_limit;
+  endStreamOfBefore();
   arm_.followStream(arm_.setpoint_, {}, activity);
   stream_.follow(goal->rate.cwiseMax(-limit).cwiseMin(limit), activity, goal->bounds);
 }
@@ -235,6 +236,7 @@ void CrtkArm<N>::drive(typename Stream::Kind kind, const std::optional<TwistStre
                        const char* activity, const Eigen::Matrix3d& axes) {
   if (!arm_.mayMoveTip()) return;
   if (!goal) return arm_.warn(ArmWarning::Malformed);
+  endStreamOfBefore();
   arm_.followStream(arm_.setpoint_, {}, activity);
   stream_.follow(kind, goal->twist, activity, {.change = goal->change, .axes = axes});
 }
@@ -295,6 +297,12 @@ PoseStamped CrtkArm<N>::local_query_cp(const JointGoal& q) const {
 
 // --- streams
 
+/// What has replaced a stream may be over already, and a stream that begins anew begins from rest.
+template <int N>
+void CrtkArm<N>::endStreamOfBefore() {
+  if (!streaming()) stream_.end();
+}
+
 template <int N>
 bool CrtkArm<N>::streaming() const {
   return stream_.isActive() && arm_.state_.state == ArmState::Enabled &&
@@ -306,7 +314,7 @@ void CrtkArm<N>::advance(suture::Time now) {
   periods_.cycle(now);
   const double dt = lastCycle_ == suture::Time{} ? 0 : secondsBetween(lastCycle_, now);
   lastCycle_ = now;
-  if (!streaming()) stream_.end();
+  endStreamOfBefore();
   // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
   const bool paused = stream_.isActive() && dt > inSeconds(StreamWatch::kSilence);
   if (stream_.hasFallenSilent(now) || paused) return arm_.hold();

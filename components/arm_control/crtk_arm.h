@@ -144,13 +144,15 @@ class CrtkArm final : public Arm {
   void moveTo(const PoseStamped& goal);
   void setRatios(double velocity, double acceleration);
   bool streaming() const;
+  void endStreamOfBefore();
   void drive(const std::optional<JointStreamGoal<N>>& goal, const char* activity);
   /// `axes` lead from those of the goal to the base's.
   void drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
              const char* activity, const Eigen::Matrix3d& axes);
   void publishMotion(suture::Time now);
   void publishForce();
-  /// What the arm presses with at its tip along the base's axes, if the drives measure it.
+  /// This is the wrench that the arm presses with at its tip, along the base's axes, if the drives
+  /// measure it.
   std::optional<SpatialVector> pressed() const;
   void publishGoal(suture::Time now);
 

@@ -79,7 +79,8 @@ class DriveWatch {
     const auto i = static_cast<std::size_t>(joint);
     const double most = kRounding * bounds_[i].effort_limit;
     const bool isAbove = std::abs(effortOf(joint, reading)) > most;
-    overloaded_[i] = isAbove ? overloaded_[i] + dt : 0;
+    const bool wasAbove = std::abs(effortOf(joint, last_)) > most;  // else it is unknown since when
+    overloaded_[i] = isAbove && wasAbove ? overloaded_[i] + dt : 0;
     return overloaded_[i] > options_.overload_time;
   }
 

@@ -61,10 +61,15 @@ void JawController::move_jp(const JointGoal& goal) {
   if (q->value() < model_.lower || q->value() > model_.upper) {
     return warnings_.warn(ArmWarning::OutOfReach);
   }
+  startMove(q->value());
+}
+
+void JawController::startMove(double goal) {
   begin(Activity::Moving);
   const JointMove<1>::Limits limits{Joint(model_.rate_limit), Joint(model_.acceleration_limit)};
-  move_ = JointMove<1>({Joint(setpoint_), setpointRate_.rate()}, *q, limits);
+  move_ = JointMove<1>({Joint(setpoint_), setpointRate_.rate()}, Joint(goal), limits);
   moveStart_ = lastStep_;
+  begun_ = goal;
 }
 
 void JawController::hold() {
@@ -85,6 +90,7 @@ void JawController::begin(Activity activity) {
 }
 
 void JawController::endMove(bool reached) {
+  begun_.reset();
   if (!move_) return;
   move_.reset();
   moveEnded_ = reached;
@@ -99,11 +105,14 @@ void JawController::clientGone(const suture::ConnectedClient& client) {
 void JawController::step(suture::Time now, const std::optional<DriveReading<6>>& drives) {
   const suture::Time last = std::exchange(lastStep_, now);
   const double dt = last == suture::Time{} ? 0 : secondsBetween(last, now);
-  // After such a pause the drives have let go of the last goal, so the jaw does not go on with it.
+  // After such a pause the drives have let go of the last goal, so the jaw does not go on with it;
+  // a move that was asked for since then begins now, from where the jaw is.
   const bool paused = dt > inSeconds(StreamWatch::kSilence);
   const bool obeys = isEnabled();
   const bool rests = std::exchange(obeyed_, obeys) && !obeys;
   const bool stops = !obeys || paused || stream_.hasFallenSilent(now);
+  const std::optional<double> begun = obeys && paused ? begun_ : std::nullopt;
+  if (begun) move_.reset();  // it has not ended
   if (activity_ != Activity::Holding && stops) hold();
   const bool wasHeard = std::exchange(measuredJs_.valid, drives.has_value());
   if (drives) {
@@ -117,9 +126,11 @@ void JawController::step(suture::Time now, const std::optional<DriveReading<6>>&
       setpointRate_.rest(Joint(setpoint_));
     }
   }
+  if (begun) startMove(*begun);
   advance(now, dt);
   setpointRate_.update(now, Joint(setpoint_));
   publish(now);
+  begun_.reset();
 }
 
 void JawController::advance(suture::Time now, double dt) {

@@ -65,6 +65,7 @@ class JawController final : public Jaw {
   bool isEnabled() const { return arm_.operating_state().state == ArmState::Enabled; }
   bool mayMove();
   void begin(Activity activity);
+  void startMove(double goal);
   void endMove(bool reached);
   void hold();
   /// Moves the set-point as what it does asks for; `dt` in s.
@@ -80,7 +81,8 @@ class JawController final : public Jaw {
   double effort_ = 0;  // N.m, of servo_jf
   std::optional<JointMove<1>> move_;
   SetpointRate<1> setpointRate_;
-  suture::Time moveStart_;  // the cycle that its first set-point is of
+  suture::Time moveStart_;       // the cycle that its first set-point is of
+  std::optional<double> begun_;  // the goal of a move that has begun since the last step
   suture::Time lastStep_;
   bool obeyed_ = false;  // in the cycle before
   StreamWatch stream_;

@@ -44,7 +44,9 @@ class RateRamp {
     const bool turns = present * target < 0;
     const bool slows = turns || std::abs(target) < std::abs(present);
     const double limit = slows ? deceleration : acceleration;
-    if (!std::isfinite(limit)) return target;
+    if (!std::isfinite(limit)) {
+      return turns ? next(0, target, acceleration, deceleration, dt) : target;
+    }
     const double aim = turns ? 0 : target;
     return present + std::clamp(aim - present, -limit * dt, limit * dt);
   }

@@ -216,5 +216,37 @@ TEST(PeriodStatistics, AreOfTheLastWholeSecond) {
   EXPECT_NEAR(statistics.last().period_deviation, 0, 1e-6);
 }
 
+TEST_F(CrtkArmTest, AMoveThatIsAskedForAfterAPauseBeginsFromWhereTheJointsAre) {
+  crtk_.unhome();
+  cycles(1);
+  heard_ = {};
+  std::vector<double> goal = positions();
+  goal[0] += 0.1;
+  time_ += 150ms;  // longer than the drives go on with a goal
+  crtk_.move_jp({goal, {}});
+  cycles(1);
+  EXPECT_EQ(crtk_.operating_state().sub_state, "moving");
+  EXPECT_TRUE(heard_.goals.empty()) << "nothing has replaced it";
+  cycles(2000);
+  EXPECT_EQ(heard_.goals, std::vector{true});
+  EXPECT_NEAR(setpoint(0), goal[0], 1e-9);
+
+  time_ += 150ms;
+  crtk_.home();
+  cycles(2000);
+  EXPECT_TRUE(crtk_.operating_state().is_homed);
+}
+
+TEST_F(CrtkArmTest, AMoveOfBeforeAPauseEndsWithIt) {
+  std::vector<double> goal = positions();
+  goal[0] += 0.5;
+  crtk_.move_jp({goal, {}});
+  cycles(10);
+  time_ += 150ms;
+  cycles(1);
+  EXPECT_EQ(crtk_.operating_state().sub_state, "holding");
+  EXPECT_EQ(heard_.goals, std::vector{false});
+}
+
 }  // namespace
 }  // namespace robots::test

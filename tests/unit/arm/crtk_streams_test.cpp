@@ -6,7 +6,18 @@
 namespace robots::test {
 namespace {
 
-using CrtkStreamsTest = CrtkArmTest;
+class CrtkStreamsTest : public CrtkArmTest {
+ protected:
+  /// How far the first joint goes in so many cycles of the stream.
+  double travel(const JointVelocityGoal& goal, int count) {
+    const double before = setpoint(0);
+    for (int i = 0; i < count; ++i) {
+      crtk_.servo_jv(goal);
+      cycles(1);
+    }
+    return setpoint(0) - before;
+  }
+};
 
 TEST_F(CrtkStreamsTest, AVelocityMovesUntilItFallsSilent) {
   JointVelocityGoal goal;
@@ -84,20 +95,52 @@ TEST_F(CrtkStreamsTest, AVelocityIsReachedAndLeftWithTheAccelerationsAskedFor) {
   goal.goal[0] = 0.1;
   goal.acceleration.assign(6, 10.0);
   goal.deceleration.assign(6, 5.0);
-  const auto travel = [&](int count) {
-    const double before = setpoint(0);
-    for (int i = 0; i < count; ++i) {
-      crtk_.servo_jv(goal);
-      cycles(1);
-    }
-    return setpoint(0) - before;
-  };
   // 0.01 rad/s more each ms: 0.01 + ... + 0.1
-  EXPECT_NEAR(travel(10), 0.55e-3, 1e-9);
-  EXPECT_NEAR(travel(10), 1e-3, 1e-9);
+  EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
+  EXPECT_NEAR(travel(goal, 10), 1e-3, 1e-9);
   goal.goal[0] = -0.1;
-  EXPECT_NEAR(travel(20), 0.95e-3, 1e-9) << "20 ms until it stands";
-  EXPECT_NEAR(travel(10), -0.55e-3, 1e-9) << "and back";
+  EXPECT_NEAR(travel(goal, 20), 0.95e-3, 1e-9) << "20 ms until it stands";
+  EXPECT_NEAR(travel(goal, 10), -0.55e-3, 1e-9) << "and back";
+}
+
+TEST_F(CrtkStreamsTest, AVelocityThatTurnsWithoutADecelerationKeepsItsAcceleration) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  goal.goal[0] = 0.1;
+  goal.acceleration.assign(6, 10.0);
+  EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
+  goal.goal[0] = -0.1;
+  EXPECT_NEAR(travel(goal, 10), -0.55e-3, 1e-9) << "it stands at once, and no more";
+}
+
+TEST_F(CrtkStreamsTest, AStreamThatBeginsAnewBeginsFromRest) {
+  JointVelocityGoal goal;
+  goal.goal.assign(6, 0.0);
+  goal.goal[0] = 0.1;
+  goal.acceleration.assign(6, 10.0);
+  travel(goal, 20);
+  crtk_.hold();  // it and the next goal arrive for one cycle
+  EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
+}
+
+TEST_F(CrtkStreamsTest, ASpeedDoesNotTurnWithTheAxesOfTheNextStream) {
+  TransformStamped base;
+  base.transform.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  base.valid = true;
+  crtk_.set_base_frame(base);
+  cycles(1);
+  WrenchGoal push;  // along the base's axes
+  push.force.x() = 5;
+  for (int i = 0; i < 20; ++i) {
+    crtk_.spatial_servo_cf(push);
+    cycles(1);
+  }
+  const PoseStamped before = crtk_.setpoint_cp();
+  TwistGoal stand;  // along those of the reference frame, which point elsewhere
+  stand.linear_acceleration = {0.1, 0.1, 0.1};
+  crtk_.servo_cv(stand);
+  cycles(1);
+  expectMoved(before, {0, 0, 0});
 }
 
 TEST_F(CrtkStreamsTest, ATwistIsReachedWithItsAccelerationAlongTheReferenceFrame) {

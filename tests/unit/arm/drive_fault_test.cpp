@@ -215,6 +215,20 @@ TEST_F(DriveWatchTest, JudgesByTheTimeThatHasPassed) {
   EXPECT_EQ(fault->joint, 1);
 }
 
+TEST(DriveWatch, CountsAnEffortOnlyFromWhereItIsKnownToBeTooHigh) {
+  DriveWatch<2> watch{{DriveBounds{.effort_limit = 1}, {}, {}}, {.overload_time = 0.1}};
+  DriveReading<2> reading;
+  const auto look = [&](double effort, suture::Duration later) {
+    reading.effort[0] = effort;
+    reading.stamp += later;
+    return watch.look(reading);
+  };
+  EXPECT_FALSE(look(0, 1s));
+  EXPECT_FALSE(look(2, 150ms)) << "of the time before nothing is known";
+  EXPECT_FALSE(look(2, 60ms));
+  EXPECT_TRUE(look(2, 60ms));
+}
+
 TEST_F(DriveWatchTest, LooksAtAReadingOnce) {
   (void)look(0, 0, 1s);
   EXPECT_FALSE(look(9, 0, 0s));

@@ -128,6 +128,16 @@ TEST_F(JawTest, MovesSmoothlyAndSaysThatItArrived) {
   EXPECT_DOUBLE_EQ(setpoint(), 1);
 }
 
+TEST_F(JawTest, AMoveThatIsAskedForAfterAPauseBeginsFromWhereItIs) {
+  time_ += 150ms;  // longer than the drives go on with a goal
+  jaw_.move_jp(angle(1));
+  jawCycles(1);
+  EXPECT_TRUE(said_.goals.empty()) << "nothing has replaced it";
+  jawCycles(3000);
+  EXPECT_EQ(said_.goals, std::vector{true});
+  EXPECT_DOUBLE_EQ(setpoint(), 1);
+}
+
 TEST_F(JawTest, AMoveThatIsReplacedSaysSo) {
   jaw_.move_jp(angle(1));
   jawCycles(20);
