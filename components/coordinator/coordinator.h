@@ -29,6 +29,7 @@ class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public
 
   void run() override;
   void onStart() override { set(true); }
+  void onRestart() override { set(true); }
 
  private:
   void set(bool pressed);

@@ -45,6 +45,8 @@ class SUTURE_COMPONENT() PsmDrives final : public suture::PeriodicTask, public S
 
   void run() override;
   void onFault() override { brake(); }
+  /// They have stopped meanwhile, so they get no power before the arm has been enabled again.
+  void onRestart() override { permit(false); }
 
  private:
   SUTURE_REQUIRED(optional()) suture::Required<EmergencyStop> stop_{*this, "Stop"};

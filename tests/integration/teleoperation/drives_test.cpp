@@ -5,6 +5,7 @@
 #include <suture/manager/manager.h>
 
 #include <chrono>
+#include <stdexcept>
 #include <vector>
 
 #include "arm/arm_warning.h"
@@ -31,6 +32,7 @@ class DrivenArmTest : public testing::Test {
   };
 
   DrivenArmTest() {
+    psm_.drives.restartAfterFaults({.most = 1, .per = 24h});
     psm_.addTo(manager_, "PSM");
     manager_.add("Panel", panel_);
     manager_.connect("Panel/Arm", "PSM/Arm");
@@ -58,6 +60,18 @@ class DrivenArmTest : public testing::Test {
   Panel panel_;
   suture::Manager manager_{"robot"};
 };
+
+TEST_F(DrivenArmTest, GetsNoPowerFromDrivesThatWereRestartedBeforeItIsEnabledAgain) {
+  psm_.drives.parkSoonOnThrow([] { throw std::runtime_error("a loose contact"); });
+  ASSERT_TRUE(becomes(ArmState::Disabled));
+  pass(100ms);
+  EXPECT_EQ(psm_.drives.state(), suture::ComponentState::Running) << "they were restarted";
+  EXPECT_EQ(psm_.drives.feedback().power, DrivePower::Off);
+  EXPECT_TRUE(panel_.arm.enable());
+  EXPECT_TRUE(becomes(ArmState::Enabled));
+  pass(10ms);
+  EXPECT_EQ(psm_.drives.feedback().power, DrivePower::On);
+}
 
 TEST_F(DrivenArmTest, MovesWhatItsDrivesMove) {
   const double before = joint();
