@@ -38,13 +38,13 @@ class ArmPart {
   /// It has told its state, and may have power.
   bool isThere() const { return state_ != ArmState::Undefined; }
   bool isEnabled() const { return state_ == ArmState::Enabled; }
-  bool isReady() const { return isEnabled() && homed_ && !busy_; }
+  bool isHomed() const { return isEnabled() && homed_; }
+  bool isReady() const { return isHomed() && !busy_; }
   bool isDown() const { return !isThere() || state_ == ArmState::Disabled; }
 
-  void enable() {
-    hasMoved_ = false;
-    (void)arm_.enable();
-  }
+  /// A bring-up begins.
+  void begin() { hasMoved_ = false; }
+  void enable() { (void)arm_.enable(); }
   /// An arm that has begun to move is not asked again: somebody may have stopped it.
   void home() {
     if (!homed_ && !hasMoved_) (void)arm_.home();
@@ -56,7 +56,7 @@ class ArmPart {
   ArmState state_ = ArmState::Undefined;
   bool homed_ = false;
   bool busy_ = false;
-  bool hasMoved_ = false;  // since it was enabled
+  bool hasMoved_ = false;  // since the bring-up began
 };
 
 /// What moves arms: a teleoperation or a guide.

@@ -65,6 +65,7 @@ void SystemConsole::bring_up() {
   look();
   const std::string_view why = missing();
   if (!why.empty()) return messages_.error(why);
+  for (ArmPart* one : arms_) one->begin();
   enter(ConsoleState::Enabling);
 }
 
@@ -132,12 +133,14 @@ void SystemConsole::enableNext() {
   judge(next.name(), "enabled");
 }
 
-// All at once: each moves by itself.
+// All at once: each moves by itself. Once they all are home they may be moved: by what is enabled
+// next.
 void SystemConsole::awaitHome() {
   done_ = arms_.size();
   if (isBroken()) return;
   ArmPart* const last = firstThatIsNot(arms_, [](const ArmPart* one) { return one->isReady(); });
-  if (last == nullptr) return enableMovers();
+  allHome_ = allHome_ || last == nullptr;
+  if (allHome_) return enableMovers();
   if (mayAsk(&arms_)) {
     for (ArmPart* one : arms_) one->home();
   }
@@ -148,6 +151,7 @@ void SystemConsole::enableMovers() {
   MoverPart* const next =
       firstThatIsNot(movers_, [](const MoverPart* one) { return one->isReady(); });
   if (next == nullptr) return enter(ConsoleState::Up);
+  if (next != askedPart_) deadline_ = suture::now() + parameters_.patience;
   if (mayAsk(next)) next->enable();
   judge(next->name(), "enabled");
 }
@@ -166,8 +170,9 @@ bool SystemConsole::isBroken() {
 }
 
 void SystemConsole::watch() {
-  const auto isReady = [](const auto* one) { return one->isReady(); };
-  const bool complete = released_ && std::all_of(arms_.begin(), arms_.end(), isReady) &&
+  const auto isHomed = [](const ArmPart* one) { return one->isHomed(); };
+  const auto isReady = [](const MoverPart* one) { return one->isReady(); };
+  const bool complete = released_ && std::all_of(arms_.begin(), arms_.end(), isHomed) &&
                         std::all_of(movers_.begin(), movers_.end(), isReady);
   if (complete == (state_ == ConsoleState::Up)) return;
   enter(complete ? ConsoleState::Up : ConsoleState::Incomplete);
@@ -199,6 +204,7 @@ void SystemConsole::leave(Part& part) {
 void SystemConsole::enter(ConsoleState state) {
   state_ = state;
   done_ = 0;
+  allHome_ = false;
   askedPart_ = nullptr;
   deadline_ = suture::now() + parameters_.patience;
   console_.emit().console_state(state);

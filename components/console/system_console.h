@@ -85,6 +85,7 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   bool byItself_;
   ConsoleState state_ = ConsoleState::Down;
   std::size_t done_ = 0;             // parts that are enabled, or have been left
+  bool allHome_ = false;             // in this bring-up
   suture::Time deadline_;            // for what is asked now
   const void* askedPart_ = nullptr;  // of whom
   suture::Time asked_;               // when that was asked last

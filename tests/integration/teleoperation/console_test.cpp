@@ -99,7 +99,7 @@ class ConsoleTest : public testing::Test {
   }
 
   Coordinator coordinator_{CoordinatorParameters{}};
-  DrivenMtm master_{MtmSide::Left, 30ms};
+  DrivenMtm master_{Side::Left, 30ms};
   DrivenPsm slave_{30ms};
   Teleop teleop_{TeleopParameters{.enable_at_start = false}};
   std::optional<SystemConsole> console_;
@@ -123,6 +123,8 @@ TEST_F(ConsoleTest, BringsUpArmsOneByOneThenHomesThemThenEnablesTeleoperation) {
             (std::vector{ConsoleState::Enabling, ConsoleState::Homing, ConsoleState::Up}));
   EXPECT_TRUE(suture::clockOfTest().until(
       [&] { return teleop_.teleop_state() == TeleopState::Following; }));
+  look();
+  EXPECT_EQ(onlooker_.states.size(), 3u) << "it stays up while a master is turned";
   EXPECT_TRUE(onlooker_.errors.empty());
 }
 
@@ -230,6 +232,19 @@ TEST_F(ConsoleTest, DoesNotSendAnArmHomeAgainThatSomebodyHolds) {
   look();
   EXPECT_EQ(onlooker_.errors,
             Names{"PSM2 is not homed after the console's patience; all is taken back"});
+}
+
+TEST_F(ConsoleTest, HomesAnArmThatWasMovedBeforeTheBringUp) {
+  begin();
+  release();
+  EXPECT_TRUE(onlooker_.slave.enable());
+  pass(100ms);
+  EXPECT_TRUE(onlooker_.slave.move_jr({std::vector<double>(6, 0.01), {}}));
+  pass(2s);
+  bringUp();
+  EXPECT_TRUE(becomes(ConsoleState::Up));
+  look();
+  EXPECT_TRUE(onlooker_.errors.empty());
 }
 
 TEST_F(ConsoleTest, EndsBringingUpWhenAnArmIsDisabledMeanwhile) {
