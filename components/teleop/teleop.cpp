@@ -42,6 +42,9 @@ void Teleop::onSuspend() {
   if (state_ != TeleopState::Disabled) leave(TeleopState::Preparing);
 }
 
+/// The limit of preparation is for what it does, not for how long it rested.
+void Teleop::onResume() { preparing_ = suture::now(); }
+
 void Teleop::enable() {
   masterWatch_.permit();
   slaveWatch_.permit();
@@ -171,7 +174,7 @@ void Teleop::giveUpIfLate(suture::Time now) {
   const suture::Duration limit = parameters_.preparation_limit;
   if (!prepares() || limit == suture::Duration{0} || now - preparing_ < limit) return;
   giveUp(state_ == TeleopState::Preparing
-             ? "the arms have not become ready in time; enable once they can"
+             ? "the arms have not become ready in time; enable those in FAULT, then this"
              : "the master has not turned to the slave's orientation in time; look at its "
                "warnings, then enable");
 }

@@ -88,6 +88,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   /// Whoever connects hears the first state too.
   void onStart() override;
   void onSuspend() override;
+  void onResume() override;
 
  private:
   void step(suture::Time now);

@@ -361,6 +361,18 @@ TEST_F(TeleopStates, WhoeverSuspendsItDoesNotLeaveAMasterThatTurns) {
   EXPECT_TRUE(suture::clockOfTest().until([&] { return master_.holds() == 1; }));
 }
 
+TEST_F(TeleopStates, ARestDoesNotCountAsPreparation) {
+  start({.scale = 0.5, .preparation_limit = 1s});
+  ASSERT_TRUE(reaches(TeleopState::Following));
+  manager_.suspend("Teleop");
+  pass(2s);
+  turnMaster(0.3);
+  manager_.resume("Teleop");
+  pass(20ms);
+  EXPECT_NE(operator_.state(), TeleopState::Disabled) << operator_.error;
+  EXPECT_TRUE(reaches(TeleopState::Following));
+}
+
 TEST_F(TeleopStates, ASmallDifferenceOfAnUnlockedOrientationDoesNotEndFollowing) {
   startFollowing();
   ASSERT_TRUE(operator_.teleop.lock_rotation(true));
