@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 namespace robots {
 
@@ -21,7 +20,9 @@ enum class SolveStatus : std::uint8_t {
 
 /// Minimises 1/2 x' H x + g' x subject to C x >= d, for a positive definite H: N unknowns and M
 /// rows. The dual active-set method of Goldfarb and Idnani (Mathematical Programming 27, 1983),
-/// which begins at the unconstrained minimum and takes in one violated row after another.
+/// which takes in one violated row after another. It begins with the rows that were active in the
+/// last solution, where that is a minimum of the new problem with those rows as equations, else at
+/// the unconstrained minimum: problems of consecutive cycles differ little.
 ///
 /// Never allocates; the number of iterations is bounded by kIterations. Belongs to one thread.
 /// Names of theirs: `free` is their z, `share` their r, `full` their t2, longestDualStep() their
@@ -60,17 +61,42 @@ class QuadraticProgram {
     Vector y = -g;
     cholesky.matrixL().solveInPlace(y);
 
-    active_ = 0;
-    clearFrom(0);
+    if (!resume(normals, d, y)) clearFrom(0);
     solution.status = approach(normals, d, y, solution.iterations);
     solution.x = y;
     cholesky.matrixU().solveInPlace(solution.x);
     for (int i = 0; i < active_; ++i) solution.multipliers[rows_[i]] = multipliers_[i];
+    if (solution.status != SolveStatus::Optimal) clearFrom(0);
     return solution;
   }
 
  private:
   using Normals = Eigen::Matrix<double, N, M>;
+
+  /// Moves `y`, the unconstrained minimum, to the nearest point that meets the rows active last as
+  /// equations. False, and `y` stays, if that is no minimum with them as constraints.
+  bool resume(const Normals& normals, const Bounds& d, Vector& y) {
+    const auto rows = rows_;
+    const int before = active_;
+    clearFrom(0);
+    if (before == 0) return false;
+    for (int i = 0; i < before; ++i) {
+      const Vector normal = normals.col(rows[i]);
+      const Parts parts = split(normal);
+      if (isDependent(parts, normal)) return false;
+      add(rows[i], 0, parts);
+    }
+    ActiveVector steps = ActiveVector::Zero();
+    for (int i = 0; i < active_; ++i) steps[i] = d[rows_[i]] - normals.col(rows_[i]).dot(y);
+    const auto triangle = triangle_.topLeftCorner(active_, active_);
+    auto head = steps.head(active_);
+    triangle.transpose().template triangularView<Eigen::Lower>().solveInPlace(head);
+    const ActiveVector multipliers = solved(steps);
+    if (!multipliers.allFinite() || multipliers.minCoeff() < 0) return false;
+    multipliers_ = multipliers;
+    y += basis_ * steps;
+    return true;
+  }
 
   SolveStatus approach(const Normals& normals, const Bounds& d, Vector& y, int& iterations) {
     while (true) {
@@ -91,8 +117,7 @@ class QuadraticProgram {
     double multiplier = 0;
     while (iterations++ < kIterations) {
       const Parts parts = split(normal);
-      const bool blocked =
-          active_ == N || parts.free.squaredNorm() <= kDependentSquare * normal.squaredNorm();
+      const bool blocked = active_ == N || isDependent(parts, normal);
       const double full = blocked ? kInfinity : (d[row] - normal.dot(y)) / parts.free.dot(normal);
       const ActiveVector share = shareOf(parts);
       int leaving = -1;
@@ -130,13 +155,20 @@ class QuadraticProgram {
     return parts;
   }
 
+  /// A normal that is a combination of the active ones, but for rounding.
+  static bool isDependent(const Parts& parts, const Vector& normal) {
+    return !(parts.free.squaredNorm() > kDependentSquare * normal.squaredNorm());
+  }
+
   /// How fast the active rows' multipliers fall while that of the new row grows.
-  ActiveVector shareOf(const Parts& parts) const {
-    ActiveVector share = parts.inBasis;
+  ActiveVector shareOf(const Parts& parts) const { return solved(parts.inBasis); }
+
+  /// What of the active normals makes up a vector that is given in basis_.
+  ActiveVector solved(ActiveVector inBasis) const {
     const auto triangle = triangle_.topLeftCorner(active_, active_);
-    auto head = share.head(active_);
+    auto head = inBasis.head(active_);
     triangle.template triangularView<Eigen::Upper>().solveInPlace(head);
-    return share;
+    return inBasis;
   }
 
   template <class Part>
@@ -173,14 +205,16 @@ class QuadraticProgram {
   void drop(int leaving, const Normals& normals) {
     const auto rows = rows_;
     const ActiveVector multipliers = multipliers_;
-    const int before = std::exchange(active_, leaving);
+    const int before = active_;
     clearFrom(leaving);
     for (int i = leaving + 1; i < before; ++i) {
       add(rows[i], multipliers[i], split(normals.col(rows[i])));
     }
   }
 
+  /// Only so many rows stay active.
   void clearFrom(int first) {
+    active_ = first;
     basis_.rightCols(N - first).setZero();
     multipliers_.tail(N - first).setZero();
   }
