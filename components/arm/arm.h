@@ -88,12 +88,13 @@ class SUTURE_INTERFACE(crtk(), version(2)) Arm : public suture::Messages {
   /// How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in
   /// the first cycle of a motion, it is 0. Stamp: the arm's cycle.
   SUTURE_COMMAND() virtual const Twist& setpoint_cv() const = 0;
-  /// What the arm presses with at its tip, in the tip's own directions: the motors' efforts, less
-  /// the arm's weight as its model has it, through the transposed Jacobian. Friction, inertia and
-  /// what that model has wrong are in it, so it is near a contact's force only when the arm is slow
-  /// and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit; what touches
-  /// the tip presses on it with the opposite. Not valid where the drives measure no effort, without
-  /// power, and beside a singularity. Stamp: the drives' cycle that measured the joints.
+  /// This is the wrench that the arm presses with at its tip, in the tip's own directions: the
+  /// motors' efforts, less the arm's weight as its model has it, through the transposed Jacobian.
+  /// Friction, inertia and what that model has wrong are in it, so it is near a contact's force
+  /// only when the arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci
+  /// Research Kit; what touches the tip presses on it with the opposite. Not valid where the drives
+  /// measure no effort, without power, and beside a singularity. Stamp: the drives' cycle that
+  /// measured the joints.
   SUTURE_COMMAND() virtual const Wrench& body_measured_cf() const = 0;
   /// The same in the directions of the arm's base frame.
   SUTURE_COMMAND() virtual const Wrench& spatial_measured_cf() const = 0;

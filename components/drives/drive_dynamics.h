@@ -22,10 +22,10 @@ struct SUTURE_TYPE() RigidBodyOptions {
   SUTURE_FIELD(range(0, 1000)) double noise = 0;
   /// Equal seeds, goals and times give equal noise.
   std::uint32_t seed = 1;
-  /// Whether brakes hold the joints without power. The PSM and the MTM of the da Vinci Classic have
-  /// none: what their motors carried sinks then.
+  /// It says whether brakes hold the joints without power. The PSM and the MTM of the da Vinci
+  /// Classic have none: what their motors carried sinks then.
   bool brakes = true;
-  /// What sensors tell of each motor's current, as a share of it. Motors never give more than they
+  /// This is the share of each motor's current that sensors tell. Motors never give more than they
   /// can, so an over-current has to be planted: a sensor that tells too much is one to the arm.
   SUTURE_FIELD(range(0.1, 100)) double current_gain = 1;
 };

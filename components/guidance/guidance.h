@@ -39,6 +39,7 @@ class SUTURE_INTERFACE() Guidance {
   virtual ~Guidance() = default;
 
   /// Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
+  /// An arm in FAULT is not enabled: whoever has removed the cause enables it.
   SUTURE_COMMAND() virtual void enable() = 0;
   /// Stops guiding; both slaves hold.
   SUTURE_COMMAND() virtual void disable() = 0;

@@ -53,7 +53,8 @@ class SUTURE_INTERFACE() Teleoperation {
  public:
   virtual ~Teleoperation() = default;
 
-  /// Enables and homes arms that are not, then follows.
+  /// Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has
+  /// removed the cause enables it.
   SUTURE_COMMAND() virtual void enable() = 0;
   /// Stops following; the slave holds.
   SUTURE_COMMAND() virtual void disable() = 0;
