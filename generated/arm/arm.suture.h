@@ -372,12 +372,13 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   /// the first cycle of a motion, it is 0. Stamp: the arm's cycle.
   ReadCommand<&Contract::setpoint_cv, robots::TwistSlot> setpoint_cv{
       *this, static_cast<std::uint16_t>(Id::setpoint_cv)};
-  /// What the arm presses with at its tip, in the tip's own directions: the motors' efforts, less
-  /// the arm's weight as its model has it, through the transposed Jacobian. Friction, inertia and
-  /// what that model has wrong are in it, so it is near a contact's force only when the arm is slow
-  /// and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit; what touches
-  /// the tip presses on it with the opposite. Not valid where the drives measure no effort, without
-  /// power, and beside a singularity. Stamp: the drives' cycle that measured the joints.
+  /// This is the wrench that the arm presses with at its tip, in the tip's own directions: the
+  /// motors' efforts, less the arm's weight as its model has it, through the transposed Jacobian.
+  /// Friction, inertia and what that model has wrong are in it, so it is near a contact's force
+  /// only when the arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci
+  /// Research Kit; what touches the tip presses on it with the opposite. Not valid where the drives
+  /// measure no effort, without power, and beside a singularity. Stamp: the drives' cycle that
+  /// measured the joints.
   ReadCommand<&Contract::body_measured_cf, robots::WrenchSlot> body_measured_cf{
       *this, static_cast<std::uint16_t>(Id::body_measured_cf)};
   /// The same in the directions of the arm's base frame.

@@ -8,6 +8,13 @@
 
 #include "arm_control/mtm.capnp.h"
 
+// Defined in robot_types/side.suture.cpp.
+namespace robots {
+wire::Side wireSide(std::uint8_t slot);
+bool isKnownSide(std::uint8_t slot);
+suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
+}  // namespace robots
+
 namespace robots {
 
 using suture::Duration;
@@ -24,10 +31,7 @@ using suture::store;
 namespace {
 
 // What this compiler sees must be what suturec read.
-static_assert(std::is_same_v<std::underlying_type_t<MtmSide>, std::uint8_t>);
-static_assert(static_cast<std::uint8_t>(MtmSide::Left) == 0);
-static_assert(static_cast<std::uint8_t>(MtmSide::Right) == 1);
-static_assert(std::is_same_v<decltype(MtmParameters::side), MtmSide>);
+static_assert(std::is_same_v<decltype(MtmParameters::side), Side>);
 static_assert(std::is_same_v<decltype(MtmParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(MtmParameters::angular_rate), double>);
 static_assert(std::is_same_v<decltype(MtmParameters::angular_acceleration), double>);
@@ -70,33 +74,8 @@ void load(const MtmParametersSlot& slot, MtmParameters& value) {
 
 // --- between slots and Cap'n Proto
 
-wire::MtmSide wireMtmSide(std::uint8_t slot) {
-  switch (static_cast<MtmSide>(slot)) {
-    case MtmSide::Left: return wire::MtmSide::LEFT;
-    case MtmSide::Right: return wire::MtmSide::RIGHT;
-  }
-  return wire::MtmSide{};
-}
-
-bool isKnownMtmSide(std::uint8_t slot) {
-  switch (static_cast<MtmSide>(slot)) {
-    case MtmSide::Left:
-    case MtmSide::Right:
-      return true;
-  }
-  return false;
-}
-
-Errc fromWire(wire::MtmSide in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::MtmSide::LEFT: return slot = static_cast<std::uint8_t>(MtmSide::Left), Errc{};
-    case wire::MtmSide::RIGHT: return slot = static_cast<std::uint8_t>(MtmSide::Right), Errc{};
-  }
-  return Errc::Invalid;
-}
-
 void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
-  out.setSide(wireMtmSide(slot.side));
+  out.setSide(wireSide(slot.side));
   out.setPeriod(slot.period);
   out.setAngularRate(slot.angular_rate);
   out.setAngularAcceleration(slot.angular_acceleration);
@@ -122,7 +101,7 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
 }
 
 bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
-  if (!isKnownMtmSide(slot.side)) return refusedAt(path, "side");
+  if (!isKnownSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!inRange(slot.angular_acceleration, 0.1, 1000)) {
     return refusedAt(path, "angular_acceleration");
@@ -139,8 +118,8 @@ bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
 
 namespace robots {
 
-inline void fromJson(const suture::JsonReader& in, MtmSide& value) {
-  static constexpr MtmSide kValues[] = {MtmSide::Left, MtmSide::Right};
+[[gnu::weak]] void fromJson(const suture::JsonReader& in, Side& value) {
+  static constexpr Side kValues[] = {Side::Left, Side::Right};
   const int index = suture::enumeratorFromJson(in, {"Left", "Right"});
   if (index >= 0) value = kValues[index];
 }

@@ -8,6 +8,7 @@
 #include "arm/arm.suture.h"
 #include "arm/gripper.suture.h"
 #include "drives/drives.suture.h"
+#include "robot_types/side.suture.h"
 
 namespace suture {
 class JsonReader;
@@ -16,7 +17,7 @@ class JsonReader;
 namespace robots {
 
 struct MtmParametersSlot {
-  std::uint8_t side;            // MtmSide
+  std::uint8_t side;            // Side
   std::int64_t period;          // std::chrono::nanoseconds, ns
   double angular_rate;          // rad/s
   double angular_acceleration;  // rad/s2

@@ -19,6 +19,13 @@ suture::Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& s
 bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path);
 }  // namespace robots
 
+// Defined in robot_types/side.suture.cpp.
+namespace robots {
+wire::Side wireSide(std::uint8_t slot);
+bool isKnownSide(std::uint8_t slot);
+suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
+}  // namespace robots
+
 namespace robots {
 
 using suture::Duration;
@@ -36,10 +43,7 @@ using suture::store;
 namespace {
 
 // What this compiler sees must be what suturec read.
-static_assert(std::is_same_v<std::underlying_type_t<MasterSide>, std::uint8_t>);
-static_assert(static_cast<std::uint8_t>(MasterSide::Left) == 0);
-static_assert(static_cast<std::uint8_t>(MasterSide::Right) == 1);
-static_assert(std::is_same_v<decltype(MtmDrivesParameters::side), MasterSide>);
+static_assert(std::is_same_v<decltype(MtmDrivesParameters::side), Side>);
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::period), std::chrono::nanoseconds>);
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::time_constant), double>);
 static_assert(std::is_same_v<decltype(MtmDrivesParameters::angular_rate), double>);
@@ -73,34 +77,8 @@ void load(const MtmDrivesParametersSlot& slot, MtmDrivesParameters& value) {
 
 // --- between slots and Cap'n Proto
 
-wire::MasterSide wireMasterSide(std::uint8_t slot) {
-  switch (static_cast<MasterSide>(slot)) {
-    case MasterSide::Left: return wire::MasterSide::LEFT;
-    case MasterSide::Right: return wire::MasterSide::RIGHT;
-  }
-  return wire::MasterSide{};
-}
-
-bool isKnownMasterSide(std::uint8_t slot) {
-  switch (static_cast<MasterSide>(slot)) {
-    case MasterSide::Left:
-    case MasterSide::Right:
-      return true;
-  }
-  return false;
-}
-
-Errc fromWire(wire::MasterSide in, std::uint8_t& slot) {
-  switch (in) {
-    case wire::MasterSide::LEFT: return slot = static_cast<std::uint8_t>(MasterSide::Left), Errc{};
-    case wire::MasterSide::RIGHT: return slot =
-        static_cast<std::uint8_t>(MasterSide::Right), Errc{};
-  }
-  return Errc::Invalid;
-}
-
 void toWire(const MtmDrivesParametersSlot& slot, wire::MtmDrivesParameters::Builder out) {
-  out.setSide(wireMasterSide(slot.side));
+  out.setSide(wireSide(slot.side));
   out.setPeriod(slot.period);
   out.setTimeConstant(slot.time_constant);
   out.setAngularRate(slot.angular_rate);
@@ -122,13 +100,18 @@ Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersSlot& slo
 }
 
 bool isValid(const MtmDrivesParametersSlot& slot, FieldPath* path) {
-  if (!isKnownMasterSide(slot.side)) return refusedAt(path, "side");
+  if (!isKnownSide(slot.side)) return refusedAt(path, "side");
   if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
   if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
   if (!isKnownDriveDynamics(slot.dynamics)) return refusedAt(path, "dynamics");
   return isValid(slot.rigid_body, path) || refusedAt(path, "rigid_body");
 }
 
+}  // namespace robots
+
+// Defined in arm_control/mtm.suture.cpp.
+namespace robots {
+void fromJson(const suture::JsonReader& in, Side& value);
 }  // namespace robots
 
 // Defined in drives/drive_dynamics.suture.cpp.
@@ -138,12 +121,6 @@ void fromJson(const suture::JsonReader& in, RigidBodyOptions& value);
 }  // namespace robots
 
 namespace robots {
-
-inline void fromJson(const suture::JsonReader& in, MasterSide& value) {
-  static constexpr MasterSide kValues[] = {MasterSide::Left, MasterSide::Right};
-  const int index = suture::enumeratorFromJson(in, {"Left", "Right"});
-  if (index >= 0) value = kValues[index];
-}
 
 void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value) {
   suture::JsonReader reader = in;

@@ -9,6 +9,7 @@
 #include "drives/drive_dynamics.suture.h"
 #include "drives/drives.suture.h"
 #include "drives/gripper_hand.suture.h"
+#include "robot_types/side.suture.h"
 
 namespace suture {
 class JsonReader;
@@ -17,7 +18,7 @@ class JsonReader;
 namespace robots {
 
 struct MtmDrivesParametersSlot {
-  std::uint8_t side;      // MasterSide
+  std::uint8_t side;      // Side
   std::int64_t period;    // std::chrono::nanoseconds, ns
   double time_constant;   // s
   double angular_rate;    // rad/s

@@ -393,7 +393,7 @@ constexpr char kGuidanceDescription[] = R"json(
 "doc": "It is told also while the guide waits for something, as far as the knot has been seen.",
 "result": {"type": {"kind": "struct", "name": "robots::GuidanceProgress"}}, "queue": 16}, {
 "name": "enable", "kind": "void", "ordinal": 3,
-"doc": "Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.",
+"doc": "Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.\nAn arm in FAULT is not enabled: whoever has removed the cause enables it.",
 "queue": 16}, {"name": "disable", "kind": "void", "ordinal": 4,
 "doc": "Stops guiding; both slaves hold.", "queue": 16}], "events": [{"name": "guidance_state",
 "kind": "write", "ordinal": 1, "wire": "guidanceState",

@@ -60,6 +60,7 @@ class Required<robots::Guidance> : public RequiredBase {
   ReadCommand<&Contract::progress, robots::GuidanceProgressSlot> progress{
       *this, static_cast<std::uint16_t>(Id::progress)};
   /// Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
+  /// An arm in FAULT is not enabled: whoever has removed the cause enables it.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
   /// Stops guiding; both slaves hold.
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};

@@ -1,7 +1,6 @@
 // Written by suturec from registration/registration.h. Do not edit.
 #include "registration/registration.suture.h"
 
-#include <suture/component/json_reader.h>
 #include <suture/transport/rpc/binding.h>
 #include <suture/transport/rpc/proxy_port.h>
 #include <suture/transport/rpc/servant_port.h>
@@ -335,22 +334,6 @@ constexpr char kRegistrationDescription[] = R"json(
 "is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
 
 }  // namespace
-}  // namespace robots
-
-namespace robots {
-
-void fromJson(const suture::JsonReader& in, SceneFrames& value) {
-  suture::JsonReader reader = in;
-  reader.field("left_base", value.left_base);
-  reader.field("right_base", value.right_base);
-  reader.field("camera", value.camera);
-  reader.field("tissue", value.tissue);
-  reader.field("left_master", value.left_master);
-  reader.field("right_master", value.right_master);
-  reader.field("display", value.display);
-  reader.finish();
-}
-
 }  // namespace robots
 
 namespace suture {

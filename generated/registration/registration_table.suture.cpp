@@ -5,9 +5,20 @@
 
 #include <type_traits>
 
-// Defined in registration/registration.suture.cpp.
 namespace robots {
-void fromJson(const suture::JsonReader& in, SceneFrames& value);
+
+inline void fromJson(const suture::JsonReader& in, SceneFrames& value) {
+  suture::JsonReader reader = in;
+  reader.field("left_base", value.left_base);
+  reader.field("right_base", value.right_base);
+  reader.field("camera", value.camera);
+  reader.field("tissue", value.tissue);
+  reader.field("left_master", value.left_master);
+  reader.field("right_master", value.right_master);
+  reader.field("display", value.display);
+  reader.finish();
+}
+
 }  // namespace robots
 
 namespace suture {

@@ -1,7 +1,6 @@
 // Written by suturec from robot_types/side.h. Do not edit.
 #include "robot_types/side.suture.h"
 
-#include <suture/component/json_reader.h>
 #include <suture/transport/rpc/wire.h>
 
 #include <type_traits>
@@ -47,16 +46,6 @@ Errc fromWire(wire::Side in, std::uint8_t& slot) {
     case wire::Side::RIGHT: return slot = static_cast<std::uint8_t>(Side::Right), Errc{};
   }
   return Errc::Invalid;
-}
-
-}  // namespace robots
-
-namespace robots {
-
-void fromJson(const suture::JsonReader& in, Side& value) {
-  static constexpr Side kValues[] = {Side::Left, Side::Right};
-  const int index = suture::enumeratorFromJson(in, {"Left", "Right"});
-  if (index >= 0) value = kValues[index];
 }
 
 }  // namespace robots

@@ -149,7 +149,7 @@ bool isValid(const TeleopParametersSlot& slot, FieldPath* path) {
 
 }  // namespace robots
 
-// Defined in robot_types/side.suture.cpp.
+// Defined in arm_control/mtm.suture.cpp.
 namespace robots {
 void fromJson(const suture::JsonReader& in, Side& value);
 }  // namespace robots

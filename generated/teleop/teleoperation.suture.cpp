@@ -604,11 +604,12 @@ constexpr char kTeleoperationDescription[] = R"json(
 {"name": "robots::Teleoperation",
 "doc": "Commands run in the teleoperation's own thread before its next cycle. A change of the settings\nwhile it follows does not move the slave: it follows from where it is.",
 "hash": "d5669079036420a78a75a89ca58f658e", "commands": [{"name": "enable", "kind": "void",
-"ordinal": 1, "doc": "Enables and homes arms that are not, then follows.", "queue": 16}, {
-"name": "disable", "kind": "void", "ordinal": 2, "doc": "Stops following; the slave holds.",
-"queue": 16}, {"name": "teleop_state", "kind": "read", "ordinal": 3, "wire": "teleopState",
-"result": {"type": {"kind": "enum", "name": "robots::TeleopState"}}, "queue": 16}, {
-"name": "anchors", "kind": "read", "ordinal": 4,
+"ordinal": 1,
+"doc": "Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has\nremoved the cause enables it.",
+"queue": 16}, {"name": "disable", "kind": "void", "ordinal": 2,
+"doc": "Stops following; the slave holds.", "queue": 16}, {"name": "teleop_state", "kind": "read",
+"ordinal": 3, "wire": "teleopState", "result": {"type": {"kind": "enum",
+"name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read", "ordinal": 4,
 "doc": "The anchors of the present or last time of following.", "result": {"type": {
 "kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}, {"name": "set_scale",
 "kind": "write", "ordinal": 5, "wire": "setScale", "parameters": [{"name": "scale", "type": {

@@ -95,7 +95,8 @@ class Required<robots::Teleoperation> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Enables and homes arms that are not, then follows.
+  /// Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has
+  /// removed the cause enables it.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
   /// Stops following; the slave holds.
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};

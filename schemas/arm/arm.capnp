@@ -132,12 +132,13 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
   # the first cycle of a motion, it is 0. Stamp: the arm's cycle.
   bodyMeasuredCf @27 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("body_measured_cf") $Meta.kind("read");
-  # What the arm presses with at its tip, in the tip's own directions: the motors' efforts, less
-  # the arm's weight as its model has it, through the transposed Jacobian. Friction, inertia and
-  # what that model has wrong are in it, so it is near a contact's force only when the arm is slow
-  # and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit; what touches
-  # the tip presses on it with the opposite. Not valid where the drives measure no effort, without
-  # power, and beside a singularity. Stamp: the drives' cycle that measured the joints.
+  # This is the wrench that the arm presses with at its tip, in the tip's own directions: the
+  # motors' efforts, less the arm's weight as its model has it, through the transposed Jacobian.
+  # Friction, inertia and what that model has wrong are in it, so it is near a contact's force
+  # only when the arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci
+  # Research Kit; what touches the tip presses on it with the opposite. Not valid where the drives
+  # measure no effort, without power, and beside a singularity. Stamp: the drives' cycle that
+  # measured the joints.
   spatialMeasuredCf @28 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("spatial_measured_cf") $Meta.kind("read");
   # The same in the directions of the arm's base frame.

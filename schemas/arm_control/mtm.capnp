@@ -3,16 +3,18 @@
 
 using Cxx = import "/capnp/c++.capnp";
 using Meta = import "/suture/meta.capnp";
+using Side = import "/robot_types/side.capnp";
 $Cxx.namespace("robots::wire");
 $Meta.header("arm_control/mtm.h");
 
-enum MtmSide @0xbfac2efab040ce66 $Meta.cxx("robots::MtmSide") $Meta.underlying("UInt8") {
+enum MtmSide @0xbfac2efab040ce66 $Meta.cxx("robots::MtmSide") $Meta.removed("MtmSide")
+    $Meta.underlying("UInt8") {
   left @0 $Meta.cxx("Left") $Meta.value(0);
   right @1 $Meta.cxx("Right") $Meta.value(1);
 }
 
 struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
-  side @0 :MtmSide;
+  side @0 :Side.Side;
   period @1 :Int64 = 1000000 $Meta.period("1/1000000000");
   angularRate @2 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
       $Meta.unit("rad/s");

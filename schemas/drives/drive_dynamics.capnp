@@ -25,9 +25,9 @@ struct RigidBodyOptions @0xebb0c1af002736b6 $Meta.cxx("robots::RigidBodyOptions"
   seed @3 :UInt32 = 1;
   # Equal seeds, goals and times give equal noise.
   brakes @4 :Bool = true;
-  # Whether brakes hold the joints without power. The PSM and the MTM of the da Vinci Classic have
-  # none: what their motors carried sinks then.
+  # It says whether brakes hold the joints without power. The PSM and the MTM of the da Vinci
+  # Classic have none: what their motors carried sinks then.
   currentGain @5 :Float64 = 1.0 $Meta.cxx("current_gain") $Meta.range(lowest = 0.1, highest = 100);
-  # What sensors tell of each motor's current, as a share of it. Motors never give more than they
+  # This is the share of each motor's current that sensors tell. Motors never give more than they
   # can, so an over-current has to be planted: a sensor that tells too much is one to the arm.
 }

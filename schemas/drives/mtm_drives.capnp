@@ -4,18 +4,19 @@
 using Cxx = import "/capnp/c++.capnp";
 using Meta = import "/suture/meta.capnp";
 using DriveDynamics = import "/drives/drive_dynamics.capnp";
+using Side = import "/robot_types/side.capnp";
 $Cxx.namespace("robots::wire");
 $Meta.header("drives/mtm_drives.h");
 
-enum MasterSide @0x93df6efffc351cf4 $Meta.cxx("robots::MasterSide") $Meta.underlying("UInt8") {
-  # Which of a surgeon's two masters: their joints have mirrored limits.
-
+enum MasterSide @0x93df6efffc351cf4 $Meta.cxx("robots::MasterSide") $Meta.removed("MasterSide")
+    $Meta.underlying("UInt8") {
   left @0 $Meta.cxx("Left") $Meta.value(0);
   right @1 $Meta.cxx("Right") $Meta.value(1);
 }
 
 struct MtmDrivesParameters @0xe72c8047229da521 $Meta.cxx("robots::MtmDrivesParameters") {
-  side @0 :MasterSide;
+  side @0 :Side.Side;
+  # Which of a surgeon's two masters: their joints have mirrored limits.
   period @1 :Int64 = 667000 $Meta.period("1/1000000000");
   timeConstant @2 :Float64 = 0.01 $Meta.cxx("time_constant")
       $Meta.range(lowest = 1e-04, highest = 10) $Meta.unit("s");

@@ -49,6 +49,7 @@ interface Guidance @0xf839a0ec32e2aeaf $Meta.cxx("robots::Guidance") {
   # It is told also while the guide waits for something, as far as the knot has been seen.
   enable @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
+  # An arm in FAULT is not enabled: whoever has removed the cause enables it.
   disable @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Stops guiding; both slaves hold.
 }

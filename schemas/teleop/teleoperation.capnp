@@ -50,7 +50,8 @@ interface Teleoperation @0x9c2044876661808e $Meta.cxx("robots::Teleoperation") {
   subscribe @0 (events :TeleoperationEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   enable @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Enables and homes arms that are not, then follows.
+  # Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has
+  # removed the cause enables it.
   disable @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Stops following; the slave holds.
   teleopState @3 (sent :Rpc.Sent) -> (value :TeleopState, stamp :Int64) $Meta.cxx("teleop_state")
