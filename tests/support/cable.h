@@ -2,17 +2,18 @@
 // Two network namespaces and the cable between them: two machines as far as the network goes. As
 // root, with iproute2.
 
-#include <gtest/gtest.h>
 #include <sched.h>
 #include <sys/types.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace suture {
 
 /// The cable of the calling thread's namespace; threads and processes that it starts inherit it.
+/// All throws std::runtime_error where the kernel or iproute2 refuses.
 class Cable {
  public:
   static constexpr const char* kHere = "10.213.7.1";
@@ -24,7 +25,9 @@ class Cable {
     run("ip link set lo up && ip link add here type veth peer name there && ip addr add " +
         std::string(kHere) + "/24 dev here && ip link set here up");
   }
-  static void leave() { EXPECT_EQ(unshare(CLONE_NEWNET), 0); }
+  static void leave() {
+    if (unshare(CLONE_NEWNET) != 0) throw std::runtime_error("no network namespace of its own");
+  }
   /// To a process that has left.
   void stretchTo(pid_t process) const { run("ip link set there netns " + std::to_string(process)); }
   /// The other process, once the cable has come.
@@ -43,7 +46,7 @@ class Cable {
 
  private:
   static void run(const std::string& command) {
-    EXPECT_EQ(std::system(command.c_str()), 0) << command;
+    if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
   }
 };
 

@@ -130,6 +130,26 @@ class EventCsc final : public Role {
   }
 };
 
+/// Waits for each write to be executed, so that the next finds the server asleep.
+class EventOneWay final : public Role {
+ public:
+  using Role::Role;
+  void cycle() override {
+    if (!server.connected()) return;
+    while (!complete()) {
+      pose_.timestamp = now();
+      if (!server.put.start(pose_).within(kPatience)) {
+        ++failures;
+        return;
+      }
+      roundDone();
+    }
+  }
+
+ private:
+  robots::PosePrm pose_ = samplePose();
+};
+
 template <class Kind, class Options, class RoleOfTask>
 class ClientTask final : public Kind, public Client {
  public:
@@ -160,6 +180,10 @@ std::unique_ptr<Client> makeClient(const LoopSetup& setup) {
     return make<PeriodicScs, PeriodicCsc, suture::PeriodicTask>(setup, options);
   }
   const suture::EventOptions options{.scheduling = setup.scheduling, .longestSleep = kPatience};
+  if (setup.loop == Loop::OneWay) {
+    return std::make_unique<ClientTask<suture::EventTask, suture::EventOptions, EventOneWay>>(
+        options, setup);
+  }
   return make<EventScs, EventCsc, suture::EventTask>(setup, options);
 }
 

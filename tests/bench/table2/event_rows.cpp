@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <string>
+
 #include "bench/placement.h"
 #include "bench/progress.h"
 #include "bench/table.h"
@@ -23,7 +26,17 @@ constexpr EventRow kEventRows[] = {
     {"SCS", "event.scs", Loop::Scs, &LoopResult::elapsed, ""},
     {"SCS, client", "event.scs_client", Loop::Scs, &LoopResult::client, "about 53"},
     {"CSC", "event.csc", Loop::Csc, &LoopResult::elapsed, "about 40"},
+    {"one way", "event.one_way", Loop::OneWay, &LoopResult::elapsed, ""},
 };
+
+std::string nameOf(Loop loop) {
+  switch (loop) {
+    case Loop::Scs: return "SCS";
+    case Loop::Csc: return "CSC";
+    case Loop::OneWay: return "one way";
+  }
+  return "";
+}
 
 struct Both {
   LoopResult local, network;
@@ -31,11 +44,11 @@ struct Both {
 
 Both measureBoth(const Table2Options& options, Loop loop) {
   const LoopSetup setup = options.eventDriven(loop);
-  progress(std::string("event-driven ") + (loop == Loop::Scs ? "SCS" : "CSC"));
-  return {measureLocally(setup), measureAcross(setup, options.transport())};
+  progress("event-driven " + nameOf(loop));
+  return {measureLocally(setup), measureAcross(setup, options.between())};
 }
 
-/// `floor`: the median of a bare socket's round trip, us.
+/// `floor`: what a bare socket takes for as much of a round trip, us.
 void addRow(const EventRow& row, const Both& results, double floor, Table& table, Report& report) {
   const Statistics local = statisticsOf(inUnits(results.local.*row.samples, kMicrosecond));
   const Statistics network = statisticsOf(inUnits(results.network.*row.samples, kMicrosecond));
@@ -63,12 +76,16 @@ std::string eventRows(const Table2Options& options, std::size_t payloadBytes, Re
   Table table(2);
   table.row(joined(joined({"loop", "where"}, statisticsTitles()), {"over raw", "over Ice"}));
   table.line();
-  const Both scs = measureBoth(options, Loop::Scs), csc = measureBoth(options, Loop::Csc);
+  std::map<Loop, Both> results;
+  for (const Loop loop : {Loop::Scs, Loop::Csc, Loop::OneWay}) {
+    results.emplace(loop, measureBoth(options, loop));
+  }
   const Statistics rawUnix = bareRounds(Transport::Unix, options, payloadBytes),
                    rawTcp = bareRounds(Transport::Tcp, options, payloadBytes);
-  const Statistics& floor = options.transport() == Transport::Unix ? rawUnix : rawTcp;
+  const Statistics& round = options.between().transport == Transport::Unix ? rawUnix : rawTcp;
   for (const EventRow& row : kEventRows) {
-    addRow(row, row.loop == Loop::Scs ? scs : csc, floor.p50, table, report);
+    const double floor = row.loop == Loop::OneWay ? round.p50 / 2 : round.p50;
+    addRow(row, results.at(row.loop), floor, table, report);
   }
   table.line();
   report.add("raw.unix", "us", rawUnix);
@@ -76,17 +93,20 @@ std::string eventRows(const Table2Options& options, std::size_t payloadBytes, Re
   table.row(joined({"raw socket", "unix"}, cellsOf(rawUnix, 1)));
   table.row(joined({"", "tcp"}, cellsOf(rawTcp, 1)));
   progress("");
-  const std::size_t failures =
-      scs.local.failures + scs.network.failures + csc.local.failures + csc.network.failures;
+  std::size_t failures = 0;
+  for (const auto& [loop, both] : results) failures += both.local.failures + both.network.failures;
   report.add("event.failures", "calls", static_cast<double>(failures));
   return fmt::format(
       "Event-driven, all threads of both processes on processor {}, {} samples after {}; "
-      "network = rpc over {}; us\n\n{}\n"
+      "network = {}; us\n\n{}\n"
       "SCS: from the stamp that fresh() brings to the handler of the blocking write. SCS, client: "
-      "fresh() and the whole blocking write, two round trips.\n"
-      "Raw socket: a blocking round trip of {} bytes between two processes on that processor. "
+      "fresh() and the whole blocking write, two round trips. One way: from the client's stamp to "
+      "the "
+      "handler of its write; both processes read one clock.\n"
+      "Raw socket: a blocking round trip of {} bytes between two processes on that processor, of "
+      "which one way is given half. "
       "Over Ice: what the original adds.{}\n",
-      options.cpu, options.kept(), options.skipped(), options.transportName(), table.toString(),
+      options.cpu, options.kept(), options.skipped(), options.betweenInWords(), table.toString(),
       payloadBytes,
       failures == 0 ? ""
                     : fmt::format("\n{} calls failed or were not answered in time.", failures));

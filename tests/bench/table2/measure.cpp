@@ -6,12 +6,15 @@
 #include <suture/transport/rpc/control_thread.h>
 
 #include <future>
+#include <optional>
+#include <thread>
 
 #include "bench/placement.h"
 #include "bench/table2/child_process.h"
 #include "bench/table2/client.h"
 #include "bench/table2/server.h"
 #include "bench/table2/server_process.h"
+#include "support/cable.h"
 #include "support/temporary_directory.h"
 
 namespace bench {
@@ -39,27 +42,43 @@ std::vector<std::int64_t> kept(const std::vector<std::int64_t>& all, const LoopS
   return {begin, begin + static_cast<std::ptrdiff_t>(setup.samples)};
 }
 
-std::string managerAddress(const suture::TemporaryDirectory& folder, Transport transport) {
-  return transport == Transport::Tcp ? "tcp://127.0.0.1:0" : "unix:" + folder.file("manager");
+std::string managerAddress(const suture::TemporaryDirectory& folder, const Between& between) {
+  if (between.namespaces) return std::string("tcp://") + suture::Cable::kHere + ":0?insecure";
+  return between.transport == Transport::Tcp ? "tcp://127.0.0.1:0"
+                                             : "unix:" + folder.file("manager");
 }
 
 LoopResult resultOf(const Client& client, const std::vector<std::int64_t>& server,
                     const LoopSetup& setup, const suture::Channel& channel) {
   LoopResult result;
-  const bool scs = setup.loop == Loop::Scs;
-  result.elapsed = kept(scs ? server : client.elapsed(), setup);
-  if (scs && setup.pace == Pace::EventDriven) result.client = kept(client.elapsed(), setup);
+  result.elapsed = kept(setup.loop == Loop::Csc ? client.elapsed() : server, setup);
+  if (setup.loop == Loop::Scs && setup.pace == Pace::EventDriven)
+    result.client = kept(client.elapsed(), setup);
   result.failures = client.failures();
   result.lane = channel.lane;
   result.bytes = channel.bytesSent + channel.bytesReceived;
   return result;
 }
 
-void requireNetwork(const LoopResult& result) {
-  if (result.lane == "rpc" && result.bytes > 0) return;
-  throw SetupError("a connection over the lane rpc",
+void requireLane(const std::string& lane, const LoopResult& result) {
+  if (result.lane == lane && (result.bytes > 0 || lane == "shm")) return;
+  throw SetupError("a connection over the lane " + lane,
                    "lane " + result.lane + ", " + std::to_string(result.bytes) + " bytes",
                    "The figures would not be those of a network");
+}
+
+/// Once that process has a namespace of its own.
+void stretch(const suture::Cable& cable, pid_t server) {
+  const std::string ours = suture::Cable::namespaceOf("thread-self");
+  const suture::Time limit = suture::now() + std::chrono::seconds(10);
+  while (suture::Cable::namespaceOf(std::to_string(server)) == ours) {
+    if (suture::now() > limit) {
+      throw SetupError("a server in a network namespace of its own", "it had none after 10 s",
+                       "Look for a message of it above");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  cable.stretchTo(server);
 }
 
 }  // namespace
@@ -80,25 +99,28 @@ LoopResult measureLocally(const LoopSetup& setup) {
   return resultOf(*client, server->elapsed(), setup, *channel);
 }
 
-LoopResult measureAcross(const LoopSetup& setup, Transport transport) {
+LoopResult measureAcross(const LoopSetup& setup, const Between& between) {
   const Pinned pinned(setup.scheduling.processor);
+  std::optional<suture::Cable> cable;
+  if (between.namespaces) cable.emplace();
   const suture::TemporaryDirectory folder;
   suture::rpc::ControlThread control;
-  const suture::GlobalManager names(control, managerAddress(folder, transport));
-  ChildProcess serverProcess(serverProcessArguments(setup, names.address()));
+  const suture::GlobalManager names(control, managerAddress(folder, between));
+  ChildProcess serverProcess(serverProcessArguments(setup, names.address(), between.namespaces));
+  if (cable) stretch(*cable, serverProcess.pid());
 
   const auto client = makeClient(setup);
   suture::Manager manager{"client", names.address()};
   manager.add("Client", client->task());
   auto finished = client->finished();
   manager.start();
-  manager.connect("Client/Server", "server:Server/Loop", suture::Lane::Rpc);
+  manager.connect("Client/Server", "server:Server/Loop", between.lane);
   await(std::move(finished), setup);
   const auto channel = manager.channels().at(0);
   manager.stop();
   const auto server = resultIn<std::int64_t>(serverProcess.finish());
   LoopResult result = resultOf(*client, server, setup, *channel);
-  requireNetwork(result);
+  requireLane(toString(between.lane), result);
   return result;
 }
 

@@ -24,6 +24,6 @@ LoopResult measureLocally(const LoopSetup& setup);
 
 /// The client here, the server in a process of its own, the global manager in this one. Throws
 /// SetupError, also when the connection is not what it should be.
-LoopResult measureAcross(const LoopSetup& setup, Transport transport);
+LoopResult measureAcross(const LoopSetup& setup, const Between& between);
 
 }  // namespace bench

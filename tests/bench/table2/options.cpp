@@ -19,7 +19,15 @@ void Table2Options::addTo(CLI::App& options) {
   options.add_option("--fifo-priority", fifoPriority, "of the tasks in the SCHED_FIFO row")
       ->capture_default_str()
       ->check(CLI::Range(1, 99));
-  options.add_flag("--tcp", tcp, "TCP over the loopback instead of a Unix socket");
+  options.add_option("--lane", lane, "that carries the connection between the two processes")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"rpc", "frame", "shm"}));
+  CLI::Option* const overTcp =
+      options.add_flag("--tcp", tcp, "TCP over the loopback instead of a Unix socket");
+  options
+      .add_flag("--namespaces", namespaces,
+                "TCP through a cable between two network namespaces, which needs root")
+      ->excludes(overTcp);
   options.add_flag("--quick", quick, "100 samples a loop: shows that it works, not how well");
   options.add_flag("--event-driven-only", eventDrivenOnly, "without the loops of periodic tasks");
 }
@@ -30,9 +38,24 @@ nlohmann::json Table2Options::toJson() const {
           {"rate", rateHz},
           {"cpu", cpu},
           {"fifo_priority", fifoPriority},
-          {"transport", tcp ? "tcp" : "unix"},
+          {"lane", lane},
+          {"transport", namespaces ? "namespaces"
+                        : tcp      ? "tcp"
+                                   : "unix"},
           {"quick", quick},
           {"event_driven_only", eventDrivenOnly}};
+}
+
+Between Table2Options::between() const {
+  return {.lane = suture::laneNamed(lane),
+          .transport = tcp || namespaces ? Transport::Tcp : Transport::Unix,
+          .namespaces = namespaces};
+}
+
+std::string Table2Options::betweenInWords() const {
+  if (lane == "shm") return "shm, agreed on over a Unix socket";
+  if (namespaces) return lane + " over TCP through a cable between two network namespaces";
+  return lane + (tcp ? " over TCP" : " over a Unix socket");
 }
 
 LoopSetup Table2Options::periodic(Loop loop, bool fifo) const {

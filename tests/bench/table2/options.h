@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "bench/table2/setup.h"
 
@@ -15,7 +16,9 @@ struct Table2Options {
   double rateHz = 1000;
   int cpu;  ///< of the event-driven loops and of the ping-pong
   int fifoPriority = 80;
+  std::string lane = "rpc";
   bool tcp = false;
+  bool namespaces = false;
   bool quick = false;
   bool eventDrivenOnly = false;
 
@@ -23,8 +26,9 @@ struct Table2Options {
   void addTo(CLI::App& options);
   nlohmann::json toJson() const;
 
-  Transport transport() const { return tcp ? Transport::Tcp : Transport::Unix; }
-  const char* transportName() const { return tcp ? "TCP" : "a Unix socket"; }
+  Between between() const;
+  /// "rpc over TCP".
+  std::string betweenInWords() const;
   std::size_t kept() const { return quick ? 100 : samples; }
   std::size_t skipped() const { return quick ? 10 : skip; }
   std::size_t codecLoops() const { return quick ? 10 : 100; }

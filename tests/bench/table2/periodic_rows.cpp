@@ -37,12 +37,12 @@ class LoopRows {
         table_(table),
         report_(report) {}
 
-  void measure(const LoopSetup& setup, Transport transport) {
+  void measure(const LoopSetup& setup, const Between& between) {
     const std::string what = std::string(policy_.title) + (scs_ ? " SCS" : " CSC");
     progress(what + " local");
     const Statistics local = add("local", measureLocally(setup));
     progress(what + " network");
-    const Statistics network = add("network", measureAcross(setup, transport));
+    const Statistics network = add("network", measureAcross(setup, between));
     print(local, network);
     report_.add(figure_ + ".difference.mean", "ms", network.mean - local.mean);
     report_.add(figure_ + ".difference.p50", "ms", network.p50 - local.p50);
@@ -114,7 +114,7 @@ std::string periodicRows(const Table2Options& options, Report& report) {
     for (const Loop loop : {Loop::Scs, Loop::Csc}) {
       LoopRows rows(policy, loop, table, report);
       if (reason.empty()) {
-        rows.measure(options.periodic(loop, policy.fifo), options.transport());
+        rows.measure(options.periodic(loop, policy.fifo), options.between());
       } else {
         rows.unavailable(reason);
       }
@@ -122,13 +122,13 @@ std::string periodicRows(const Table2Options& options, Report& report) {
   }
   return fmt::format(
       "Table 2: round a loop of two periodic tasks, {:g} Hz, PosePrm, {} samples after {} skipped; "
-      "network = rpc over {}; ms\n\n{}\n{}"
+      "network = {}; ms\n\n{}\n{}"
       "The paper's rows: Linux beside SCHED_OTHER, Linux with RTAI beside SCHED_FIFO.\n"
       "The paper's values are quantised by a clock of 4 ms: its minima, maxima and deviations say "
       "nothing of latency, its means only by their difference.\n"
       "At such periods the phase of the two tasks decides, not the network. So the same loops "
       "again, with tasks that sleep until something arrives:\n",
-      options.rateHz, options.kept(), options.skipped(), options.transportName(), table.toString(),
+      options.rateHz, options.kept(), options.skipped(), options.betweenInWords(), table.toString(),
       notes);
 }
 

@@ -15,8 +15,9 @@ namespace bench {
 /// input ends, then writes its samples.
 void addServerProcess(CLI::App& program);
 
-/// How this program is called to be that process.
+/// How this program is called to be that process; `apart`: in a network namespace of its own, to
+/// which the caller stretches a cable.
 std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
-                                                const std::string& managerAddress);
+                                                const std::string& managerAddress, bool apart);
 
 }  // namespace bench

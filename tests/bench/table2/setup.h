@@ -2,6 +2,7 @@
 // What one measurement of a loop is.
 
 #include <suture/base/time.h>
+#include <suture/manager/lane.h>
 #include <suture/rt/scheduling.h>
 
 #include <cstddef>
@@ -10,15 +11,23 @@
 namespace bench {
 
 enum class Loop {
-  Scs,  ///< server, client, server: a value is read, written back, and measured by the server
-  Csc,  ///< client, server, client: a value is written, raised as an event, and measured by the
-        ///< client
+  Scs,     ///< server, client, server: a value is read, written back, and measured by the server
+  Csc,     ///< client, server, client: a value is written, raised as an event, and measured by the
+           ///< client
+  OneWay,  ///< client, server: a value is written, and measured by the server; both read one clock
 };
 enum class Pace {
   Periodic,     ///< both tasks run once a period, as in the paper
   EventDriven,  ///< both tasks sleep until something arrives; SCS uses fresh() and a blocking write
 };
 enum class Transport { Unix, Tcp, Tls };  ///< Tls: of suture-bench network only
+
+/// What lies between the two processes of a loop.
+struct Between {
+  suture::Lane lane = suture::Lane::Rpc;
+  Transport transport = Transport::Unix;
+  bool namespaces = false;  ///< two of the network, with a cable from one to the other
+};
 
 struct LoopSetup {
   Loop loop = Loop::Scs;
