@@ -33,6 +33,8 @@ ADDED = [
     ("text", 'SUTURE_FIELD(capacity(8)) std::string {} = "a"', "'a'"),
     ("plainText", "SUTURE_FIELD(capacity(8)) std::string {}", "''"),
     ("bytes", "SUTURE_FIELD(capacity(4)) std::vector<std::uint8_t> {} = {{1, 2}}", "[1,2]"),
+    ("rawBytes", "SUTURE_FIELD(capacity(4)) std::vector<std::byte> {} = {{std::byte{{9}}}}", "[9]"),
+    ("plainRawBytes", "SUTURE_FIELD(capacity(4)) std::vector<std::byte> {}", "[]"),
     ("list", "SUTURE_FIELD(capacity(4)) std::vector<double> {} = {{1, 2, 3}}", "[1,2,3]"),
     ("plainList", "SUTURE_FIELD(capacity(4)) std::vector<double> {}", "[]"),
     ("block", "SUTURE_FIELD(capacity(4), bulk()) std::vector<double> {} = {{4, 5}}", "[4,5]"),
@@ -86,6 +88,7 @@ ADDED = [
     ("ever", "std::chrono::nanoseconds {} = std::chrono::nanoseconds::max()", "9223372036854775807"),
     ("half", "SUTURE_FIELD(range(-std::numeric_limits<double>::infinity(), 1)) double {} = 0.5", "0.5"),
     ("opaque", "Opaque {}", "<3>"),
+    ("external", "External {}", "<1.5 2.5>"),
 ]
 
 HEADER = """#pragma once
@@ -96,6 +99,7 @@ HEADER = """#pragma once
 #include <Eigen/Geometry>
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <limits>
@@ -169,6 +173,13 @@ class Opaque {
  private:
   std::int32_t number_ = 3;
 };
+
+/// Stands for a struct that cannot be edited.
+struct External {
+  double low = 1.5;
+  double high = 2.5;
+};
+SUTURE_EXTERNAL_TYPE(External, low, high);
 
 struct SUTURE_TYPE() Base {
   Base() = default;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -29,6 +30,9 @@ std::string structText(const T& value) {
   }
   if constexpr (requires { value.turn; }) {
     return "(" + text(value.speed) + " " + text(value.offset) + " " + text(value.turn) + ")";
+  }
+  if constexpr (requires { value.low; }) {
+    return "<" + text(value.low) + " " + text(value.high) + ">";
   }
   if constexpr (requires { value.number(); }) return "<" + text(value.number()) + ">";
   return "?";
@@ -75,6 +79,7 @@ inline std::string coefficients(const double* begin, Eigen::Index count) {
   return "[" + all + "]";
 }
 
+inline std::string kindText(std::byte value) { return number(std::to_integer<int>(value)); }
 inline std::string kindText(std::monostate) { return "nothing"; }
 inline std::string kindText(const std::string& value) { return "'" + value + "'"; }
 template <class Rep, class Period>
