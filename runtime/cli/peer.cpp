@@ -93,8 +93,8 @@ Time Peer::here(std::int64_t stamp) const {
 
 std::string Peer::noAnswer() const {
   return "talk to process '" + process_.name +
-         "': it is there, but does not answer, or has not yet made its components known. Look at "
-         "what it is doing.";
+         "': it is there, but does not answer. It hangs, has no file descriptor left for another "
+         "link, or has not yet made its components known: see what it says and does.";
 }
 
 }  // namespace suture::cli

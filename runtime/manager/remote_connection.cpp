@@ -91,8 +91,9 @@ kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
   // The manager itself answers in time, so only the peer can be late.
   return rpc::within(control_.timer(), patience + kDialLimit, kj::mv(connected),
                      "process '" + to_.process +
-                         "' is there, but does not answer, or has not yet made its "
-                         "components known. Look at what it is doing.");
+                         "' is there, but does not answer. It hangs, has no file descriptor left "
+                         "for another link, or has not yet made its components known: see what it "
+                         "says and does.");
 }
 
 kj::Promise<void> RemoteConnection::dial(const ProcessRecord& process, Duration limit) {
