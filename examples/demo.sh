@@ -22,9 +22,10 @@ at 1 kHz, and the run is judged. Exit status 0 only if all went well.
   --seconds N                    how long to run (default 10)
   --rate HZ                      cycles a second of the tasks that control an arm (default 1000); cameras and what looks at their
                                  images keep their periods, and connections the ages they permit
+  --dynamics Lag|RigidBody       what the drives simulate: joints without mass (as in the files), or bodies that have mass
   --json FILE                    also write all figures to FILE
   --picture FILE                 where a knot is placed: write the scene at the end as the endoscope sees it, and how the knot
-                                 came to its target, as a PNG
+                                 came to its target, and the processes with the ages of what went between them, as a PNG
 
 Topologies, which are the deployment files in examples/teleoperation:
 HELP
