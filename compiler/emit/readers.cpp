@@ -40,13 +40,23 @@ class ReaderHomes {
   }
 
   const model::Header& of(const std::string& name) const { return *homes_.at(name); }
+  /// These types are read in the source of `header`, and by another source of ours too.
+  std::set<std::string> sharedBy(const model::Header& header) const {
+    std::set<std::string> names;
+    for (const std::string& name : shared_) {
+      if (of(name).path == header.path) names.insert(name);
+    }
+    return names;
+  }
 
  private:
   void visit(const std::string& name, const model::Header& holder) {
     const model::Header& home = *context_.lookup.headerOf(name);
     if (isReadElsewhere(name, home)) return;
-    const model::Header& reader = home.own ? home : holder;
-    if (!homes_.emplace(name, &reader).second) return;
+    const auto [known, isNew] = homes_.emplace(name, home.own ? &home : &holder);
+    const model::Header& reader = *known->second;
+    if (&reader != &holder && !isDeclared(name, home)) shared_.insert(name);
+    if (!isNew) return;
     if (const model::Struct* const declaration = context_.lookup.findStruct(name)) {
       for (const model::Field& field : declaration->fields) visit(field.type, reader);
     }
@@ -58,45 +68,7 @@ class ReaderHomes {
 
   const Context& context_;
   std::map<std::string, const model::Header*> homes_;
-};
-
-/// Walks through all that parameters of our components consist of, from header to header.
-class SharedParts {
- public:
-  SharedParts(const Context& context, const ReaderHomes& homes) : context_(context), homes_(homes) {
-    for (const model::Header& header : context.model.headers) {
-      if (!header.own) continue;
-      for (const model::Component& component : header.components) {
-        if (component.parameters) visit(*component.parameters, header);
-      }
-    }
-  }
-
-  /// These types of the header are read by another source of ours too.
-  const std::set<std::string>& names() const { return names_; }
-
- private:
-  void visit(const std::string& name, const model::Header& holder) {
-    const model::Header& home = *context_.lookup.headerOf(name);
-    if (isReadElsewhere(name, home)) return;
-    const model::Header& reader = homes_.of(name);
-    if (&reader != &holder && reader.path == context_.header.path && !isDeclared(name, home)) {
-      names_.insert(name);
-    }
-    if (!seen_.emplace(name, &reader).second) return;
-    if (const model::Struct* const declaration = context_.lookup.findStruct(name)) {
-      for (const model::Field& field : declaration->fields) visit(field.type, reader);
-    }
-  }
-  void visit(const model::Type& type, const model::Header& holder) {
-    if (!type.name.empty()) visit(type.name, holder);
-    for (const model::Type& element : type.element) visit(element, holder);
-  }
-
-  const Context& context_;
-  const ReaderHomes& homes_;
-  std::set<std::pair<std::string, const model::Header*>> seen_;
-  std::set<std::string> names_;
+  std::set<std::string> shared_;
 };
 
 /// The types that a header's source reads, parts before wholes.
@@ -279,7 +251,7 @@ void emitClass(Code& code, const model::Component& component) {
 }  // namespace
 
 bool readsForOthers(const Context& context) {
-  return !SharedParts(context, ReaderHomes(context)).names().empty();
+  return !ReaderHomes(context).sharedBy(context.header).empty();
 }
 
 bool hasReaders(const model::Header& header) {
@@ -310,8 +282,8 @@ void emitReaderDeclarations(Code& code, const Context& context, const std::strin
 
 void emitReaders(Code& code, const Context& context) {
   const ReaderHomes homes(context);
-  const SharedParts shared(context, homes);
-  const Parts parts(context, homes, shared.names());
+  const std::set<std::string> shared = homes.sharedBy(context.header);
+  const Parts parts(context, homes, shared);
   emitForeignReaders(code, context, parts.elsewhere());
   std::string open;
   for (const std::string& name : parts.names()) {
@@ -323,7 +295,7 @@ void emitReaders(Code& code, const Context& context) {
     }
     const model::Header& home = *context.lookup.headerOf(name);
     const bool declared = home.path == context.header.path && isDeclared(name, home);
-    emitReader(code, context, name, declared || shared.names().contains(name));
+    emitReader(code, context, name, declared || shared.contains(name));
   }
   if (!open.empty()) code.verbatim(closeNamespace(open)).blank();
 }
