@@ -297,7 +297,7 @@ PoseStamped CrtkArm<N>::local_query_cp(const JointGoal& q) const {
 
 // --- streams
 
-/// What has replaced a stream may be over already, and a stream that begins anew begins from rest.
+/// A command that replaced a stream may be over already; a stream begun anew begins from rest.
 template <int N>
 void CrtkArm<N>::endStreamOfBefore() {
   if (!streaming()) stream_.end();

@@ -163,7 +163,7 @@ class QuadraticProgram {
   /// How fast the active rows' multipliers fall while that of the new row grows.
   ActiveVector shareOf(const Parts& parts) const { return solved(parts.inBasis); }
 
-  /// What of the active normals makes up a vector that is given in basis_.
+  /// It returns the shares of the active normals in a vector that is given in basis_.
   ActiveVector solved(ActiveVector inBasis) const {
     const auto triangle = triangle_.topLeftCorner(active_, active_);
     auto head = inBasis.head(active_);

@@ -99,7 +99,7 @@ void BlackBox::look(Watched& watched) {
     write(component, first, last, reason, file);
     options_.tell(what + ". Its last state is in " + file.string());
   } catch (const std::exception& error) {
-    // What is there of it would only take the room that the next one needs.
+    // The part that is there would only take the room that the next file needs.
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
     options_.tell(what + ". Its last state is not kept: " + error.what());

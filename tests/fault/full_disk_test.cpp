@@ -24,7 +24,7 @@ void mountSmallDisk(const std::string& folder) {
   if (!done) _exit(125);
 }
 
-/// What stands in `told` between `begin` and `end`, which is empty for the rest of it.
+/// It returns what stands in `told` between `begin` and `end`, which is empty for the rest of it.
 std::optional<std::string> between(const std::string& told, const std::string& begin,
                                    const std::string& end) {
   const auto at = told.find(begin);

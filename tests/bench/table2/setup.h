@@ -22,7 +22,7 @@ enum class Pace {
 };
 enum class Transport { Unix, Tcp, Tls };  ///< Tls: of suture-bench network only
 
-/// What lies between the two processes of a loop.
+/// This is what lies between the two processes of a loop.
 struct Between {
   suture::Lane lane = suture::Lane::Rpc;
   Transport transport = Transport::Unix;
