@@ -1,5 +1,5 @@
 // Written by suturec for target loadable. Do not edit.
-#include <suture/component/component_library.h>
+#include <suture/component/factory/component_library.h>
 
 #include "loadable/parts.suture.h"
 

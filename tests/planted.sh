@@ -11,24 +11,24 @@ export GTEST_FAIL_FAST=1
 # plant FAULT: replaces a text of a source, which must be there exactly once.
 plant() {
   case "$1" in
-    lost_wake_up) replace runtime/component/commands.cpp \
+    lost_wake_up) replace runtime/suture/component/commands.cpp \
       '  owner_.ringLater(*channel_->ends.provider);
   return Errc{};' '  return Errc{};' ;;
-    dropped_credit) replace runtime/rt/mailbox.cpp \
+    dropped_credit) replace runtime/suture/rt/queue/mailbox.cpp \
       'credits.store(credits.load(std::memory_order_relaxed) + 1' \
       'credits.store(credits.load(std::memory_order_relaxed) + (lastReturned_ % 8 == 7 ? 0 : 1)' ;;
-    swapped_order) replace runtime/rt/mailbox.cpp \
+    swapped_order) replace runtime/suture/rt/queue/mailbox.cpp \
       'record->sequence < earliest->sequence' 'record->sequence > earliest->sequence' ;;
-    silent_heartbeat) replace runtime/manager/heartbeat.cpp \
+    silent_heartbeat) replace runtime/suture/session/heartbeat.cpp \
       '    if (!asked_) ask();
     return look();' '    if (!asked_) ask();
     return kj::READY_NOW;' ;;
-    missing_fence) replace runtime/rt/spsc_ring.h \
+    missing_fence) replace runtime/suture/rt/queue/spsc_ring.h \
       'shared_->tail.store(tail_, std::memory_order_release)' \
       'shared_->tail.store(tail_, std::memory_order_relaxed)' ;;
-    endless_lease) replace runtime/component/channel.cpp \
+    endless_lease) replace runtime/suture/component/channel/channel.cpp \
       'looksAtClock && lease.lapsed()' 'looksAtClock && false' ;;
-    forgotten_cut) replace runtime/transport/rpc/client_end.cpp \
+    forgotten_cut) replace runtime/suture/lane/client_end.cpp \
       '  channel_->cut();
 ' '' ;;
     *) echo "there is no planted fault '$1'" >&2; exit 2 ;;

@@ -4,7 +4,7 @@
 include(CMakePackageConfigHelpers)
 
 set(libraries)
-foreach(name base rt component wiring tls rpc shm frame fault delay standard manager observe record deploy testing suture schemas)
+foreach(name base rt component wiring testing loop net framing lane names session standard manager observe record deploy suture schemas)
   set_target_properties(suture_${name} PROPERTIES EXPORT_NAME ${name})
   list(APPEND libraries suture_${name})
 endforeach()
@@ -46,11 +46,10 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/sync_generated.cmake
   DESTINATION ${package})
 # Schemas lie beside headers, as Cap'n Proto's own do: whoever finds one finds the other.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/ ${PROJECT_SOURCE_DIR}/schemas/suture/
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/suture/ ${PROJECT_SOURCE_DIR}/schemas/suture/
   ${PROJECT_BINARY_DIR}/schemas/suture/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.h" PATTERN "*.capnp"
-  PATTERN contracts EXCLUDE PATTERN standard EXCLUDE  # runtime/contracts/ and suture_generate() install those
-  PATTERN cli EXCLUDE)  # a program alone
+  PATTERN standard EXCLUDE)  # runtime/suture/standard/ and suture_generate() install those
 if(TARGET suturec)
   # Where suturec looks first: clang's own headers stay with it.
   install(DIRECTORY ${SUTURE_CLANG_RESOURCE_DIR}/include DESTINATION lib/suture/clang)

@@ -12,7 +12,7 @@
 #   INSTALL_DIR  include root below the install prefix, say "include": install() then puts there what other
 #              projects need of these headers, and whoever imports t finds it
 #   LOADABLE   deployments may name t, a shared library, and create its components by class name: t gets the
-#              entry point suture_components() of suture/component/component_library.h
+#              entry point suture_components() of suture/component/factory/component_library.h
 #   RUNTIME    what to link instead of all of the runtime: for contracts that the runtime itself links
 #
 # SUTUREC_EXECUTABLE, set before, is the suturec to run where that of the package is for another machine.

@@ -8,10 +8,10 @@
 #include "compiler/driver/files.h"
 #include "compiler/driver/resource_dir.h"
 #include "compiler/driver/wire_schema.h"
-#include "compiler/emit/component_library.h"
+#include "compiler/emit/cpp/component_library.h"
 #include "compiler/emit/emit.h"
 #include "compiler/frontend/frontend.h"
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 
 namespace suture::compiler::driver {
 namespace {

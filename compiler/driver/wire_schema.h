@@ -1,7 +1,7 @@
 #pragma once
 // The schema that a build compiles for a header.
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 #include "compiler/model/artefact.h"
 #include "compiler/model/model.h"
 

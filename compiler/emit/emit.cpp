@@ -5,15 +5,15 @@
 #include <string_view>
 #include <utility>
 
-#include "compiler/emit/code.h"
-#include "compiler/emit/context.h"
-#include "compiler/emit/converters.h"
-#include "compiler/emit/order.h"
-#include "compiler/emit/page.h"
-#include "compiler/emit/parts.h"
-#include "compiler/emit/readers.h"
-#include "compiler/emit/remote.h"
-#include "compiler/emit/wire_places.h"
+#include "compiler/emit/cpp/readers.h"
+#include "compiler/emit/docs/page.h"
+#include "compiler/emit/text/code.h"
+#include "compiler/emit/text/context.h"
+#include "compiler/emit/text/order.h"
+#include "compiler/emit/text/parts.h"
+#include "compiler/emit/wire/converters.h"
+#include "compiler/emit/wire/remote.h"
+#include "compiler/emit/wire/wire_places.h"
 #include "compiler/lock/contract_hash.h"
 #include "compiler/lock/wire_contract.h"
 #include "compiler/model/naming.h"
@@ -78,22 +78,22 @@ bool instantiatesConversions(const model::Interface& interface) {
          std::any_of(interface.events.begin(), interface.events.end(), payload);
 }
 
+void includeAll(Code& code, const char* folder, std::initializer_list<const char*> names) {
+  for (const char* const name : names) code.line("#include <suture/", folder, name, ".h>");
+}
+
 void emitHeaderIncludes(Code& code, const Context& context) {
   const bool contracts = !context.header.interfaces.empty();
   const auto& interfaces = context.header.interfaces;
   if (std::any_of(interfaces.begin(), interfaces.end(), instantiatesConversions)) {
-    code.line("#include <suture/base/slots.h>");
+    code.line("#include <suture/base/slots/slots.h>");
   } else if (contracts || !context.header.structs.empty()) {
-    code.line("#include <suture/base/slot_forms.h>");
+    code.line("#include <suture/base/slots/slot_forms.h>");
   }
-  if (contracts) code.line("#include <suture/component/commands.h>");
+  if (contracts) includeAll(code, "component/", {"commands", "events"});
   if (!context.header.components.empty())
-    code.line("#include <suture/component/component_class.h>");
-  if (contracts) {
-    for (const char* const name : {"events", "provided", "required"}) {
-      code.line("#include <suture/component/", name, ".h>");
-    }
-  }
+    includeAll(code, "component/factory/", {"component_class"});
+  if (contracts) includeAll(code, "component/", {"provided", "required"});
   code.blank().line("#include \"", context.header.path, "\"");
   for (const std::string& path : context.header.imports) {
     code.line("#include \"", model::stemOf(path), ".suture.h\"");
@@ -130,20 +130,16 @@ std::string headerFile(const Context& context) {
   return code.finished();
 }
 
-void includeAll(Code& code, const char* folder, std::initializer_list<const char*> names) {
-  for (const char* const name : names) code.line("#include <suture/", folder, name, ".h>");
-}
-
 void emitSourceIncludes(Code& code, const Context& context, bool converts, bool limits) {
   const model::Header& header = context.header;
   code.line("#include \"", model::stemOf(header.path), ".suture.h\"").blank();
   if (!header.components.empty() || readsForOthers(context)) {
-    includeAll(code, "component/", {"json_reader"});
+    includeAll(code, "component/factory/", {"json_reader"});
   }
   if (!header.interfaces.empty()) {
-    includeAll(code, "transport/rpc/", {"binding", "proxy_port", "servant_port"});
+    includeAll(code, "lane/rpc/", {"binding", "proxy_port", "servant_port"});
   }
-  if (converts) includeAll(code, "transport/rpc/", {"wire"});
+  if (converts) includeAll(code, "wire/", {"wire"});
   code.blank();
   if (limits) code.line("#include <limits>");
   code.line("#include <type_traits>").blank();

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 #include "compiler/model/artefact.h"
 #include "compiler/model/model.h"
 

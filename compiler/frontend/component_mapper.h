@@ -1,7 +1,7 @@
 #pragma once
 // SUTURE_COMPONENT: what a class provides and requires, and what it is made from.
 
-#include "compiler/frontend/mapping.h"
+#include "compiler/frontend/types/mapping.h"
 
 namespace suture::compiler::frontend {
 

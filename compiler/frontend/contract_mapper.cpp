@@ -2,8 +2,8 @@
 
 #include <clang/AST/DeclTemplate.h>
 
-#include "compiler/frontend/names.h"
-#include "compiler/frontend/type_mapper.h"
+#include "compiler/frontend/ast/names.h"
+#include "compiler/frontend/types/type_mapper.h"
 
 namespace suture::compiler::frontend {
 namespace {

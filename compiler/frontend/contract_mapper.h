@@ -1,7 +1,7 @@
 #pragma once
 // SUTURE_INTERFACE: commands and events.
 
-#include "compiler/frontend/mapping.h"
+#include "compiler/frontend/types/mapping.h"
 
 namespace suture::compiler::frontend {
 

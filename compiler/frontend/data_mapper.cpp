@@ -2,11 +2,11 @@
 
 #include <clang/AST/DeclFriend.h>
 
-#include "compiler/frontend/defaults.h"
-#include "compiler/frontend/initialiser.h"
-#include "compiler/frontend/names.h"
-#include "compiler/frontend/scalars.h"
-#include "compiler/frontend/type_mapper.h"
+#include "compiler/frontend/ast/defaults.h"
+#include "compiler/frontend/ast/initialiser.h"
+#include "compiler/frontend/ast/names.h"
+#include "compiler/frontend/types/scalars.h"
+#include "compiler/frontend/types/type_mapper.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::frontend {

@@ -1,22 +1,10 @@
 #pragma once
 // SUTURE_TYPE and SUTURE_EXTERNAL_TYPE: structs and enums.
 
-#include "compiler/frontend/mapping.h"
+#include "compiler/frontend/types/data_declaration.h"
+#include "compiler/frontend/types/mapping.h"
 
 namespace suture::compiler::frontend {
-
-/// A struct that enters the model: one that is annotated itself, an instance of a template by its
-/// alias, or somebody else's.
-struct DataDeclaration {
-  const clang::CXXRecordDecl* record;  ///< what it is made of
-  const clang::NamedDecl* place;       ///< what gives it its name and home: errors stand there
-  std::string name;                    ///< qualified
-  std::string wireName;
-  /// The members that count, of somebody else's; absent: all of them.
-  std::optional<std::vector<ExternalMember>> listed;
-  std::optional<std::string> was{};
-  model::Lifecycle lifecycle{};
-};
 
 model::Enum mapEnumDeclaration(const clang::EnumDecl* declaration, Mapping& mapping);
 model::Struct mapStructDeclaration(const DataDeclaration& declared, Mapping& mapping);

@@ -3,8 +3,8 @@
 #include <clang/Lex/HeaderSearch.h>
 #include <clang/Sema/Sema.h>
 
-#include "compiler/frontend/header_table.h"
-#include "compiler/frontend/reporter.h"
+#include "compiler/frontend/ast/header_table.h"
+#include "compiler/frontend/report/reporter.h"
 #include "compiler/frontend/translation_unit.h"
 #include "compiler/frontend/unit_mapper.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/model/artefact.h"
+#include "compiler/frontend/report/fixes.h"
 #include "compiler/model/diagnostic.h"
 #include "compiler/model/model.h"
 
@@ -19,12 +19,6 @@ struct Request {
   std::string resourceDirectory;  ///< clang's own headers: <dir>/include/stddef.h
   std::vector<std::string> clangArguments;
   std::set<std::string> fatalWarnings;  ///< slugs, or "all"
-};
-
-/// What the fix-its of all errors so far come to.
-struct Fixes {
-  std::vector<model::Artefact> files;  ///< whole new texts, by absolute path
-  unsigned fixed = 0, open = 0;        ///< errors with and without a fix-it
 };
 
 /// One run of clang over one translation unit that includes all headers of a target. It stays open

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "compiler/frontend/names.h"
+#include "compiler/frontend/ast/names.h"
 
 namespace suture::compiler::frontend {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // Names that generated code declares in the user's namespace, so that nothing else may have them.
 
-#include "compiler/frontend/mapping.h"
+#include "compiler/frontend/types/mapping.h"
 
 namespace suture::compiler::frontend {
 

@@ -10,9 +10,9 @@
 
 #include <set>
 
-#include "compiler/frontend/annotation.h"
-#include "compiler/frontend/generated_headers.h"
-#include "compiler/frontend/include_guard.h"
+#include "compiler/frontend/ast/annotation.h"
+#include "compiler/frontend/ast/generated_headers.h"
+#include "compiler/frontend/ast/include_guard.h"
 
 namespace suture::compiler::frontend {
 namespace {

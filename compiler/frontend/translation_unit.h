@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "compiler/frontend/annotation_uses.h"
-#include "compiler/frontend/fix_collector.h"
+#include "compiler/frontend/ast/annotation_uses.h"
 #include "compiler/frontend/frontend.h"
-#include "compiler/frontend/message_stream.h"
+#include "compiler/frontend/report/fix_collector.h"
+#include "compiler/frontend/report/message_stream.h"
 
 namespace suture::compiler::frontend {
 

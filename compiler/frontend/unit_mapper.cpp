@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <functional>
 
+#include "compiler/frontend/ast/names.h"
 #include "compiler/frontend/component_mapper.h"
 #include "compiler/frontend/contract_mapper.h"
 #include "compiler/frontend/data_mapper.h"
 #include "compiler/frontend/generated_names.h"
 #include "compiler/frontend/imports.h"
 #include "compiler/frontend/inheritance.h"
-#include "compiler/frontend/names.h"
-#include "compiler/frontend/type_names.h"
+#include "compiler/frontend/types/type_names.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::frontend {

@@ -3,9 +3,9 @@
 
 #include <clang/Sema/Sema.h>
 
-#include "compiler/frontend/annotation_uses.h"
-#include "compiler/frontend/header_table.h"
-#include "compiler/frontend/mapping.h"
+#include "compiler/frontend/ast/annotation_uses.h"
+#include "compiler/frontend/ast/header_table.h"
+#include "compiler/frontend/types/mapping.h"
 
 namespace suture::compiler::frontend {
 

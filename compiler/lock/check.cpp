@@ -4,12 +4,12 @@
 #include <string_view>
 #include <utility>
 
-#include "compiler/lock/lock.h"
-#include "compiler/lock/majors.h"
+#include "compiler/lock/major_versions.h"
 #include "compiler/lock/merge.h"
+#include "compiler/lock/schema/lock.h"
+#include "compiler/lock/schema/wire_type.h"
+#include "compiler/lock/schema/writer.h"
 #include "compiler/lock/wanted.h"
-#include "compiler/lock/wire_type.h"
-#include "compiler/lock/writer.h"
 
 namespace suture::compiler::lock {
 namespace {

@@ -1,10 +1,10 @@
 #include "compiler/lock/contract_hash.h"
 
-#include "compiler/lock/majors.h"
-#include "compiler/lock/sha256.h"
+#include "compiler/lock/major_versions.h"
+#include "compiler/lock/schema/sha256.h"
+#include "compiler/lock/schema/wire_type.h"
 #include "compiler/lock/wanted.h"
 #include "compiler/lock/wire_contract.h"
-#include "compiler/lock/wire_type.h"
 
 namespace suture::compiler::lock {
 namespace {

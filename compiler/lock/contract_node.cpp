@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/lock/wire_type.h"
+#include "compiler/lock/schema/wire_type.h"
 
 namespace suture::compiler::lock {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 
 namespace suture::compiler::lock {
 

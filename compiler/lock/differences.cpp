@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "compiler/lock/majors.h"
-#include "compiler/lock/renames.h"
+#include "compiler/lock/major_versions.h"
+#include "compiler/lock/schema/renames.h"
+#include "compiler/lock/schema/wire_type.h"
 #include "compiler/lock/wanted.h"
-#include "compiler/lock/wire_type.h"
 
 namespace suture::compiler::lock {
 namespace {

@@ -4,9 +4,9 @@
 #include <map>
 #include <utility>
 
-#include "compiler/lock/renames.h"
-#include "compiler/lock/wire_type.h"
-#include "compiler/lock/writer.h"
+#include "compiler/lock/schema/renames.h"
+#include "compiler/lock/schema/wire_type.h"
+#include "compiler/lock/schema/writer.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::lock {

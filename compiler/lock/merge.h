@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 #include "compiler/lock/wanted.h"
 
 namespace suture::compiler::lock {

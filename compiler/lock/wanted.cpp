@@ -4,10 +4,10 @@
 #include <set>
 #include <utility>
 
-#include "compiler/lock/composites.h"
-#include "compiler/lock/default_value.h"
-#include "compiler/lock/sha256.h"
-#include "compiler/lock/wire_type.h"
+#include "compiler/lock/schema/composites.h"
+#include "compiler/lock/schema/default_value.h"
+#include "compiler/lock/schema/sha256.h"
+#include "compiler/lock/schema/wire_type.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::lock {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 #include "compiler/model/lookup.h"
 
 namespace suture::compiler::lock {

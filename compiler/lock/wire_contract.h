@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 
 namespace suture::compiler::lock {
 

@@ -3,7 +3,7 @@
 // drives.
 
 #include <suture/base/time.h>
-#include <suture/component/connected_client.h>
+#include <suture/component/channel/connected_client.h>
 
 #include <array>
 #include <limits>
@@ -13,10 +13,10 @@
 #include "arm/arm_warning.h"
 #include "arm_control/drive_reading.h"
 #include "arm_control/drive_watch.h"
-#include "arm_control/joint_line.h"
-#include "arm_control/joint_move.h"
+#include "arm_control/motion/joint_line.h"
+#include "arm_control/motion/joint_move.h"
+#include "arm_control/motion/setpoint_rate.h"
 #include "arm_control/operating_states.h"
-#include "arm_control/setpoint_rate.h"
 #include "arm_control/warnings.h"
 #include "dynamics/arm_dynamics.h"
 #include "kinematics/inverse.h"

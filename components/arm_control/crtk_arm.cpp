@@ -5,7 +5,7 @@
 #include <iterator>
 #include <vector>
 
-#include "arm_control/goals.h"
+#include "arm_control/motion/goals.h"
 #include "arm_control/tip_force.h"
 #include "timing/seconds.h"
 

@@ -12,9 +12,9 @@
 
 #include "arm/arm.h"
 #include "arm_control/arm_controller.h"
-#include "arm_control/motion_stream.h"
+#include "arm_control/motion/motion_stream.h"
+#include "arm_control/motion/stream_goals.h"
 #include "arm_control/period_statistics.h"
-#include "arm_control/stream_goals.h"
 
 namespace robots {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "arm_control/goals.h"
+#include "arm_control/motion/goals.h"
 #include "timing/seconds.h"
 
 namespace robots {

@@ -2,7 +2,7 @@
 // The contract Jaw on the arm that holds the instrument.
 
 #include <suture/base/time.h>
-#include <suture/component/connected_client.h>
+#include <suture/component/channel/connected_client.h>
 #include <suture/standard/message_draft.h>
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 #include "arm/jaw.h"
 #include "arm_control/arm_controller.h"
-#include "arm_control/joint_move.h"
-#include "arm_control/setpoint_rate.h"
+#include "arm_control/motion/joint_move.h"
+#include "arm_control/motion/setpoint_rate.h"
 #include "arm_control/tool_state.h"
 #include "arm_control/warnings.h"
 #include "timing/stream_watch.h"

@@ -3,8 +3,8 @@
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
-#include <suture/component/periodic_task.h>
 #include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <chrono>
 #include <cstdint>

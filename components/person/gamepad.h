@@ -3,9 +3,9 @@
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
-#include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/standard/message_port.h>
 
 #include <chrono>

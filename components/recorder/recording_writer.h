@@ -2,7 +2,7 @@
 // Takes rows from a control loop to a file.
 
 #include <suture/base/errors.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <atomic>
 #include <chrono>

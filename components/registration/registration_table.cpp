@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string>
 
-#include "arm_control/goals.h"
+#include "arm_control/motion/goals.h"
 
 namespace robots {
 namespace {

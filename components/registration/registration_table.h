@@ -2,8 +2,8 @@
 // The task that holds the registration of a deployment.
 
 #include <suture/annotate.h>
-#include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/standard/message_port.h>
 
 #include "registration/registration.suture.h"

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "arm_control/smooth_step.h"
+#include "arm_control/motion/smooth_step.h"
 
 namespace robots {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "arm_control/smooth_step.h"
+#include "arm_control/motion/smooth_step.h"
 #include "surgeon/pause.h"
 #include "timing/seconds.h"
 

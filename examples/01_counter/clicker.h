@@ -1,7 +1,7 @@
 #pragma once
 // The client: knows the contract, and nothing of where the provider is.
 
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <chrono>
 #include <cstdio>

@@ -3,8 +3,8 @@
 // 01_counter client     / `suture-manager` must run
 
 #include <suture/base/errors.h>
-#include <suture/manager/global_manager.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 
 #include <chrono>
 #include <cstdio>

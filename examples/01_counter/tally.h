@@ -1,7 +1,7 @@
 #pragma once
 // The provider: an ordinary class that implements the contract, in a thread of its own.
 
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 
 #include "01_counter/counter.suture.h"
 

@@ -2,7 +2,7 @@
 // The provider: a simulated camera.
 
 #include <suture/annotate.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include "03_own_data_type/tracker.suture.h"
 

@@ -4,7 +4,7 @@
 
 #include <suture/annotate.h>
 #include <suture/base/errors.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include "04_contract_and_loss/joystick.suture.h"
 

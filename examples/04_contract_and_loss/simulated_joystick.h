@@ -2,7 +2,7 @@
 // The provider: somebody turns the stick slowly and steadily.
 
 #include <suture/annotate.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <chrono>
 

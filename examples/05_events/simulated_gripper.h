@@ -2,7 +2,7 @@
 // The provider: jaws that close on something soft, and touch it three times before they hold it.
 
 #include <suture/annotate.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include "05_events/gripper.suture.h"
 

@@ -2,8 +2,8 @@
 // The client that this example adds: prints how far a master and a slave have moved.
 
 #include <suture/annotate.h>
-#include <suture/component/periodic_task.h>
 #include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <Eigen/Core>
 #include <cstdint>

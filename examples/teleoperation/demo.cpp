@@ -14,15 +14,15 @@
 #include <system_error>
 #include <vector>
 
-#include "break.h"
-#include "comparison.h"
-#include "crew.h"
 #include "following_watch.h"
-#include "knot_picture.h"
-#include "plan.h"
+#include "picture/knot_picture.h"
 #include "result_file.h"
-#include "screen.h"
-#include "topologies.h"
+#include "run/break.h"
+#include "run/plan.h"
+#include "run/processes.h"
+#include "run/topologies.h"
+#include "tables/comparison.h"
+#include "tables/screen.h"
 #include "verdict.h"
 
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "plan.h"
 #include "recorder/judge.h"
 #include "recorder/recording.h"
+#include "run/plan.h"
 
 namespace demo {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "paper_table.h"
+#include "tables/paper_table.h"
 
 namespace demo {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "crew.h"
-#include "plan.h"
+#include "run/plan.h"
+#include "run/processes.h"
 #include "verdict.h"
 
 namespace demo {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "recorder/recording.h"
-#include "stop.h"
+#include "run/stop.h"
 #include "timing/seconds.h"
 
 namespace demo {

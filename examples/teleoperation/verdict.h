@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "crew.h"
 #include "following_watch.h"
-#include "plan.h"
 #include "recorder/hold_judge.h"
 #include "recorder/knot_judge.h"
+#include "run/plan.h"
+#include "run/processes.h"
 
 namespace demo {
 

@@ -1,7 +1,7 @@
 // Written by suturec from 01_counter/clicker.h. Do not edit.
 #pragma once
 
-#include <suture/component/component_class.h>
+#include <suture/component/factory/component_class.h>
 
 #include "01_counter/clicker.h"
 #include "01_counter/counter.suture.h"

@@ -1,7 +1,7 @@
 // Written by suturec from 01_counter/tally.h. Do not edit.
 #include "01_counter/tally.suture.h"
 
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include <type_traits>
 

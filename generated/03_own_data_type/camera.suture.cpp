@@ -1,8 +1,8 @@
 // Written by suturec from 03_own_data_type/camera.h. Do not edit.
 #include "03_own_data_type/camera.suture.h"
 
-#include <suture/component/json_reader.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/component/factory/json_reader.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

@@ -1,8 +1,8 @@
 // Written by suturec from 03_own_data_type/camera.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
-#include <suture/component/component_class.h>
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/factory/component_class.h>
 
 #include "03_own_data_type/camera.h"
 #include "03_own_data_type/observation.suture.h"

@@ -1,7 +1,7 @@
 // Written by suturec from 03_own_data_type/display.h. Do not edit.
 #include "03_own_data_type/display.suture.h"
 
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include <type_traits>
 

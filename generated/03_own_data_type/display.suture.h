@@ -1,7 +1,7 @@
 // Written by suturec from 03_own_data_type/display.h. Do not edit.
 #pragma once
 
-#include <suture/component/component_class.h>
+#include <suture/component/factory/component_class.h>
 
 #include "03_own_data_type/display.h"
 #include "03_own_data_type/tracker.suture.h"

@@ -1,7 +1,7 @@
 // Written by suturec from 03_own_data_type/observation.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
+#include <suture/base/slots/slot_forms.h>
 
 #include "03_own_data_type/observation.h"
 

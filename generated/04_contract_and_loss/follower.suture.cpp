@@ -1,7 +1,7 @@
 // Written by suturec from 04_contract_and_loss/follower.h. Do not edit.
 #include "04_contract_and_loss/follower.suture.h"
 
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include <type_traits>
 

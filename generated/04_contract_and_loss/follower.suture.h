@@ -1,7 +1,7 @@
 // Written by suturec from 04_contract_and_loss/follower.h. Do not edit.
 #pragma once
 
-#include <suture/component/component_class.h>
+#include <suture/component/factory/component_class.h>
 
 #include "04_contract_and_loss/follower.h"
 #include "04_contract_and_loss/joystick.suture.h"

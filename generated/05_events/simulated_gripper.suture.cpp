@@ -1,7 +1,7 @@
 // Written by suturec from 05_events/simulated_gripper.h. Do not edit.
 #include "05_events/simulated_gripper.suture.h"
 
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include <type_traits>
 

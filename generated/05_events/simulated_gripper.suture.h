@@ -1,7 +1,7 @@
 // Written by suturec from 05_events/simulated_gripper.h. Do not edit.
 #pragma once
 
-#include <suture/component/component_class.h>
+#include <suture/component/factory/component_class.h>
 
 #include "05_events/simulated_gripper.h"
 #include "05_events/gripper.suture.h"

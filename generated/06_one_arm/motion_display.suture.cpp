@@ -1,7 +1,7 @@
 // Written by suturec from 06_one_arm/motion_display.h. Do not edit.
 #include "06_one_arm/motion_display.suture.h"
 
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include <type_traits>
 

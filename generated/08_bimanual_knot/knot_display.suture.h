@@ -1,7 +1,7 @@
 // Written by suturec from 08_bimanual_knot/knot_display.h. Do not edit.
 #pragma once
 
-#include <suture/component/component_class.h>
+#include <suture/component/factory/component_class.h>
 
 #include "08_bimanual_knot/knot_display.h"
 #include "guidance/guidance.suture.h"

@@ -1,10 +1,10 @@
 // Written by suturec from console/console.h. Do not edit.
 #include "console/console.suture.h"
 
-#include <suture/transport/rpc/binding.h>
-#include <suture/transport/rpc/proxy_port.h>
-#include <suture/transport/rpc/servant_port.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/lane/rpc/binding.h>
+#include <suture/lane/rpc/proxy_port.h>
+#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

@@ -1,8 +1,8 @@
 // Written by suturec from console/system_console.h. Do not edit.
 #include "console/system_console.suture.h"
 
-#include <suture/component/json_reader.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/component/factory/json_reader.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

@@ -1,8 +1,8 @@
 // Written by suturec from drives/drive_dynamics.h. Do not edit.
 #include "drives/drive_dynamics.suture.h"
 
-#include <suture/component/json_reader.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/component/factory/json_reader.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

@@ -1,7 +1,7 @@
 // Written by suturec from drives/drive_dynamics.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
+#include <suture/base/slots/slot_forms.h>
 
 #include "drives/drive_dynamics.h"
 

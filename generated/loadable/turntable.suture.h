@@ -1,7 +1,7 @@
 // Written by suturec from loadable/turntable.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
+#include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>

@@ -1,8 +1,8 @@
 // Written by suturec from recorder/knot_recorder.h. Do not edit.
 #include "recorder/knot_recorder.suture.h"
 
-#include <suture/component/json_reader.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/component/factory/json_reader.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

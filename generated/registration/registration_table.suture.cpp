@@ -1,7 +1,7 @@
 // Written by suturec from registration/registration_table.h. Do not edit.
 #include "registration/registration_table.suture.h"
 
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include <type_traits>
 

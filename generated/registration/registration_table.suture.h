@@ -1,7 +1,7 @@
 // Written by suturec from registration/registration_table.h. Do not edit.
 #pragma once
 
-#include <suture/component/component_class.h>
+#include <suture/component/factory/component_class.h>
 
 #include "registration/registration_table.h"
 #include "registration/registration.suture.h"

@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/inputs.h. Do not edit.
 #include "robot_types/inputs.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/joint_commands.h. Do not edit.
 #include "robot_types/joint_commands.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

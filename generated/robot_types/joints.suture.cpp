@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/joints.h. Do not edit.
 #include "robot_types/joints.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

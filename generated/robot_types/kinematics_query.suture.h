@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/kinematics_query.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
+#include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/kinematics_query.h"
 

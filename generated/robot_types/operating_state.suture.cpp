@@ -1,7 +1,7 @@
 // Written by suturec from robot_types/operating_state.h. Do not edit.
 #include "robot_types/operating_state.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

@@ -1,8 +1,8 @@
 // Written by suturec from surgeon/operator.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
-#include <suture/component/component_class.h>
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/factory/component_class.h>
 
 #include "surgeon/operator.h"
 #include "guidance/guidance.suture.h"

@@ -1,7 +1,7 @@
-#include <suture/cli/answer_text.h>
-#include <suture/cli/arguments.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
+#include "cli/command_line/arguments.h"
+#include "cli/text/answer_text.h"
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 namespace suture::cli {
 

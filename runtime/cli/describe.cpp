@@ -1,8 +1,8 @@
-#include <suture/cli/contract_text.h>
-#include <suture/cli/meeting.h>
-#include <suture/cli/process_text.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
+#include "cli/peer/lookup.h"
+#include "cli/text/contract_text.h"
+#include "cli/text/process_text.h"
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 namespace suture::cli {
 namespace {

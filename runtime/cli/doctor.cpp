@@ -1,9 +1,9 @@
 #include <suture/base/errors.h>
-#include <suture/cli/examination.h>
-#include <suture/cli/meeting.h>
-#include <suture/cli/names.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
+#include "cli/checklist.h"
+#include "cli/peer/lookup.h"
+#include "cli/peer/names.h"
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 #include <algorithm>
 #include <optional>
@@ -45,9 +45,9 @@ std::string look(Peer& peer, const Target& target) {
   return count(peer.components().size(), "component");
 }
 
-Examination examine(rpc::EventPort& loop, const Options& options, Names& names,
-                    const Target& target) {
-  Examination all(target.toString());
+Checklist examine(rpc::EventPort& loop, const Options& options, Names& names,
+                  const Target& target) {
+  Checklist all(target.toString());
   std::optional<Peer> peer;
   all.step("resolve", "Start the process, with this manager's address", [&] {
     peer.emplace(loop, names.process(target.process), options);
@@ -75,11 +75,11 @@ Examination examine(rpc::EventPort& loop, const Options& options, Names& names,
   return all;
 }
 
-std::vector<Examination> examineAll(rpc::EventPort& loop, const Options& options) {
+std::vector<Checklist> examineAll(rpc::EventPort& loop, const Options& options) {
   std::vector<Target> targets;
   for (const std::string& name : options.targets) targets.push_back(Target::parse(name));
   std::optional<Names> names;
-  std::vector<Examination> done;
+  std::vector<Checklist> done;
   done.emplace_back("the global manager").step("manager", "Restart the manager", [&] {
     names.emplace(loop, options);
     const auto processes = names->processes();
@@ -98,13 +98,13 @@ std::vector<Examination> examineAll(rpc::EventPort& loop, const Options& options
 int doctor(rpc::EventPort& loop, const Options& options) {
   const auto done = examineAll(loop, options);
   const bool good =
-      std::all_of(done.begin(), done.end(), [](const Examination& one) { return one.good(); });
+      std::all_of(done.begin(), done.end(), [](const Checklist& one) { return one.good(); });
   if (options.json) {
     Json all = Json::array();
-    for (const Examination& one : done) all.push_back(one.json());
+    for (const Checklist& one : done) all.push_back(one.json());
     printJson({{"good", good}, {"examinations", std::move(all)}});
   } else {
-    for (const Examination& one : done) print(one.text());
+    for (const Checklist& one : done) print(one.text());
   }
   return good ? 0 : 1;
 }

@@ -1,5 +1,5 @@
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 namespace suture::cli {
 

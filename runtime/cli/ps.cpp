@@ -1,7 +1,7 @@
-#include <suture/cli/names.h>
-#include <suture/cli/process_text.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
+#include "cli/peer/names.h"
+#include "cli/text/process_text.h"
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 namespace suture::cli {
 namespace {

@@ -1,6 +1,6 @@
-#include <suture/cli/answer_text.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
+#include "cli/text/answer_text.h"
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 namespace suture::cli {
 

@@ -1,8 +1,8 @@
 #include <suture/base/errors.h>
-#include <suture/cli/provider.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/target.h>
-#include <suture/cli/verbs.h>
+#include "cli/command_line/target.h"
+#include "cli/peer/provider.h"
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 namespace suture::cli {
 namespace {

@@ -2,11 +2,11 @@
 // what it looks at.
 
 #include <suture/base/nearest.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
-#include <suture/deploy/json_document.h>
-#include <suture/manager/global_manager.h>
-#include <suture/transport/tls/keys.h>
+#include <suture/deploy/document/json_document.h>
+#include <suture/names/global_manager.h>
+#include <suture/net/tls/keys.h>
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

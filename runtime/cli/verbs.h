@@ -2,8 +2,8 @@
 // What `suture` can do. Each prints to standard output and returns the exit status: 0, or 1 where
 // the answer is "no"; throws SetupError or UsageError where there is none.
 
-#include <suture/cli/options.h>
-#include <suture/transport/rpc/event_port.h>
+#include <suture/loop/event_port.h>
+#include "cli/command_line/options.h"
 
 namespace suture::cli {
 

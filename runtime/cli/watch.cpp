@@ -1,8 +1,8 @@
 #include <suture/base/errors.h>
-#include <suture/cli/answer_text.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
-#include <suture/cli/wait.h>
+#include "cli/peer/wait.h"
+#include "cli/text/answer_text.h"
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 #include <array>
 #include <chrono>

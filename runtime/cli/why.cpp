@@ -1,8 +1,8 @@
-#include <suture/cli/meeting.h>
-#include <suture/cli/screen.h>
-#include <suture/cli/verbs.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/frames.h>
+#include "cli/peer/lookup.h"
+#include "cli/text/screen.h"
+#include "cli/verbs.h"
 
 #include <algorithm>
 #include <optional>

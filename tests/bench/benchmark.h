@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "bench/report.h"
+#include "bench/figures/report.h"
 
 namespace bench {
 

@@ -1,8 +1,8 @@
 #pragma once
 // Who looks at images in a measurement.
 
-#include <suture/component/periodic_task.h>
 #include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <atomic>
 #include <chrono>

@@ -9,14 +9,14 @@
 #include <stdexcept>
 
 #include "bench/benchmark.h"
-#include "bench/bounds.h"
-#include "bench/machine.h"
-#include "bench/network/arm_process.h"
-#include "bench/network/image_process.h"
-#include "bench/network/sample_process.h"
-#include "bench/network/subscriber_process.h"
+#include "bench/figures/bounds.h"
+#include "bench/figures/machine.h"
+#include "bench/network/processes/arm_process.h"
+#include "bench/network/processes/image_process.h"
+#include "bench/network/processes/sample_process.h"
+#include "bench/network/processes/subscriber_process.h"
 #include "bench/stop/stop_process.h"
-#include "bench/table2/server_process.h"
+#include "bench/table2/processes/server_process.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bench/statistics.h"
+#include "bench/figures/statistics.h"
 
 namespace bench {
 

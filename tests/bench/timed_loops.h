@@ -5,7 +5,7 @@
 #include <ctime>
 #include <vector>
 
-#include "bench/statistics.h"
+#include "bench/figures/statistics.h"
 
 namespace bench {
 

@@ -1,5 +1,5 @@
 // Commands with several arguments, and commands that return a value.
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 
 #include <limits>
 

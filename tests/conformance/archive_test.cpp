@@ -1,15 +1,15 @@
 // What has no bounds, between devices: it arrives whole, and what is dropped, replaced or given up
 // on the way is freed, as AddressSanitizer's leak check tells.
 
-#include "conformance/archive.h"
+#include "conformance/ends/archive.h"
 
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/component/channel.h>
-#include <suture/component/event_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/task/event_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include "support/eventually.h"
 #include "support/patience.h"

@@ -1,5 +1,5 @@
 // Every kind of command.
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/read_together.h>
 
 #include "conformance/setup.h"

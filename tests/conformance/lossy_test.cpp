@@ -1,13 +1,13 @@
 // Some lanes lose, repeat and reorder messages: of what the client sent and the provider executed,
-// the rules of a history hold all the same (fault/history.h).
-#include <suture/component/channel.h>
+// the rules of a history hold all the same (fault/history/history.h).
+#include <suture/component/channel/channel.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
 
 #include "conformance/setup.h"
-#include "fault/history.h"
+#include "fault/history/history.h"
 
 namespace conformance {
 namespace {

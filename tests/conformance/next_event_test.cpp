@@ -1,5 +1,5 @@
 // Waiting for one event.
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 
 #include <optional>
 

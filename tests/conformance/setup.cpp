@@ -1,10 +1,10 @@
 #include "conformance/setup.h"
 
-#include <suture/component/channel.h>
-#include <suture/manager/global_manager.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/tls/certificate.h>
-#include <suture/transport/tls/key_maker.h>
+#include <suture/component/channel/channel.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/global_manager.h>
+#include <suture/net/tls/certificate.h>
+#include <suture/net/tls/key_maker.h>
 #include <unistd.h>
 
 #include "support/patience.h"

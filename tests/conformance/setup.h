@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "conformance/client.h"
-#include "conformance/provider.h"
+#include "conformance/ends/client.h"
+#include "conformance/ends/provider.h"
 #include "conformance/rows.h"
 #include "support/eventually.h"
 #include "support/patience.h"

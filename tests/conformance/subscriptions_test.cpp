@@ -1,5 +1,5 @@
 // Subscribing and unsubscribing while both ends run.
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 
 #include "conformance/setup.h"
 #include "support/patience.h"

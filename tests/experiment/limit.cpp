@@ -6,9 +6,9 @@
 #include <chrono>
 
 #include "experiment/experiment.h"
-#include "experiment/operating_room.h"
+#include "experiment/room/operating_room.h"
 #include "integration/operator/lag_probe.h"
-#include "integration/teleoperation/knot_scene.h"
+#include "integration/teleoperation/scene/knot_scene.h"
 #include "surgeon/operator.h"
 
 namespace experiment {

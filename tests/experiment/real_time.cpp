@@ -10,8 +10,8 @@
 #include "experiment/forked.h"
 #include "experiment/link/forwarder.h"
 #include "experiment/record.h"
-#include "experiment/sides.h"
-#include "experiment/truth.h"
+#include "experiment/room/sides.h"
+#include "experiment/room/truth.h"
 
 namespace experiment {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "experiment/experiment.h"
-#include "experiment/operating_room.h"
+#include "experiment/room/operating_room.h"
 #include "surgeon/operator.h"
 
 namespace experiment {

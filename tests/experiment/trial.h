@@ -2,7 +2,7 @@
 // One trial of the experiment: what it varies.
 
 #include <suture/base/time.h>
-#include <suture/transport/delay/connection_delay.h>
+#include <suture/lane/delay/connection_delay.h>
 
 #include <cstdint>
 #include <vector>

@@ -1,18 +1,18 @@
 #include "explorer/world.h"
 
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/observe/observe.h>
 #include <suture/testing/test_clock.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <array>
 #include <memory>
 #include <optional>
 #include <random>
 
-#include "fault/history_arm.h"
-#include "fault/history_caller.h"
+#include "fault/history/history_arm.h"
+#include "fault/history/history_caller.h"
 #include "support/temporary_directory.h"
 #include "support/test_thread.h"
 

@@ -2,19 +2,19 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/task/event_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/observe/observe.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <functional>
 #include <thread>
 #include <utility>
 
-#include "conformance/gate.h"
+#include "conformance/ends/gate.h"
 #include "fault/faulty_arm.h"
-#include "fault/history_arm.h"
+#include "fault/history/history_arm.h"
 #include "fault/system.h"
 #include "support/contains.h"
 #include "support/patience.h"

@@ -1,8 +1,8 @@
 #pragma once
 // Stands between two processes and breaks what they say, by the byte.
 
-#include <suture/transport/rpc/address.h>
-#include <suture/transport/rpc/descriptor_passing.h>
+#include <suture/net/address.h>
+#include <suture/net/descriptor_passing.h>
 
 #include <atomic>
 #include <cstddef>

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <suture/base/sanitizers.h>
-#include <suture/transport/rpc/address.h>
+#include <suture/net/address.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>

@@ -1,8 +1,8 @@
 #pragma once
 // An arm that hangs for as long as a file exists.
 
-#include <suture/component/event_task.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <unistd.h>
 
 #include <atomic>

@@ -1,7 +1,7 @@
 // A provider is told that the process of its client has been killed, or says nothing any more.
 
 #include <gtest/gtest.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
 
 #include <atomic>

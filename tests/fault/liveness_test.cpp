@@ -1,10 +1,10 @@
 // A provider's process that stops, a task in it that hangs, and one that only sleeps.
 
 #include <gtest/gtest.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/observe/observe.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <filesystem>
 #include <fstream>

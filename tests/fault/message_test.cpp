@@ -1,18 +1,18 @@
 // Each fault that may befall single messages, on each lane: what must hold all the same.
 
 #include <gtest/gtest.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/observe/observe.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <cstdlib>
 #include <memory>
 #include <string>
 #include <tuple>
 
-#include "fault/history_arm.h"
-#include "fault/history_caller.h"
+#include "fault/history/history_arm.h"
+#include "fault/history/history_caller.h"
 #include "fault/system.h"
 #include "support/patience.h"
 

@@ -1,9 +1,9 @@
 #pragma once
 // A client of an arm that shows what its connection does to it.
 
-#include <suture/component/channel.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <atomic>
 

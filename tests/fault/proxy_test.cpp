@@ -1,8 +1,8 @@
 // A client and its provider with a proxy between them that breaks what they say, on each lane.
 
 #include <gtest/gtest.h>
-#include <suture/manager/manager_link.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/manager_link.h>
 
 #include <functional>
 #include <thread>

@@ -1,9 +1,9 @@
 // Peers and managers that are killed and started again.
 
 #include <gtest/gtest.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include <algorithm>
 #include <cstdlib>

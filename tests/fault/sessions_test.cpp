@@ -4,12 +4,12 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <suture/manager/global_manager.h>
+#include <suture/framing/link.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/manager/manager_link.h>
+#include <suture/names/global_manager.h>
+#include <suture/names/manager_link.h>
 #include <suture/peer.capnp.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/link.h>
 #include <sys/socket.h>
 
 #include <cstdlib>

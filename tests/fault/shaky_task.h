@@ -1,7 +1,7 @@
 #pragma once
 // A task that fails all the time.
 
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <chrono>
 #include <stdexcept>

@@ -8,7 +8,7 @@
 #include <thread>
 #include <tuple>
 
-#include "fault/history_caller.h"
+#include "fault/history/history_caller.h"
 #include "fault/system.h"
 
 namespace suture {

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "fault/history.h"
+#include "fault/history/history.h"
 #include "paths.h"
 #include "support/child.h"
 #include "support/eventually.h"

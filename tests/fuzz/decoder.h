@@ -2,12 +2,12 @@
 // The converters of one generated type, as a fuzzer sees them: any message in, and what must hold
 // of whatever is accepted.
 
-#include <suture/transport/rpc/kj_comparisons.h>  // first
+#include <suture/loop/kj_comparisons.h>  // first
 
 #include <capnp/message.h>
 #include <capnp/schema.h>
 #include <suture/base/errors.h>
-#include <suture/base/shared_slot.h>
+#include <suture/base/slots/shared_slot.h>
 #include <suture/base/time.h>
 
 #include <chrono>

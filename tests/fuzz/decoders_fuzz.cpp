@@ -2,7 +2,7 @@
 // frame as a socket gives it, and goes the same way as there.
 
 #include <kj/exception.h>
-#include <suture/transport/rpc/received_message.h>
+#include <suture/framing/received_message.h>
 
 #include <algorithm>
 

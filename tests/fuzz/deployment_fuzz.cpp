@@ -1,7 +1,7 @@
 // The reader of deployment files on any bytes: problems that each name their line, or a system in
 // which every name leads somewhere.
 
-#include <suture/deploy/deployment.h>
+#include <suture/deploy/document/deployment.h>
 
 #include <algorithm>
 #include <string>

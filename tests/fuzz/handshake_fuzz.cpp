@@ -1,8 +1,8 @@
 // What a peer says first: the opening of a second connection, with its token, or the messages of a
 // link. The bytes come in any pieces, and then no more.
 
-#include <suture/transport/rpc/message_stream.h>
-#include <suture/transport/rpc/opening.h>
+#include <suture/framing/message_stream.h>
+#include <suture/framing/preamble.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ std::vector<std::byte> beginning(Input& input) {
     case 0: {
       Token token{};
       token[0] = static_cast<std::byte>(input.byte());
-      const auto opening = openingOf(token);
+      const auto opening = preambleOf(token);
       bytes.assign(opening.begin(), opening.end());
       break;
     }
@@ -91,14 +91,14 @@ void readMessages(EventPort& port, ByteStream stream, const std::vector<std::byt
 void listen(const std::vector<std::byte>& bytes, std::size_t first) {
   EventPort port;
   Peer peer(bytes);
-  auto opening = readOpening(port, ByteStream(peer.connect()), kLimits);
+  auto opening = readPreamble(port, ByteStream(peer.connect()), kLimits);
   peer.say(first);
   opening.poll(port.scope());
   peer.say(bytes.size());
   peer.sayNoMore();
   Opened opened = opening.wait(port.scope());
   KJ_IF_MAYBE (token, opened.token) {
-    require(beginsWith(bytes, openingOf(*token).data(), openingOf(*token).size()));
+    require(beginsWith(bytes, preambleOf(*token).data(), preambleOf(*token).size()));
   } else {
     require(beginsWith(bytes, opened.begun.data(), opened.begun.size()));
     readMessages(port, kj::mv(opened.bytes), opened.begun);

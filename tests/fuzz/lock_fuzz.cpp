@@ -4,8 +4,8 @@
 #include <string>
 
 #include "compiler/lock/differences.h"
-#include "compiler/lock/lock.h"
-#include "compiler/lock/writer.h"
+#include "compiler/lock/schema/lock.h"
+#include "compiler/lock/schema/writer.h"
 #include "tests/fuzz/require.h"
 
 using namespace suture::compiler;

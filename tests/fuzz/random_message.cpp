@@ -1,7 +1,7 @@
 #include "tests/fuzz/random_message.h"
 
 #include <capnp/dynamic.h>
-#include <suture/transport/rpc/frame_header.h>
+#include <suture/framing/frame_header.h>
 
 #include <algorithm>
 #include <limits>

@@ -2,9 +2,9 @@
 // other process writes what is right, and anything anywhere in between; what a reader hands out can
 // be nothing else but a record of the contract, and stays as it is while it is looked at.
 
-#include <suture/rt/event_queue.h>
-#include <suture/rt/mailbox.h>
-#include <suture/rt/state_table.h>
+#include <suture/rt/queue/event_queue.h>
+#include <suture/rt/queue/mailbox.h>
+#include <suture/rt/state/state_table.h>
 
 #include <algorithm>
 #include <array>

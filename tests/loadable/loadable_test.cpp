@@ -1,8 +1,8 @@
 // Deployments that create components from a shared library.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/component/component_library.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/factory/component_library.h>
 #include <suture/deploy/host.h>
 
 #include <memory>

@@ -1,8 +1,8 @@
 #pragma once
 // The components of the library.
 
-#include <suture/component/event_task.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <chrono>
 #include <cstdint>

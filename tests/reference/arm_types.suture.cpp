@@ -1,7 +1,7 @@
 // Written by suturec from reference/arm_types.h. Do not edit.
 #include "reference/arm_types.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

@@ -1,7 +1,7 @@
 // Written by suturec from reference/arm_types.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
+#include <suture/base/slots/slot_forms.h>
 
 #include "reference/arm_types.h"
 

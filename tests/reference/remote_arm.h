@@ -2,14 +2,14 @@
 // A fixture for tests of a lane: an arm, and who uses it from another process.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/component/periodic_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/tls/certificate.h>
-#include <suture/transport/tls/key_maker.h>
-#include <suture/transport/tls/keys.h>
+#include <suture/names/global_manager.h>
+#include <suture/net/tls/certificate.h>
+#include <suture/net/tls/key_maker.h>
+#include <suture/net/tls/keys.h>
 
 #include <atomic>
 #include <chrono>

@@ -2,7 +2,7 @@
 // A component with parameters: the second half of the model of generated code.
 
 #include <suture/annotate.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <array>
 #include <string>

@@ -1,8 +1,8 @@
 // Written by suturec from reference/simulated_arm.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
-#include <suture/component/component_class.h>
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/factory/component_class.h>
 
 #include "reference/simulated_arm.h"
 #include "reference/arm_like.suture.h"

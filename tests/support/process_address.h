@@ -1,8 +1,8 @@
 #pragma once
 // Where a process listens, as its manager knows it.
 
-#include <suture/manager/manager_link.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/manager_link.h>
 
 #include <chrono>
 #include <string>

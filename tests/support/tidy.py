@@ -17,7 +17,7 @@ import sys
 
 TOOL = "clang-tidy-19"
 # As the root CMakeLists.txt has clang do, which includes it before anything else.
-FIRST = pathlib.Path(__file__).parents[2] / "runtime/transport/rpc/kj_comparisons.h"
+FIRST = pathlib.Path(__file__).parents[2] / "runtime/suture/loop/kj_comparisons.h"
 FINDING = re.compile(r": (?:warning|error): ")
 INCLUDED = re.compile(r'^#include "(.+)"$', re.M)
 

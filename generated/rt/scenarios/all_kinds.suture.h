@@ -1,7 +1,7 @@
 // Written by suturec from rt/scenarios/all_kinds.h. Do not edit.
 #pragma once
 
-#include <suture/base/slots.h>
+#include <suture/base/slots/slots.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
 #include <suture/component/provided.h>

@@ -1,10 +1,10 @@
 // Written by suturec from suture/standard/lifecycle.h. Do not edit.
 #include "suture/standard/lifecycle.suture.h"
 
-#include <suture/transport/rpc/binding.h>
-#include <suture/transport/rpc/proxy_port.h>
-#include <suture/transport/rpc/servant_port.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/lane/rpc/binding.h>
+#include <suture/lane/rpc/proxy_port.h>
+#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

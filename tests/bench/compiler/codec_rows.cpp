@@ -10,7 +10,7 @@
 #include "bench/compiler/fast_cdr.h"
 #include "bench/compiler/handwritten/record_conversions.h"
 #include "bench/compiler/parts.h"
-#include "bench/table.h"
+#include "bench/figures/table.h"
 #include "bench/table2/sample_pose.h"
 #include "bench/timed_loops.h"
 #include "robot_types/pose.suture.h"

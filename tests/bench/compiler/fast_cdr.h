@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "bench/statistics.h"
+#include "bench/figures/statistics.h"
 #include "robot_types/pose.h"
 
 namespace bench {

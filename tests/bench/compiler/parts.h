@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bench/compiler/options.h"
-#include "bench/report.h"
+#include "bench/figures/report.h"
 
 namespace bench {
 

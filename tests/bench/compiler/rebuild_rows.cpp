@@ -7,8 +7,8 @@
 
 #include "bench/compiler/ninja_build.h"
 #include "bench/compiler/parts.h"
+#include "bench/figures/table.h"
 #include "bench/progress.h"
-#include "bench/table.h"
 #include "paths.h"
 
 namespace bench {

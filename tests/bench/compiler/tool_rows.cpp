@@ -6,7 +6,7 @@
 
 #include "bench/compiler/parts.h"
 #include "bench/compiler/timed_command.h"
-#include "bench/table.h"
+#include "bench/figures/table.h"
 #include "paths.h"
 
 namespace bench {

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "bench/counted_options.h"
+#include "bench/figures/table.h"
 #include "bench/kinematics/queries.h"
 #include "bench/parts.h"
 #include "bench/shortest_calls.h"
-#include "bench/table.h"
 #include "bench/timed_loops.h"
 #include "kinematics/davinci.h"
 #include "kinematics/davinci_links.h"

@@ -1,10 +1,10 @@
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 
 #include <memory>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
 #include "bench/sample_loop.suture.h"
-#include "bench/table.h"
 #include "bench/timed_loops.h"
 
 namespace bench {

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <vector>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
-#include "bench/table.h"
 #include "bench/timed_loops.h"
 
 namespace bench {

@@ -1,16 +1,16 @@
 #include <suture/rt/doorbell.h>
+#include <suture/rt/queue/spsc_ring.h>
 #include <suture/rt/scheduling.h>
-#include <suture/rt/spsc_ring.h>
 #include <suture/wiring/connect.h>
 
 #include <cstring>
 #include <thread>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
 #include "bench/local/sample_client.h"
 #include "bench/local/sample_server.h"
 #include "bench/placement.h"
-#include "bench/table.h"
 
 namespace bench {
 namespace {

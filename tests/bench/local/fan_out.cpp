@@ -4,11 +4,11 @@
 
 #include <deque>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
 #include "bench/local/sample_device.h"
 #include "bench/local/sample_server.h"
 #include "bench/placement.h"
-#include "bench/table.h"
 #include "bench/timed_loops.h"
 
 namespace bench {

@@ -1,13 +1,13 @@
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/rt/histogram.h>
 #include <suture/rt/scheduling.h>
 
 #include <semaphore>
 #include <thread>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
 #include "bench/sleep_until.h"
-#include "bench/table.h"
 
 namespace bench {
 namespace {

@@ -1,11 +1,11 @@
-#include <suture/base/shared_slot.h>
-#include <suture/component/interface_info.h>
+#include <suture/base/slots/shared_slot.h>
+#include <suture/component/contract/interface_info.h>
 
 #include <algorithm>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
 #include "bench/sample_loop.suture.h"
-#include "bench/table.h"
 #include "bench/timed_loops.h"
 
 namespace bench {

@@ -1,5 +1,5 @@
 #include <suture/rt/scheduling.h>
-#include <suture/rt/state_table.h>
+#include <suture/rt/state/state_table.h>
 #include <suture/wiring/connect.h>
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 #include <cstring>
 #include <thread>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
 #include "bench/local/sample_device.h"
 #include "bench/local/sample_server.h"
-#include "bench/table.h"
 #include "bench/timed_loops.h"
 
 namespace bench {

@@ -1,10 +1,10 @@
-#include <suture/rt/spsc_ring.h>
+#include <suture/rt/queue/spsc_ring.h>
 
 #include <array>
 #include <cstring>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
-#include "bench/table.h"
 #include "bench/timed_loops.h"
 
 namespace bench {

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "bench/figures/report.h"
 #include "bench/local/options.h"
-#include "bench/report.h"
 
 namespace bench {
 

@@ -1,7 +1,7 @@
 #pragma once
 // The client that goes round and round with a pose.
 
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 
 #include <cstdint>
 #include <future>

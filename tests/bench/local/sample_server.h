@@ -1,7 +1,7 @@
 #pragma once
 // The provider in the measurements of `suture-bench local`.
 
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 
 #include <atomic>
 

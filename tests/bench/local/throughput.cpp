@@ -6,9 +6,9 @@
 #include <future>
 #include <utility>
 
+#include "bench/figures/table.h"
 #include "bench/local/rows.h"
 #include "bench/local/sample_server.h"
-#include "bench/table.h"
 
 namespace bench {
 namespace {

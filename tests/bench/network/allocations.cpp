@@ -1,11 +1,11 @@
 #include <thread>
 
-#include "bench/network/arm_process.h"
+#include "bench/figures/table.h"
 #include "bench/network/lanes.h"
 #include "bench/network/names.h"
+#include "bench/network/processes/arm_process.h"
 #include "bench/network/rows.h"
-#include "bench/table.h"
-#include "bench/table2/child_process.h"
+#include "bench/table2/processes/child_process.h"
 #include "rt/task_thread/arm_tasks.h"
 
 namespace bench {

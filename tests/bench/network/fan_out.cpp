@@ -1,20 +1,20 @@
-#include <suture/component/channel.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/task/periodic_task.h>
 #include <unistd.h>
 
 #include <deque>
 #include <thread>
 
+#include "bench/figures/table.h"
 #include "bench/local/sample_server.h"
 #include "bench/network/bare_fan_out.h"
 #include "bench/network/lanes.h"
 #include "bench/network/message_bytes.h"
 #include "bench/network/names.h"
+#include "bench/network/processes/subscriber_process.h"
 #include "bench/network/processor_time.h"
 #include "bench/network/rows.h"
-#include "bench/network/subscriber_process.h"
-#include "bench/table.h"
-#include "bench/table2/child_process.h"
+#include "bench/table2/processes/child_process.h"
 
 namespace bench {
 namespace {

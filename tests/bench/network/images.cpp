@@ -1,19 +1,19 @@
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 
 #include <atomic>
 #include <chrono>
 #include <future>
 #include <vector>
 
+#include "bench/figures/table.h"
 #include "bench/image_viewer.h"
 #include "bench/local/sample_server.h"
-#include "bench/network/image_process.h"
 #include "bench/network/lanes.h"
 #include "bench/network/names.h"
+#include "bench/network/processes/image_process.h"
 #include "bench/network/rows.h"
 #include "bench/placement.h"
-#include "bench/table.h"
-#include "bench/table2/child_process.h"
+#include "bench/table2/processes/child_process.h"
 
 namespace bench {
 namespace {

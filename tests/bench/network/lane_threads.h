@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// What such a thread calls itself: runtime/transport/frame/lane_thread.cpp.
+/// What such a thread calls itself: runtime/suture/lane/frame/lane_thread.cpp.
 inline constexpr const char* kLaneThread = "suture-lane";
 
 /// How many there are now.

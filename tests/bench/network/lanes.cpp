@@ -1,7 +1,7 @@
 #include "bench/network/lanes.h"
 
 #include <suture/base/errors.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 
 namespace bench {
 

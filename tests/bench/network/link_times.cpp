@@ -1,16 +1,16 @@
 #include <signal.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <sys/types.h>
 
 #include <filesystem>
 #include <functional>
 #include <thread>
 
+#include "bench/figures/table.h"
 #include "bench/local/sample_device.h"
 #include "bench/network/lanes.h"
+#include "bench/network/processes/sample_process.h"
 #include "bench/network/rows.h"
-#include "bench/network/sample_process.h"
-#include "bench/table.h"
 
 namespace bench {
 namespace {

@@ -3,13 +3,13 @@
 #include <thread>
 #include <vector>
 
+#include "bench/figures/table.h"
 #include "bench/local/sample_device.h"
 #include "bench/local/sample_server.h"
 #include "bench/network/lanes.h"
+#include "bench/network/processes/sample_process.h"
 #include "bench/network/rows.h"
-#include "bench/network/sample_process.h"
 #include "bench/placement.h"
-#include "bench/table.h"
 #include "bench/timed_loops.h"
 
 namespace bench {

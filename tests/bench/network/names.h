@@ -1,11 +1,11 @@
 #pragma once
 // The global manager between the processes of a measurement.
 
-#include <suture/manager/global_manager.h>
-#include <suture/manager/security.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/tls/key_maker.h>
-#include <suture/transport/tls/keys.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/global_manager.h>
+#include <suture/names/security.h>
+#include <suture/net/tls/key_maker.h>
+#include <suture/net/tls/keys.h>
 
 #include <memory>
 #include <string>

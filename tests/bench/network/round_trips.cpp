@@ -1,11 +1,11 @@
+#include "bench/figures/table.h"
 #include "bench/local/sample_client.h"
 #include "bench/network/bare_memory.h"
 #include "bench/network/lanes.h"
 #include "bench/network/message_bytes.h"
+#include "bench/network/processes/sample_process.h"
 #include "bench/network/rows.h"
-#include "bench/network/sample_process.h"
 #include "bench/placement.h"
-#include "bench/table.h"
 #include "bench/table2/ping_pong.h"
 
 namespace bench {

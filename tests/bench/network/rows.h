@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "bench/figures/report.h"
 #include "bench/network/options.h"
-#include "bench/report.h"
 
 namespace bench {
 

@@ -1,6 +1,6 @@
 #include <signal.h>
 #include <suture/base/errors.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/rt/period.h>
 #include <suture/rt/scheduling.h>
 
@@ -10,14 +10,14 @@
 #include <optional>
 #include <thread>
 
-#include "bench/network/arm_process.h"
+#include "bench/figures/table.h"
 #include "bench/network/lanes.h"
 #include "bench/network/names.h"
+#include "bench/network/processes/arm_process.h"
 #include "bench/network/rows.h"
 #include "bench/placement.h"
 #include "bench/sleep_until.h"
-#include "bench/table.h"
-#include "bench/table2/child_process.h"
+#include "bench/table2/processes/child_process.h"
 #include "rt/task_thread/arm_tasks.h"
 
 namespace bench {

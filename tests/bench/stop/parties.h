@@ -16,7 +16,7 @@
 #include "bench/image_viewer.h"
 #include "coordinator/coordinator.h"
 #include "drives/drives.suture.h"
-#include "integration/teleoperation/driven_arm.h"
+#include "integration/teleoperation/scene/driven_arm.h"
 #include "registration/registration_table.h"
 #include "strand/strand_simulation.h"
 #include "vision/synthetic_endoscope.h"

@@ -1,11 +1,11 @@
 // suture-bench stop: how soon an emergency stop stops the drives of four arms, while images flow.
 
+#include "bench/figures/table.h"
 #include "bench/network/lanes.h"
 #include "bench/parts.h"
 #include "bench/placement.h"
 #include "bench/stop/options.h"
 #include "bench/stop/system.h"
-#include "bench/table.h"
 
 namespace bench {
 namespace {

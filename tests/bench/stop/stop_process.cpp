@@ -7,7 +7,7 @@
 
 #include "bench/network/lanes.h"
 #include "bench/placement.h"
-#include "bench/table2/child_process.h"
+#include "bench/table2/processes/child_process.h"
 
 namespace bench {
 namespace {

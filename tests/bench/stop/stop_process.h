@@ -1,7 +1,7 @@
 #pragma once
 // The desk, a pair of arms or the endoscope in a process of its own.
 
-#include <suture/manager/lane.h>
+#include <suture/lane/lane.h>
 
 #include <CLI/CLI.hpp>
 #include <string>

@@ -11,7 +11,7 @@
 
 #include "bench/network/names.h"
 #include "bench/stop/parties.h"
-#include "bench/table2/child_process.h"
+#include "bench/table2/processes/child_process.h"
 
 namespace bench {
 

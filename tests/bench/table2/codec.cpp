@@ -3,7 +3,7 @@
 #include <capnp/message.h>
 #include <capnp/serialize.h>
 #include <suture/base/errors.h>
-#include <suture/transport/rpc/frame_header.h>
+#include <suture/framing/frame_header.h>
 
 #include <array>
 #include <cstring>

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "bench/statistics.h"
+#include "bench/figures/statistics.h"
 
 namespace bench {
 

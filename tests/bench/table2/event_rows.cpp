@@ -5,9 +5,9 @@
 #include <map>
 #include <string>
 
+#include "bench/figures/table.h"
 #include "bench/placement.h"
 #include "bench/progress.h"
-#include "bench/table.h"
 #include "bench/table2/measure.h"
 #include "bench/table2/ping_pong.h"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "bench/report.h"
+#include "bench/figures/report.h"
 #include "bench/table2/options.h"
 
 namespace bench {

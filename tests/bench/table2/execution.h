@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "bench/statistics.h"
+#include "bench/figures/statistics.h"
 
 namespace bench {
 

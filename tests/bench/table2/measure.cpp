@@ -1,19 +1,19 @@
 #include "bench/table2/measure.h"
 
-#include <suture/component/channel.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include <future>
 #include <optional>
 #include <thread>
 
 #include "bench/placement.h"
-#include "bench/table2/child_process.h"
-#include "bench/table2/client.h"
-#include "bench/table2/server.h"
-#include "bench/table2/server_process.h"
+#include "bench/table2/processes/child_process.h"
+#include "bench/table2/processes/client.h"
+#include "bench/table2/processes/server.h"
+#include "bench/table2/processes/server_process.h"
 #include "support/cable.h"
 #include "support/temporary_directory.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "bench/table.h"
+#include "bench/figures/table.h"
 #include "bench/table2/paper.h"
 
 namespace bench {

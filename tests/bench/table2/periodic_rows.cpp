@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "bench/figures/table.h"
 #include "bench/placement.h"
 #include "bench/progress.h"
-#include "bench/table.h"
 #include "bench/table2/measure.h"
 #include "bench/table2/paper.h"
 

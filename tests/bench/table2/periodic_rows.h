@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "bench/report.h"
+#include "bench/figures/report.h"
 #include "bench/table2/options.h"
 
 namespace bench {

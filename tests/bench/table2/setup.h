@@ -2,7 +2,7 @@
 // What one measurement of a loop is.
 
 #include <suture/base/time.h>
-#include <suture/manager/lane.h>
+#include <suture/lane/lane.h>
 #include <suture/rt/scheduling.h>
 
 #include <cstddef>

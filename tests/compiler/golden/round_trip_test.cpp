@@ -3,7 +3,7 @@
 #include <capnp/message.h>
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include <cmath>
 #include <limits>

@@ -11,7 +11,7 @@ function(suture_test_warnings name compilers root)
     get_filename_component(short ${compiler} NAME)
     add_test(NAME golden.warnings.${name}.${short}
       COMMAND ${Python3_EXECUTABLE} ${suture_test_warnings_script} ${compiler} ${root} ${ARGN}
-        -I${PROJECT_BINARY_DIR}/include -isystem ${PROJECT_BINARY_DIR}/schemas -isystem ${suture_test_eigen})
+        -I${PROJECT_SOURCE_DIR}/runtime -isystem ${PROJECT_BINARY_DIR}/schemas -isystem ${suture_test_eigen})
     # Not in the fast tier: they need what every target of the tree generates.
     set_tests_properties(golden.warnings.${name}.${short} PROPERTIES LABELS warnings)
     suture_compiling_tests(golden.warnings.${name}.${short})

@@ -1,6 +1,6 @@
 // A schema that lets everything through: the deployment's fuzzer must say so.
 
-#include <suture/deploy/schema_check.h>
+#include <suture/deploy/document/schema_check.h>
 
 namespace suture {
 

@@ -1,6 +1,6 @@
 // A writer that forgets what it was given: the lock's fuzzer must say so.
 
-#include "compiler/lock/writer.h"
+#include "compiler/lock/schema/writer.h"
 
 namespace suture::compiler::lock {
 

@@ -1,7 +1,7 @@
 // A ring that hands out another process's memory as it is: the fuzzer of shared memory must see it
 // change.
 
-#include <suture/rt/mpsc_ring.h>
+#include <suture/rt/queue/mpsc_ring.h>
 
 #include <bit>
 #include <new>

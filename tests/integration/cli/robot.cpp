@@ -2,10 +2,10 @@
 // Hand/Gripper, whose contract derives from robots::Arm, and requires arms and names. Ends on
 // SIGTERM.
 
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 #include <suture/manager/manager.h>
-#include <suture/manager/security.h>
-#include <suture/transport/tls/keys.h>
+#include <suture/names/security.h>
+#include <suture/net/tls/keys.h>
 
 #include <memory>
 #include <stdexcept>

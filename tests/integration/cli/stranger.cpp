@@ -12,12 +12,12 @@
 
 #include <capnp/message.h>
 #include <suture/base/errors.h>
-#include <suture/manager/explain.h>
-#include <suture/manager/manager_link.h>
-#include <suture/manager/records.h>
+#include <suture/framing/link_server.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/manager_link.h>
+#include <suture/names/records.h>
 #include <suture/peer.capnp.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/link_server.h>
+#include <suture/session/explain.h>
 #include <unistd.h>
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 // The arm of these tests: is where it was last sent to.
 
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 
 #include "reference/arm_like.suture.h"
 

@@ -2,8 +2,8 @@
 // Ends on SIGTERM.
 
 #include <suture/manager/manager.h>
-#include <suture/manager/security.h>
-#include <suture/transport/tls/keys.h>
+#include <suture/names/security.h>
+#include <suture/net/tls/keys.h>
 
 #include <memory>
 

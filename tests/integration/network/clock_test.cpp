@@ -1,9 +1,9 @@
 // A provider whose steady clock is not the client's: in a time namespace of its own.
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include <csignal>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // Several global managers, each a process, and processes that fall silent.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/manager/manager.h>
 
 #include <csignal>

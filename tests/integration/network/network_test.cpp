@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/manager/security.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/tls/key_maker.h>
+#include <suture/names/global_manager.h>
+#include <suture/names/security.h>
+#include <suture/net/tls/key_maker.h>
 
 #include <csignal>
 #include <filesystem>

@@ -2,16 +2,16 @@
 // process are processes to each other: nothing is shared but the sockets.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/loop/control_thread.h>
+#include <suture/loop/failure.h>
 #include <suture/manager/manager.h>
-#include <suture/manager/manager_link.h>
-#include <suture/manager/security.h>
+#include <suture/names/global_manager.h>
+#include <suture/names/manager_link.h>
+#include <suture/names/security.h>
+#include <suture/net/tls/key_maker.h>
 #include <suture/observe/observe.h>
 #include <suture/peer.capnp.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/failure.h>
-#include <suture/transport/tls/key_maker.h>
 
 #include <algorithm>
 #include <filesystem>

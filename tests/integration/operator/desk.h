@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "integration/operator/scene.h"
-#include "integration/teleoperation/scripted_arm.h"
+#include "integration/teleoperation/scene/scripted_arm.h"
 #include "registration/registration_table.h"
 #include "support/pass.h"
 #include "surgeon/operator.h"

@@ -1,8 +1,8 @@
 #pragma once
 // What measures by how much the picture lags behind the masters, where an operator sits.
 
-#include <suture/component/periodic_task.h>
 #include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <Eigen/Geometry>
 #include <atomic>

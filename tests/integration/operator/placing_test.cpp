@@ -8,8 +8,8 @@
 #include <string>
 
 #include "guidance/knot_guide.h"
-#include "integration/teleoperation/driven_arm.h"
-#include "integration/teleoperation/knot_scene.h"
+#include "integration/teleoperation/scene/driven_arm.h"
+#include "integration/teleoperation/scene/knot_scene.h"
 #include "registration/registration_table.h"
 #include "strand/strand_simulation.h"
 #include "support/pass.h"

@@ -1,9 +1,9 @@
 #pragma once
 // What an operator works in, reduced to what the operator notices.
 
-#include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <atomic>
 #include <chrono>

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "integration/person/seat.h"
-#include "integration/teleoperation/driven_arm.h"
+#include "integration/teleoperation/scene/driven_arm.h"
 #include "person/gamepad.h"
 #include "support/pass.h"
 #include "support/stepped.h"

@@ -2,9 +2,9 @@
 // Where a person sits: a master and what else there is, as the test wants them.
 
 #include <suture/component/device.h>
-#include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
 #include <suture/standard/messages.suture.h>
 
@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "drives/gripper_hand.suture.h"
-#include "integration/teleoperation/scripted_arm.h"
+#include "integration/teleoperation/scene/scripted_arm.h"
 #include "pedals/foot_pedals.suture.h"
 #include "support/pass.h"
 #include "teleop/teleoperation.suture.h"

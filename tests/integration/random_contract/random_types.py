@@ -225,7 +225,7 @@ OPTIONAL = r'''
 
 PROGRAM = r'''
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 #include <suture/manager/manager.h>
 #include <unistd.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 // Random values of a type through its slot and its message, and back.
 
-#include <suture/base/shared_slot.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/base/slots/shared_slot.h>
+#include <suture/wire/wire.h>
 
 #include <capnp/message.h>
 

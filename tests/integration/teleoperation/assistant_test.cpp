@@ -8,7 +8,7 @@
 
 #include "assistant/assistant.h"
 #include "coordinator/coordinator.h"
-#include "integration/teleoperation/driven_arm.h"
+#include "integration/teleoperation/scene/driven_arm.h"
 #include "support/pass.h"
 #include "support/stepped.h"
 #include "teleop/teleop.h"

@@ -11,7 +11,7 @@
 
 #include "console/system_console.h"
 #include "coordinator/coordinator.h"
-#include "integration/teleoperation/driven_arm.h"
+#include "integration/teleoperation/scene/driven_arm.h"
 #include "support/pass.h"
 #include "support/refusal.h"
 #include "support/stepped.h"

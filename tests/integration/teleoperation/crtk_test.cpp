@@ -2,16 +2,16 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "arm/arm.suture.h"
-#include "integration/teleoperation/workstation.h"
+#include "integration/teleoperation/scene/workstation.h"
 #include "support/patience.h"
 
 namespace robots::test {

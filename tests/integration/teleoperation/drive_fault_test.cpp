@@ -10,7 +10,7 @@
 
 #include "arm/arm_warning.h"
 #include "arm_control/psm.h"
-#include "integration/teleoperation/planted_drives.h"
+#include "integration/teleoperation/scene/planted_drives.h"
 #include "support/pass.h"
 #include "support/stepped.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "arm/arm_warning.h"
-#include "integration/teleoperation/driven_arm.h"
+#include "integration/teleoperation/scene/driven_arm.h"
 #include "support/pass.h"
 #include "support/stepped.h"
 

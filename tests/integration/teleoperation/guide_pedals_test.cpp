@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "integration/teleoperation/guided_arms.h"
+#include "integration/teleoperation/scene/guided_arms.h"
 
 namespace robots::test {
 namespace {

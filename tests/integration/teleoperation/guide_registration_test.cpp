@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 
-#include "integration/teleoperation/guided_arms.h"
+#include "integration/teleoperation/scene/guided_arms.h"
 
 namespace robots::test {
 namespace {

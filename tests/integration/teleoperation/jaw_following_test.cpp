@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include <chrono>
 #include <string>
 
-#include "integration/teleoperation/driven_arm.h"
+#include "integration/teleoperation/scene/driven_arm.h"
 #include "support/pass.h"
 #include "support/stepped.h"
 #include "support/temporary_directory.h"

@@ -2,9 +2,9 @@
 // each lane.
 
 #include <gtest/gtest.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,8 +12,8 @@
 #include <string>
 
 #include "guidance/knot_guide.h"
-#include "integration/teleoperation/driven_arm.h"
-#include "integration/teleoperation/knot_scene.h"
+#include "integration/teleoperation/scene/driven_arm.h"
+#include "integration/teleoperation/scene/knot_scene.h"
 #include "recorder/knot_judge.h"
 #include "recorder/knot_recorder.h"
 #include "registration/registration_table.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "integration/teleoperation/two_workstations.h"
+#include "integration/teleoperation/scene/two_workstations.h"
 #include "recorder/judge.h"
 #include "support/pass.h"
 #include "support/stepped.h"

@@ -1,15 +1,15 @@
 // Teleoperation does not act on old data, and begins anew from where the slave is.
 
 #include <gtest/gtest.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include <chrono>
 #include <memory>
 #include <string>
 
-#include "integration/teleoperation/scripted_arm.h"
+#include "integration/teleoperation/scene/scripted_arm.h"
 #include "support/pass.h"
 #include "support/stepped.h"
 #include "support/temporary_directory.h"

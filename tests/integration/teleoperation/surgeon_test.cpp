@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "integration/teleoperation/scripted_arm.h"
+#include "integration/teleoperation/scene/scripted_arm.h"
 #include "support/pass.h"
 #include "surgeon/pause.h"
 

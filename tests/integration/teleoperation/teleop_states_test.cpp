@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "integration/teleoperation/scripted_arm.h"
-#include "integration/teleoperation/test_console.h"
+#include "integration/teleoperation/scene/scripted_arm.h"
+#include "integration/teleoperation/scene/test_console.h"
 #include "registration/registration_table.h"
 #include "support/pass.h"
 #include "support/stepped.h"

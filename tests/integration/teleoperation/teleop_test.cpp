@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 
-#include "integration/teleoperation/workstation.h"
+#include "integration/teleoperation/scene/workstation.h"
 
 namespace robots::test {
 namespace {

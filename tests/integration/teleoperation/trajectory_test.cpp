@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "integration/teleoperation/two_workstations.h"
+#include "integration/teleoperation/scene/two_workstations.h"
 #include "support/pass.h"
 #include "support/stepped.h"
 #include "timing/seconds.h"

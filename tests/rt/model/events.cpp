@@ -1,6 +1,6 @@
 // The event queue, with several senders, and the doorbell.
 #include <suture/rt/doorbell.h>
-#include <suture/rt/event_queue.h>
+#include <suture/rt/queue/event_queue.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 

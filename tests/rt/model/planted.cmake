@@ -9,7 +9,7 @@ function(suture_planted name)
   file(READ ${source} text)
   string(FIND "${text}" "${arg_TEXT}" found)
   if(found EQUAL -1)
-    message(FATAL_ERROR "The planted bug ${name}: runtime/rt/${arg_PART}.cpp has no\n  ${arg_TEXT}\n"
+    message(FATAL_ERROR "The planted bug ${name}: ${source} has no\n  ${arg_TEXT}\n"
       "Say in tests/rt/model/planted.cmake what it has now.")
   endif()
   string(REPLACE "${arg_TEXT}" "${arg_REPLACEMENT}" text "${text}")
@@ -22,49 +22,49 @@ function(suture_planted name)
   set_tests_properties(model.finds.${name} PROPERTIES PASS_REGULAR_EXPRESSION "Which is: \"${arg_FINDS}")
 endfunction()
 
-suture_planted(ring_overrun PART spsc_ring SCENARIO SpscRing FINDS "a r"
+suture_planted(ring_overrun PART queue/spsc_ring SCENARIO SpscRing FINDS "a r"
   TEXT "if (newTail - knownHead_ > mask_ + 1) return nullptr;"
   REPLACEMENT "if (newTail - knownHead_ > mask_ + 49) return nullptr;")
-suture_planted(ring_unordered_read PART spsc_ring SCENARIO SpscRing FINDS "a race on plain memory: written unordered"
+suture_planted(ring_unordered_read PART queue/spsc_ring SCENARIO SpscRing FINDS "a race on plain memory: written unordered"
   TEXT "knownTail_ = shared_->tail.load(std::memory_order_acquire)" REPLACEMENT "knownTail_ = shared_->tail.load(std::memory_order_relaxed)")
-suture_planted(ring_unordered_reuse PART spsc_ring SCENARIO SpscRing FINDS "a race on plain memory: overwritten"
+suture_planted(ring_unordered_reuse PART queue/spsc_ring SCENARIO SpscRing FINDS "a race on plain memory: overwritten"
   TEXT "knownHead_ = shared_->head.load(std::memory_order_acquire)" REPLACEMENT "knownHead_ = shared_->head.load(std::memory_order_relaxed)")
-suture_planted(cells_unordered_reuse PART mpsc_ring SCENARIO MpscRing FINDS "a race on plain memory"
+suture_planted(cells_unordered_reuse PART queue/mpsc_ring SCENARIO MpscRing FINDS "a race on plain memory"
   TEXT "head_ + mask_ + 1, std::memory_order_release" REPLACEMENT "head_ + mask_ + 1, std::memory_order_relaxed")
-suture_planted(cells_unordered_reuse_of_one PART mpsc_ring SCENARIO EventQueueOfOne FINDS "a race on plain memory"
+suture_planted(cells_unordered_reuse_of_one PART queue/mpsc_ring SCENARIO EventQueueOfOne FINDS "a race on plain memory"
   TEXT "head_ + mask_ + 1, std::memory_order_release" REPLACEMENT "head_ + mask_ + 1, std::memory_order_relaxed")
-suture_planted(cells_early_front PART mpsc_ring SCENARIO MpscRing FINDS "a "
+suture_planted(cells_early_front PART queue/mpsc_ring SCENARIO MpscRing FINDS "a "
   TEXT "turnAt(head_).load(std::memory_order_acquire) == head_ + 1"
   REPLACEMENT "turnAt(head_).load(std::memory_order_acquire) <= head_ + 1")
-suture_planted(latest_shared_buffer PART latest_cell SCENARIO LatestCell FINDS "a "
+suture_planted(latest_shared_buffer PART queue/latest_cell SCENARIO LatestCell FINDS "a "
   TEXT "shared_->exchange(reading_, std::memory_order_acq_rel)"
   REPLACEMENT "shared_->exchange(shared_->load() & ~kFresh)")
-suture_planted(latest_unordered PART latest_cell SCENARIO LatestCell FINDS "a race on plain memory: written unordered"
+suture_planted(latest_unordered PART queue/latest_cell SCENARIO LatestCell FINDS "a race on plain memory: written unordered"
   TEXT "shared_->exchange(writing_ | kFresh, std::memory_order_acq_rel)"
   REPLACEMENT "shared_->exchange(writing_ | kFresh, std::memory_order_acquire)")
-suture_planted(mailbox_cut_after_cells PART mailbox SCENARIO MailboxOrder FINDS "a command "
+suture_planted(mailbox_cut_after_cells PART queue/mailbox SCENARIO MailboxOrder FINDS "a command "
   TEXT "  cut_ = published_->load(std::memory_order_acquire);
   left_ = mostWaiting_;
   for (Cell& cell : cells_) cell.held = cell.values.take() || cell.held;"
   REPLACEMENT "  for (Cell& cell : cells_) cell.held = cell.values.take() || cell.held;
   cut_ = published_->load(std::memory_order_acquire);")
-suture_planted(mailbox_no_cut PART mailbox SCENARIO MailboxOrder FINDS "a command "
+suture_planted(mailbox_no_cut PART queue/mailbox SCENARIO MailboxOrder FINDS "a command "
   TEXT "next_->sequence > cut_" REPLACEMENT "false")
-suture_planted(mailbox_forgotten_cell PART mailbox SCENARIO MailboxOrder FINDS "the last command is lost"
+suture_planted(mailbox_forgotten_cell PART queue/mailbox SCENARIO MailboxOrder FINDS "the last command is lost"
   TEXT "cell.values.take() || cell.held" REPLACEMENT "cell.values.take()")
-suture_planted(mailbox_one_too_many PART mailbox SCENARIO MailboxCredits FINDS "more wait than the depth allows"
+suture_planted(mailbox_one_too_many PART queue/mailbox SCENARIO MailboxCredits FINDS "more wait than the depth allows"
   TEXT "memory = waiting < limits.depth" REPLACEMENT "memory = waiting <= limits.depth")
-suture_planted(row_not_checked_again PART state_table SCENARIO StateRow FINDS "a row is torn"
+suture_planted(row_not_checked_again PART state/state_table SCENARIO StateRow FINDS "a row is torn"
   TEXT "return header.sequence.load(std::memory_order_relaxed) == sequence;" REPLACEMENT "return true;")
-suture_planted(row_not_marked PART state_table SCENARIO StateRow FINDS "a row is torn"
+suture_planted(row_not_marked PART state/state_table SCENARIO StateRow FINDS "a row is torn"
   TEXT "header.sequence.store(0, std::memory_order_relaxed);" REPLACEMENT "")
-suture_planted(row_words_unordered PART state_table SCENARIO StateRow FINDS "a row is torn"
+suture_planted(row_words_unordered PART state/state_table SCENARIO StateRow FINDS "a row is torn"
   TEXT "to[i].store(word, std::memory_order_release);" REPLACEMENT "to[i].store(word, std::memory_order_relaxed);")
-suture_planted(row_read_unordered PART state_table SCENARIO StateRow FINDS "a row is torn"
+suture_planted(row_read_unordered PART state/state_table SCENARIO StateRow FINDS "a row is torn"
   TEXT "from[i].load(std::memory_order_acquire);" REPLACEMENT "from[i].load(std::memory_order_relaxed);")
-suture_planted(events_two_writers PART event_queue SCENARIO EventQueue FINDS "a race on plain memory"
+suture_planted(events_two_writers PART queue/event_queue SCENARIO EventQueue FINDS "a race on plain memory"
   TEXT "if (!alone && cell.writing.test_and_set(std::memory_order_acquire)) return false;" REPLACEMENT "")
-suture_planted(events_two_alone PART event_queue SCENARIO EventQueueOfTwo FINDS "a "
+suture_planted(events_two_alone PART queue/event_queue SCENARIO EventQueueOfTwo FINDS "a "
   TEXT "producers_ == Producers::One ? ring_.claimAlone() : ring_.claim()" REPLACEMENT "ring_.claimAlone()")
 suture_planted(bell_lost_ring PART doorbell SCENARIO Doorbell FINDS "it sleeps, there is work"
   TEXT "if (word_.compare_exchange_strong(expected, kAsleep, std::memory_order_seq_cst)) return true;"

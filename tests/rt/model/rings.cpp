@@ -1,7 +1,7 @@
 // The rings and the newest-wins cell: what comes out is what went in, in order, and complete.
-#include <suture/rt/latest_cell.h>
-#include <suture/rt/mpsc_ring.h>
-#include <suture/rt/spsc_ring.h>
+#include <suture/rt/queue/latest_cell.h>
+#include <suture/rt/queue/mpsc_ring.h>
+#include <suture/rt/queue/spsc_ring.h>
 
 #include "rt/model/scenarios.h"
 

@@ -1,5 +1,5 @@
 // The state table: what a reader gets is one whole row, never an older one than it had before.
-#include <suture/rt/state_table.h>
+#include <suture/rt/state/state_table.h>
 
 #include "rt/model/scenarios.h"
 

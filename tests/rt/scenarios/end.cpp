@@ -1,11 +1,11 @@
 #include "rt/scenarios/end.h"
 
-#include <suture/component/callback_task.h>
-#include <suture/component/continuous_task.h>
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
-#include <suture/component/guest_task.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/callback_task.h>
+#include <suture/component/task/continuous_task.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/guest_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
 
 #include <atomic>

@@ -1,8 +1,8 @@
 // Mailbox and event queue under the same stress as the rings that they are made of.
 
 #include <gtest/gtest.h>
-#include <suture/rt/event_queue.h>
-#include <suture/rt/mailbox.h>
+#include <suture/rt/queue/event_queue.h>
+#include <suture/rt/queue/mailbox.h>
 
 #include <array>
 #include <atomic>

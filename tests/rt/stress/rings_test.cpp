@@ -2,9 +2,9 @@
 // one whole thing that went in, in order; of what is queued, all of it.
 
 #include <gtest/gtest.h>
-#include <suture/rt/latest_cell.h>
-#include <suture/rt/mpsc_ring.h>
-#include <suture/rt/spsc_ring.h>
+#include <suture/rt/queue/latest_cell.h>
+#include <suture/rt/queue/mpsc_ring.h>
+#include <suture/rt/queue/spsc_ring.h>
 
 #include <atomic>
 #include <string>

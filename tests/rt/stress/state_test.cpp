@@ -1,7 +1,7 @@
 // The state table under stress, and what the stress is worth.
 
 #include <gtest/gtest.h>
-#include <suture/rt/state_table.h>
+#include <suture/rt/state/state_table.h>
 
 #include <array>
 #include <atomic>

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <linux/futex.h>
-#include <suture/component/callback_task.h>
-#include <suture/component/continuous_task.h>
-#include <suture/component/event_task.h>
+#include <suture/component/task/callback_task.h>
+#include <suture/component/task/continuous_task.h>
+#include <suture/component/task/event_task.h>
 #include <suture/wiring/connect.h>
 #include <sys/syscall.h>
 #include <unistd.h>

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 #include <sched.h>
-#include <suture/component/callback_task.h>
-#include <suture/component/channel.h>
-#include <suture/component/continuous_task.h>
-#include <suture/component/event_task.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/task/callback_task.h>
+#include <suture/component/task/continuous_task.h>
+#include <suture/component/task/event_task.h>
 #include <suture/wiring/connect.h>
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // A planned motion, sampled densely from random starts.
 
-#include "arm_control/joint_move.h"
+#include "arm_control/motion/joint_move.h"
 
 #include <gtest/gtest.h>
 

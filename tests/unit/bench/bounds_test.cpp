@@ -1,6 +1,6 @@
 // --check must be able to fail.
 
-#include "bench/bounds.h"
+#include "bench/figures/bounds.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "bench/statistics.h"
+#include "bench/figures/statistics.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "bench/table.h"
+#include "bench/figures/table.h"
 
 namespace bench {
 namespace {

@@ -1,5 +1,5 @@
+#include "cli/contract/contract.h"
 #include <gtest/gtest.h>
-#include <suture/cli/contract.h>
 
 #include <cstdint>
 #include <nlohmann/json.hpp>

@@ -6,10 +6,10 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 #include <suture/base/sanitizers.h>
-#include <suture/cli/contract.h>
-#include <suture/cli/contract_text.h>
-#include <suture/cli/from_json.h>
-#include <suture/cli/to_json.h>
+#include "cli/contract/contract.h"
+#include "cli/contract/from_json.h"
+#include "cli/contract/to_json.h"
+#include "cli/text/contract_text.h"
 
 #include <algorithm>
 #include <random>

@@ -1,5 +1,5 @@
+#include "cli/contract/schema_guard.h"
 #include <gtest/gtest.h>
-#include <suture/cli/schema_guard.h>
 
 #include "robots/arm.capnp.h"
 #include "robots/geometry.capnp.h"

@@ -1,5 +1,5 @@
+#include "cli/text/screen.h"
 #include <gtest/gtest.h>
-#include <suture/cli/screen.h>
 
 namespace suture::cli {
 namespace {

@@ -1,10 +1,10 @@
 #include <capnp/dynamic.h>
 #include <gtest/gtest.h>
-#include <suture/cli/arguments.h>
-#include <suture/cli/bulk.h>
-#include <suture/cli/from_json.h>
-#include <suture/cli/target.h>
-#include <suture/cli/to_json.h>
+#include "cli/command_line/arguments.h"
+#include "cli/command_line/target.h"
+#include "cli/contract/from_json.h"
+#include "cli/contract/to_json.h"
+#include "cli/values/packed_numbers.h"
 
 #include <cmath>
 

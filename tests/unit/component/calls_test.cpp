@@ -1,6 +1,6 @@
 // Calls that end without an answer, and clients that do not wait for theirs; cycle after cycle.
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/wiring/connect.h>
 
 #include "unit/component/arm_client.h"

@@ -2,8 +2,8 @@
 // command it executes.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/component/task.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/task/task.h>
 #include <suture/wiring/connect.h>
 
 #include <memory>

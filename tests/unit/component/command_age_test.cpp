@@ -1,7 +1,7 @@
 // A handler can ask how old the command was that it executes.
 
 #include <gtest/gtest.h>
-#include <suture/component/task.h>
+#include <suture/component/task/task.h>
 #include <suture/wiring/connect.h>
 
 #include <vector>

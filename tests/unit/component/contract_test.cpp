@@ -1,7 +1,7 @@
 // What a connection's contract makes of values that are too old, and of a provider that is lost.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/read_together.h>
 #include <suture/wiring/connect.h>
 

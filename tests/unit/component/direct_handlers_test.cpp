@@ -1,7 +1,7 @@
 // Handlers that come and go while others call them.
 #include <gtest/gtest.h>
+#include <suture/component/channel/direct_handlers.h>
 #include <suture/component/device.h>
-#include <suture/component/direct_handlers.h>
 
 #include <atomic>
 #include <thread>

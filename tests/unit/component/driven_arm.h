@@ -2,7 +2,7 @@
 // A task whose cycles the test itself runs, with one automatic and one manual state table.
 
 #include <suture/component/own_state.h>
-#include <suture/component/task.h>
+#include <suture/component/task/task.h>
 
 #include <functional>
 #include <string>

@@ -1,7 +1,7 @@
 // A client that ends in the middle of its provider's cycle.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
 #include <suture/wiring/connect.h>
 

@@ -3,7 +3,7 @@
 #include <suture/base/errors.h>
 #include <suture/component/device.h>
 #include <suture/component/read_together.h>
-#include <suture/rt/state_table.h>
+#include <suture/rt/state/state_table.h>
 #include <suture/wiring/connect.h>
 
 #include "unit/component/arm_client.h"

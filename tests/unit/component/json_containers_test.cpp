@@ -1,7 +1,7 @@
 // Sets, maps, optionals, tuples, variants, matrices and types that hold themselves, from JSON.
 
 #include <gtest/gtest.h>
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 namespace recursive {
 

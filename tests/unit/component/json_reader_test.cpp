@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include "reference/simulated_arm.suture.h"
 

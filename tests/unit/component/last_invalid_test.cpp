@@ -1,7 +1,7 @@
 // A component asks which part of a value was refused.
 
 #include <gtest/gtest.h>
-#include <suture/component/task.h>
+#include <suture/component/task/task.h>
 #include <suture/wiring/connect.h>
 
 #include <limits>

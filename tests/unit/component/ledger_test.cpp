@@ -1,8 +1,8 @@
 // Where the commands of a connection are, over all channels that it has had.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/component/ledger.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/channel/ledger.h>
 
 #include <memory>
 

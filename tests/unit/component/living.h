@@ -2,7 +2,7 @@
 // Components that keep a diary of their lives, for the tests of the life cycle.
 
 #include <suture/component/lifecycle.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <atomic>
 #include <chrono>

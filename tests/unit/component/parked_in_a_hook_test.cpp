@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <atomic>
 #include <functional>

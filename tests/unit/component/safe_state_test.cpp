@@ -1,7 +1,7 @@
 // What a task does once it has been faulted: its safe state, and restarts.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/wiring/connect.h>
 
 #include <stdexcept>

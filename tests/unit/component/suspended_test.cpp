@@ -1,12 +1,12 @@
 // What a suspended component does not do, and what its clients are told meanwhile.
 
 #include <gtest/gtest.h>
-#include <suture/component/callback_task.h>
-#include <suture/component/channel.h>
-#include <suture/component/continuous_task.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
-#include <suture/component/guest_task.h>
+#include <suture/component/task/callback_task.h>
+#include <suture/component/task/continuous_task.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/guest_task.h>
 #include <suture/wiring/connect.h>
 
 #include <ctime>

@@ -1,13 +1,13 @@
 // The standard messages: offered by a port, sent by a contract that derives from them, heard here
 // and over Cap'n Proto RPC.
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/task/event_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/standard/message_port.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <mutex>
 #include <string>

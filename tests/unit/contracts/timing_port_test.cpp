@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
-#include <suture/component/periodic_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/standard/timing_port.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include "support/eventually.h"
 

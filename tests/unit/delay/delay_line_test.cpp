@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/delay/delay_line.h>
+#include <suture/lane/delay/delay_line.h>
 
 #include <cstring>
 

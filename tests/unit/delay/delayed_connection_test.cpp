@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
 #include <suture/observe/merge.h>
 #include <suture/observe/observe.h>

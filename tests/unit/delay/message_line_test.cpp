@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/delay/message_line.h>
+#include <suture/lane/delay/message_line.h>
 
 #include <algorithm>
 #include <cstring>

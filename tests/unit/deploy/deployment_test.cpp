@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/deploy/deployment.h>
+#include <suture/deploy/document/deployment.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <suture/deploy/json_document.h>
+#include <suture/deploy/document/json_document.h>
 
 #include <functional>
 #include <string>

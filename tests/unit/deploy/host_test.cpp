@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
 #include <suture/deploy/host.h>
-#include <suture/rt/state_table.h>
+#include <suture/rt/state/state_table.h>
 #include <suture/standard/message_port.h>
 
 #include <array>

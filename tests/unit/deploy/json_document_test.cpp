@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/deploy/json_document.h>
+#include <suture/deploy/document/json_document.h>
 
 #include <filesystem>
 

@@ -4,9 +4,9 @@
 #include <suture/component/device.h>
 #include <suture/deploy/host.h>
 #include <suture/deploy/keys_command.h>
-#include <suture/manager/global_manager.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/tls/keys.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/global_manager.h>
+#include <suture/net/tls/keys.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/deploy/policy_file.h>
+#include <suture/deploy/document/policy_file.h>
 
 #include "support/contains.h"
 

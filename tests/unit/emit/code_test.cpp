@@ -1,6 +1,6 @@
 // How generated lines are set.
 
-#include "compiler/emit/code.h"
+#include "compiler/emit/text/code.h"
 
 #include <gtest/gtest.h>
 

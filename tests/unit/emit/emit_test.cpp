@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "compiler/emit/component_library.h"
+#include "compiler/emit/cpp/component_library.h"
 #include "tests/unit/emit/sample_model.h"
 
 namespace suture::compiler::emit {
@@ -194,7 +194,7 @@ TEST_F(EmitTest, TheEntryPointListsTheComponentsOfAllOwnHeaders) {
   const Artefact file = emitComponentLibrary(model_, "robots", "robots.components.cpp");
   EXPECT_EQ(file.path, "robots.components.cpp");
   EXPECT_EQ(file.text, R"(// Written by suturec for target robots. Do not edit.
-#include <suture/component/component_library.h>
+#include <suture/component/factory/component_library.h>
 
 #include "robots/simulated_arm.suture.h"
 #include "robots/other_arm.suture.h"

@@ -1,6 +1,6 @@
 // The pieces that reference pages are made of.
 
-#include "compiler/emit/markdown.h"
+#include "compiler/emit/docs/markdown.h"
 
 #include <gtest/gtest.h>
 

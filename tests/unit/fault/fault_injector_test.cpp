@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/fault/fault_injector.h>
+#include <suture/lane/fault/fault_injector.h>
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/fault/sequence_check.h>
+#include <suture/lane/fault/sequence_check.h>
 
 #include <vector>
 

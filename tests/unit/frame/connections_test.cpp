@@ -1,11 +1,11 @@
 // What becomes of connections that might use frames.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
-#include <suture/manager/manager_link.h>
+#include <suture/framing/link.h>
+#include <suture/framing/preamble.h>
+#include <suture/lane/frame/codec/frame_writer.h>
+#include <suture/names/manager_link.h>
 #include <suture/peer.capnp.h>
-#include <suture/transport/frame/frame_writer.h>
-#include <suture/transport/rpc/link.h>
-#include <suture/transport/rpc/opening.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
@@ -183,7 +183,7 @@ kj::AutoCloseFd secondConnection(const Caller::Offer& offer) {
   EXPECT_EQ(::connect(socket, target.get(), target.length), 0);
   const timeval patience{.tv_sec = 5, .tv_usec = 0};
   setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
-  rpc::sendAll(socket, rpc::openingOf(offer.token));
+  rpc::sendAll(socket, rpc::preambleOf(offer.token));
   frame::FrameWriter writer(offer.epoch, sizeof(frame::Subscription));
   const frame::Subscription everything{0, 0, ~std::uint64_t{0}};
   const frame::Header header{

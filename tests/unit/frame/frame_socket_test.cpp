@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/frame/frame_socket.h>
+#include <suture/lane/frame/frame_socket.h>
 
 #include "support/allocations.h"
 #include "unit/rpc/socket_pair.h"

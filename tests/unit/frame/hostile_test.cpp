@@ -1,8 +1,8 @@
 // Frames that are whole and undamaged, and say what they like: a channel is all that they reach.
 #include <gtest/gtest.h>
-#include <suture/transport/frame/client_side.h>
-#include <suture/transport/frame/link.h>
-#include <suture/transport/frame/provider_side.h>
+#include <suture/lane/frame/client_side.h>
+#include <suture/lane/frame/link.h>
+#include <suture/lane/frame/provider_side.h>
 
 #include <array>
 #include <limits>

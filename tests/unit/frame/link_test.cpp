@@ -1,9 +1,9 @@
 // Several connections on one socket.
 #include <gtest/gtest.h>
-#include <suture/transport/frame/client_side.h>
-#include <suture/transport/frame/lane_thread.h>
-#include <suture/transport/frame/link.h>
-#include <suture/transport/frame/provider_side.h>
+#include <suture/lane/frame/client_side.h>
+#include <suture/lane/frame/lane_thread.h>
+#include <suture/lane/frame/link.h>
+#include <suture/lane/frame/provider_side.h>
 
 #include <sys/socket.h>
 

@@ -1,7 +1,7 @@
 // Which connections of a client share a link.
 #include <gtest/gtest.h>
-#include <suture/manager/frame_links.h>
-#include <suture/transport/rpc/event_port.h>
+#include <suture/lane/frame/frame_links.h>
+#include <suture/loop/event_port.h>
 
 #include "support/eventually.h"
 #include "support/pass.h"

@@ -1,8 +1,8 @@
 // Where clocks differ, a stamp is on the reader's.
 #include <gtest/gtest.h>
-#include <suture/transport/frame/client_side.h>
-#include <suture/transport/frame/link.h>
-#include <suture/transport/frame/provider_side.h>
+#include <suture/lane/frame/client_side.h>
+#include <suture/lane/frame/link.h>
+#include <suture/lane/frame/provider_side.h>
 
 #include "reference/arm_like.suture.h"
 #include "unit/rpc/socket_pair.h"

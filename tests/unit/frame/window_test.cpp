@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/frame/window.h>
+#include <suture/lane/frame/window.h>
 
 #include <deque>
 #include <utility>

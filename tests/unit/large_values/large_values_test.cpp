@@ -5,17 +5,17 @@
 #include <gtest/gtest.h>
 #include <kj/async-io.h>
 #include <pthread.h>
-#include <suture/base/scratch.h>
-#include <suture/component/call_limit.h>
-#include <suture/component/callback_task.h>
+#include <suture/base/slots/scratch.h>
+#include <suture/component/channel/call_limit.h>
 #include <suture/component/device.h>
-#include <suture/component/periodic_task.h>
 #include <suture/component/read_together.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/task/callback_task.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/peer.capnp.h>
-#include <suture/rt/state_table.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/rt/state/state_table.h>
 
 #include <atomic>
 #include <chrono>

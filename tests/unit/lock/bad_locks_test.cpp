@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 
 namespace suture::compiler::lock {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "compiler/lock/contract_hash.h"
-#include "compiler/lock/lock.h"
-#include "compiler/lock/majors.h"
+#include "compiler/lock/major_versions.h"
+#include "compiler/lock/schema/lock.h"
 #include "compiler/lock/wire_contract.h"
 #include "tests/unit/emit/sample_model.h"
 

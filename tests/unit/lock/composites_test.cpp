@@ -1,14 +1,14 @@
 // Types that travel as a struct that nobody declares: their names, and that the lock guards them.
 
-#include "compiler/lock/composites.h"
+#include "compiler/lock/schema/composites.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "compiler/lock/lock.h"
-#include "compiler/lock/parse.h"
-#include "compiler/lock/writer.h"
+#include "compiler/lock/schema/lock.h"
+#include "compiler/lock/schema/parse.h"
+#include "compiler/lock/schema/writer.h"
 #include "tests/unit/emit/sample_model.h"
 
 namespace suture::compiler::lock {

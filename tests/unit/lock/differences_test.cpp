@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/lock/parse.h"
+#include "compiler/lock/schema/parse.h"
 
 namespace suture::compiler::lock {
 namespace {

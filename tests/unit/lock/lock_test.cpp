@@ -1,15 +1,15 @@
 // The lock from the outside: what a build accepts, what it refuses, what an update writes.
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "compiler/lock/contract_hash.h"
-#include "compiler/lock/parse.h"
+#include "compiler/lock/schema/parse.h"
+#include "compiler/lock/schema/writer.h"
 #include "compiler/lock/wire_contract.h"
-#include "compiler/lock/writer.h"
 #include "tests/unit/emit/sample_model.h"
 
 namespace suture::compiler::lock {

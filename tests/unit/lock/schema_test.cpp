@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "compiler/lock/lock.h"
+#include "compiler/lock/schema/lock.h"
 #include "paths.h"
 #include "tests/unit/emit/sample_model.h"
 

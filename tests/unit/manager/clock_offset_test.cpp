@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/manager/clock_offset.h>
+#include <suture/session/clock_offset.h>
 
 namespace suture {
 namespace {

@@ -2,14 +2,14 @@
 // made.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/component/event_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/task/event_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/manager/manager_link.h>
+#include <suture/names/global_manager.h>
+#include <suture/names/manager_link.h>
+#include <suture/net/dialer.h>
 #include <suture/peer.capnp.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/dialer.h>
 
 #include <atomic>
 #include <string>

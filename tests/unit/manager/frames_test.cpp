@@ -1,8 +1,8 @@
 // Two processes whose interfaces declare different coordinate frames are not connected, whatever
 // lane is to be between them.
 #include <gtest/gtest.h>
-#include <suture/component/event_task.h>
-#include <suture/manager/describe.h>
+#include <suture/component/task/event_task.h>
+#include <suture/names/describe.h>
 
 #include <chrono>
 #include <memory>

@@ -3,12 +3,12 @@
 // willing to.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/component/periodic_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/observe/observe.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <algorithm>
 #include <initializer_list>

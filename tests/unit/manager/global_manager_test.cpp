@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/manager/global_manager.h>
-#include <suture/manager/manager_link.h>
-#include <suture/manager/manager_session.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/dialer.h>
-#include <suture/transport/rpc/failure.h>
+#include <suture/loop/control_thread.h>
+#include <suture/loop/failure.h>
+#include <suture/names/global_manager.h>
+#include <suture/names/manager_link.h>
+#include <suture/names/manager_session.h>
+#include <suture/net/dialer.h>
 
 #include <thread>
 

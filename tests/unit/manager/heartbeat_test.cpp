@@ -1,8 +1,8 @@
 // A heartbeat tells a silent peer and a task that hangs by what the process answers.
 
 #include <gtest/gtest.h>
-#include <suture/manager/heartbeat.h>
-#include <suture/transport/rpc/event_port.h>
+#include <suture/loop/event_port.h>
+#include <suture/session/heartbeat.h>
 
 #include <limits>
 #include <vector>

@@ -2,14 +2,14 @@
 // handler sees it, and no read or call answers with it.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/read_together.h>
-#include <suture/transport/rpc/binding.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/failure.h>
-#include <suture/transport/rpc/link.h>
-#include <suture/transport/rpc/proxy_port.h>
-#include <suture/transport/rpc/servant_port.h>
+#include <suture/framing/link.h>
+#include <suture/lane/rpc/binding.h>
+#include <suture/lane/rpc/proxy_port.h>
+#include <suture/lane/rpc/servant_port.h>
+#include <suture/loop/control_thread.h>
+#include <suture/loop/failure.h>
 
 #include <limits>
 #include <memory>

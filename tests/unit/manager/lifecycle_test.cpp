@@ -1,9 +1,9 @@
 // What a manager does with the lives of its components, and what the interface "component" tells.
 
 #include <gtest/gtest.h>
-#include <suture/component/callback_task.h>
 #include <suture/component/device.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/callback_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
 #include <suture/standard/lifecycle.suture.h>
 

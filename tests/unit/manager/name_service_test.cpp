@@ -1,7 +1,7 @@
 // The global manager's capabilities on a clock of the test.
 
 #include <gtest/gtest.h>
-#include <suture/manager/manager_session.h>
+#include <suture/names/manager_session.h>
 
 namespace suture {
 namespace {

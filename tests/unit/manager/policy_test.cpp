@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/manager/policy.h>
+#include <suture/names/policy.h>
 #include <unistd.h>
 
 namespace suture {

@@ -1,14 +1,14 @@
 // Connections that are taken down and made anew while tasks run.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
-#include <suture/component/periodic_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/standard/lifecycle.suture.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,9 +1,9 @@
 // Whoever refuses hears of it as the client does.
 #include <gtest/gtest.h>
 #include <suture/base/virtual_time.h>
-#include <suture/component/event_task.h>
-#include <suture/transport/rpc/dialer.h>
-#include <suture/transport/rpc/link.h>
+#include <suture/component/task/event_task.h>
+#include <suture/framing/link.h>
+#include <suture/net/dialer.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/manager/registry.h>
+#include <suture/names/registry.h>
 
 #include <algorithm>
 

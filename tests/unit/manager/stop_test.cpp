@@ -1,13 +1,13 @@
 // stop() ends after the handler that runs: what waits behind it is turned away, not executed.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/task/event_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/rt/doorbell.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <atomic>
 #include <memory>

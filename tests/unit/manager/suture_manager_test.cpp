@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <suture/manager/manager.h>
-#include <suture/manager/security.h>
-#include <suture/transport/tls/key_maker.h>
-#include <suture/transport/tls/keys.h>
+#include <suture/names/security.h>
+#include <suture/net/tls/key_maker.h>
+#include <suture/net/tls/keys.h>
 #include <sys/stat.h>
 #include <unistd.h>
 

@@ -2,11 +2,11 @@
 // too old behind a handler that takes long.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
-#include <suture/component/periodic_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/names/global_manager.h>
 
 #include <memory>
 #include <optional>

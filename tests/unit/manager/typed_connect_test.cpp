@@ -1,7 +1,7 @@
 // Connecting members: the C++ compiler compares the contracts.
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
 #include <suture/manager/manager.h>
 

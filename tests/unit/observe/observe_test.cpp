@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 #include <suture/observe/observe.h>
 
 #include <chrono>

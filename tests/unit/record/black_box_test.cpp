@@ -1,11 +1,11 @@
 // What is left of a component's last seconds when it has been faulted.
 
 #include <gtest/gtest.h>
-#include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
 #include <suture/record/black_box.h>
-#include <suture/rt/state_table.h>
+#include <suture/rt/state/state_table.h>
 #include <suture/standard/lifecycle.suture.h>
 
 #include <atomic>

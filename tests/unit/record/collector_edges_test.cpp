@@ -1,13 +1,13 @@
 // Where collecting begins and ends: no row and no event is lost there.
 
 #include <gtest/gtest.h>
-#include <suture/component/continuous_task.h>
-#include <suture/component/periodic_task.h>
 #include <suture/component/provided.h>
+#include <suture/component/task/continuous_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
 #include <suture/record/event_collector.h>
 #include <suture/record/state_collector.h>
-#include <suture/rt/state_table.h>
+#include <suture/rt/state/state_table.h>
 #include <suture/standard/lifecycle.suture.h>
 
 #include <atomic>

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
-#include <suture/manager/global_manager.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/record/event_collector.h>
 #include <suture/record/state_collector.h>
 #include <suture/standard/lifecycle.suture.h>
-#include <suture/transport/rpc/control_thread.h>
 
 #include <memory>
 #include <vector>

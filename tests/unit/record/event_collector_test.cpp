@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/manager/manager.h>
 #include <suture/record/event_collector.h>
 

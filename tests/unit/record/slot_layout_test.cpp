@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/base/slots.h>
-#include <suture/component/interface_info.h>
+#include <suture/base/slots/slots.h>
+#include <suture/component/contract/interface_info.h>
 #include <suture/record/slot_layout.h>
 
 #include <limits>

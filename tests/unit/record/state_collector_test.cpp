@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/component/channel.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/channel/channel.h>
+#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
 #include <suture/record/state_collector.h>
-#include <suture/rt/state_table.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/rt/state/state_table.h>
 
 #include <stdexcept>
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "arm_control/smooth_step.h"
+#include "arm_control/motion/smooth_step.h"
 
 namespace robots::test {
 namespace {

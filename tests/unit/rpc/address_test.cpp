@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/rpc/address.h>
+#include <suture/net/address.h>
 
 namespace suture::rpc {
 namespace {

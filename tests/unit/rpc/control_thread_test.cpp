@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/rpc/control_thread.h>
+#include <suture/loop/control_thread.h>
 
 #include <thread>
 

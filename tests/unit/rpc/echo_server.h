@@ -1,10 +1,10 @@
 #pragma once
 // The simplest capability there is.
 
-#include <suture/transport/rpc/kj_comparisons.h>  // first
+#include <suture/loop/kj_comparisons.h>  // first
 
 #include <echo.capnp.h>
-#include <suture/transport/rpc/failure.h>
+#include <suture/loop/failure.h>
 
 #include <cstring>
 

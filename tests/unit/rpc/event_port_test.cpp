@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/rpc/event_port.h>
+#include <suture/loop/event_port.h>
 #include <unistd.h>
 
 #include <functional>

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/rpc/frame_header.h>
+#include <suture/framing/frame_header.h>
 
 #include <cstring>
 

@@ -3,9 +3,9 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <suture/base/sanitizers.h>
-#include <suture/transport/rpc/dialer.h>
-#include <suture/transport/rpc/failure.h>
-#include <suture/transport/rpc/link_server.h>
+#include <suture/framing/link_server.h>
+#include <suture/loop/failure.h>
+#include <suture/net/dialer.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <suture/base/time.h>
-#include <suture/transport/rpc/failure.h>
-#include <suture/transport/rpc/message_stream.h>
+#include <suture/framing/message_stream.h>
+#include <suture/loop/failure.h>
 
 #include "socket_pair.h"
 #include "support/patience.h"

@@ -1,9 +1,9 @@
 // Links between those who can prove who they are, and those who cannot.
 
 #include <gtest/gtest.h>
-#include <suture/transport/rpc/dialer.h>
-#include <suture/transport/rpc/link_server.h>
-#include <suture/transport/tls/key_maker.h>
+#include <suture/framing/link_server.h>
+#include <suture/net/dialer.h>
+#include <suture/net/tls/key_maker.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 

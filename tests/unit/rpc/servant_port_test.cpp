@@ -1,11 +1,11 @@
 // What a client in another process is told of its calls when a provider ends.
-#include <suture/transport/rpc/kj_comparisons.h>  // first
+#include <suture/loop/kj_comparisons.h>  // first
 
 #include <capnp/message.h>
 #include <gtest/gtest.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/remote_error.h>
-#include <suture/transport/rpc/servant_port.h>
+#include <suture/framing/remote_error.h>
+#include <suture/lane/rpc/servant_port.h>
+#include <suture/loop/control_thread.h>
 
 #include <memory>
 

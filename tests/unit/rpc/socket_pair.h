@@ -6,8 +6,8 @@
 #include <kj/async-io.h>
 #include <kj/io.h>
 #include <poll.h>
-#include <suture/transport/rpc/event_port.h>
-#include <suture/transport/rpc/frame_header.h>
+#include <suture/framing/frame_header.h>
+#include <suture/loop/event_port.h>
 #include <sys/socket.h>
 #include <unistd.h>
 

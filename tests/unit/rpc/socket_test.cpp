@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
-#include <suture/transport/rpc/socket.h>
+#include <suture/net/socket.h>
 
 namespace suture::rpc {
 namespace {

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/rpc/stamps.h>
+#include <suture/wire/stamps.h>
 
 #include <limits>
 

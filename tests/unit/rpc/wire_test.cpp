@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 namespace suture::rpc {
 namespace {

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/rt/mailbox.h>
+#include <suture/rt/queue/mailbox.h>
 
 #include <cstring>
 #include <random>

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
-#include <suture/rt/latest_cell.h>
-#include <suture/rt/mpsc_ring.h>
-#include <suture/rt/spsc_ring.h>
+#include <suture/rt/queue/latest_cell.h>
+#include <suture/rt/queue/mpsc_ring.h>
+#include <suture/rt/queue/spsc_ring.h>
 
 #include <cstring>
 #include <random>

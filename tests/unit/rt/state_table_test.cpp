@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/rt/state_table.h>
+#include <suture/rt/state/state_table.h>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // The other process writes anything anywhere into the memory that it shares with this one.
 #include <gtest/gtest.h>
-#include <suture/component/event_task.h>
-#include <suture/component/periodic_task.h>
-#include <suture/transport/shm/shared_channel.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/lane/shm/shared_channel.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/component/event_task.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/periodic_task.h>
 #include <suture/rt/doorbell.h>
 #include <suture/rt/thread.h>
 #include <suture/testing/test_clock.h>

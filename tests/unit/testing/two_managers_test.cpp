@@ -2,17 +2,17 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
-#include <suture/component/event_task.h>
-#include <suture/component/periodic_task.h>
-#include <suture/manager/global_manager.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/loop/control_thread.h>
+#include <suture/loop/failure.h>
 #include <suture/manager/manager.h>
+#include <suture/names/global_manager.h>
+#include <suture/net/listener.h>
+#include <suture/net/secure.h>
 #include <suture/testing/test_clock.h>
-#include <suture/transport/rpc/control_thread.h>
-#include <suture/transport/rpc/failure.h>
-#include <suture/transport/rpc/listener.h>
-#include <suture/transport/rpc/secure.h>
 #include <suture/wiring/connect.h>
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/transport/tls/key_maker.h>
-#include <suture/transport/tls/keys.h>
+#include <suture/net/tls/key_maker.h>
+#include <suture/net/tls/keys.h>
 #include <sys/stat.h>
 
 #include <fstream>

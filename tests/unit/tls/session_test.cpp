@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
-#include <suture/transport/tls/key_maker.h>
-#include <suture/transport/tls/session.h>
+#include <suture/net/tls/key_maker.h>
+#include <suture/net/tls/session.h>
 #include <sys/socket.h>
 #include <unistd.h>
 

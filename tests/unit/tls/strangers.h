@@ -5,8 +5,8 @@
 #include <fcntl.h>
 #include <openssl/err.h>
 #include <poll.h>
-#include <suture/transport/tls/openssl.h>
-#include <suture/transport/tls/socket_bio.h>
+#include <suture/net/tls/openssl.h>
+#include <suture/net/tls/socket_bio.h>
 #include <sys/socket.h>
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #include <suture/wiring/frames.h>
 
 #include <gtest/gtest.h>
-#include <suture/component/channel.h>
+#include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
 #include <suture/wiring/connect.h>
 

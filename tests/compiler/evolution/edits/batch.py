@@ -32,7 +32,7 @@ ROOT = """  SUTURE_COMMAND() virtual void root() = 0;
 VERSIONED = """#pragma once
 // Written by batch.py.
 
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 
 #include "edits/breaks.suture.h"
 #include "edits/edits.suture.h"

@@ -1,7 +1,7 @@
 #pragma once
 // What the second version's processes do.
 
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 
 #include <iostream>
 

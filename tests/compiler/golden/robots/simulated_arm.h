@@ -2,7 +2,7 @@
 // A component with parameters.
 
 #include <suture/annotate.h>
-#include <suture/component/periodic_task.h>
+#include <suture/component/task/periodic_task.h>
 
 #include <string>
 

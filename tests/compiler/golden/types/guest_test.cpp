@@ -1,7 +1,7 @@
 // A component whose parameters are somebody else's type, listed in the component's own header.
 
 #include <gtest/gtest.h>
-#include <suture/component/json_reader.h>
+#include <suture/component/factory/json_reader.h>
 
 #include <nlohmann/json.hpp>
 

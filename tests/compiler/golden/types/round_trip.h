@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 #include <suture/base/field_path.h>
-#include <suture/base/shared_slot.h>
+#include <suture/base/slots/shared_slot.h>
 #include <suture/base/time.h>
 
 #include <bit>

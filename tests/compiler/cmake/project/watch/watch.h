@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/component/event_task.h>
+#include <suture/component/task/event_task.h>
 
 #include "count/counter.suture.h"
 

@@ -1,2 +1,2 @@
 #pragma once
-#include "../../../../../runtime/annotate.h"
+#include "../../../../../runtime/suture/annotate.h"

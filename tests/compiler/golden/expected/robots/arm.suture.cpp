@@ -1,11 +1,11 @@
 // Written by suturec from robots/arm.h. Do not edit.
 #include "robots/arm.suture.h"
 
-#include <suture/component/json_reader.h>
-#include <suture/transport/rpc/binding.h>
-#include <suture/transport/rpc/proxy_port.h>
-#include <suture/transport/rpc/servant_port.h>
-#include <suture/transport/rpc/wire.h>
+#include <suture/component/factory/json_reader.h>
+#include <suture/lane/rpc/binding.h>
+#include <suture/lane/rpc/proxy_port.h>
+#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

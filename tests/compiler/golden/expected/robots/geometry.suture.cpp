@@ -1,7 +1,7 @@
 // Written by suturec from robots/geometry.h. Do not edit.
 #include "robots/geometry.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

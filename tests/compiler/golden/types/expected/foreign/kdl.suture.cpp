@@ -1,7 +1,7 @@
 // Written by suturec from foreign/kdl.h. Do not edit.
 #include "foreign/kdl.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

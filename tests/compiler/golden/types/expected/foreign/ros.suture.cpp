@@ -1,7 +1,7 @@
 // Written by suturec from foreign/ros.h. Do not edit.
 #include "foreign/ros.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

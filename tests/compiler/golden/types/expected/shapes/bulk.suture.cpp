@@ -1,7 +1,7 @@
 // Written by suturec from shapes/bulk.h. Do not edit.
 #include "shapes/bulk.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

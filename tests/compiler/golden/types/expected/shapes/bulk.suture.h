@@ -1,7 +1,7 @@
 // Written by suturec from shapes/bulk.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
+#include <suture/base/slots/slot_forms.h>
 
 #include "shapes/bulk.h"
 

@@ -1,7 +1,7 @@
 // Written by suturec from shapes/classes.h. Do not edit.
 #include "shapes/classes.suture.h"
 
-#include <suture/transport/rpc/wire.h>
+#include <suture/wire/wire.h>
 
 #include <type_traits>
 

@@ -1,8 +1,8 @@
 // Written by suturec from shapes/guest.h. Do not edit.
 #pragma once
 
-#include <suture/base/slot_forms.h>
-#include <suture/component/component_class.h>
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/factory/component_class.h>
 
 #include "shapes/guest.h"
 

@@ -1,0 +1,196 @@
+#include <utility>
+
+#include "compiler/emit/cpp/stamps.h"
+#include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/parts.h"
+#include "compiler/lock/wanted.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+/// Names a parameter's value within store(), which must still be able to call itself.
+std::string valueName(const model::Parameter& parameter) {
+  return parameter.name == "store" ? "store_" : parameter.name;
+}
+
+/// "const PoseStamped& goal, const double& time, "
+std::string parameterList(const model::Command& command, const std::string& home) {
+  std::string text;
+  for (const model::Parameter& parameter : command.parameters) {
+    text += "const " + cxxType(parameter.type, home) + "& " + valueName(parameter) + ", " + kBreak;
+  }
+  return text;
+}
+
+void emitStruct(Code& code, const Context& context, const model::Command& command,
+                const std::string& slot) {
+  const std::string& home = context.header.cxxNamespace;
+  code.open("struct ", slot, " {");
+  CommentedLines lines;
+  for (const model::Parameter& parameter : command.parameters) {
+    const bool plain = parameter.type.shape != model::Type::Shape::Enum;
+    const std::string remark = plain ? parameter.unit : cxxType(parameter.type, home);
+    lines.add(slotType(parameter.type, context, home) + " " + parameter.name + ";", remark);
+  }
+  lines.writeTo(code);
+  code.close("};").blank();
+}
+
+/// Names the slot within store() as no parameter of the command is named.
+std::string slotName(const model::Command& command) {
+  std::string name = "slot";
+  for (const model::Parameter& parameter : command.parameters) {
+    if (parameter.name == name) name = "arguments_";
+  }
+  return name;
+}
+
+std::string storeSignature(const Context& context, const model::Command& command,
+                           const std::string& slot) {
+  return "bool store(" + parameterList(command, context.header.cxxNamespace) + slot + "& " +
+         slotName(command) + ")";
+}
+
+void emitStore(Code& code, const Context& context, const model::Command& command,
+               const std::string& slot) {
+  std::string call;
+  for (const model::Parameter& parameter : command.parameters) {
+    if (!call.empty()) call += std::string(" && ") + kBreak;
+    call += "store(" + valueName(parameter) + ", " + slotName(command) + "." + parameter.name + ")";
+  }
+  code.function(storeSignature(context, command, slot), "return " + call + ";").blank();
+}
+
+/// Spells the slot for several values of an event, and the functions on it.
+struct Payload {
+  Payload(const Context& context, const model::Interface& interface, const model::Event& event)
+      : slot(payloadSlot(interface, event, context, context.header.cxxNamespace)) {
+    std::string constants, variables, grown;
+    for (std::size_t i = 0; i < event.payload.size(); ++i) {
+      const std::string type = cxxType(event.payload[i], context.header.cxxNamespace);
+      constants += "const " + type + "& " + lock::payloadName(i) + ", " + kBreak;
+      const std::string variable = std::string(", ") + kBreak + type + "& ";
+      const bool grows = emit::reserves(event.payload[i], context.lookup);
+      variables += variable + lock::payloadName(i);
+      grown += variable + named(lock::payloadName(i).c_str(), grows);
+      reserves = reserves || grows;
+    }
+    store = "bool store(" + constants + slot + "& slot)";
+    load = "void load(const " + slot + "& slot" + variables + ")";
+    reserve = "void reserve(const " + slot + "*" + grown + ")";
+  }
+  std::string slot, store, load, reserve;
+  bool reserves = false;
+};
+
+void declarePayload(Code& code, const Context& context, const model::Interface& interface,
+                    const model::Event& event) {
+  const Payload payload(context, interface, event);
+  code.open("struct ", payload.slot, " {");
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    code.line(slotType(event.payload[i], context, context.header.cxxNamespace), " ",
+              lock::payloadName(i), ";");
+  }
+  code.close("};").blank();
+  code.line(payload.store, ";").line(payload.load, ";");
+  if (payload.reserves) code.line(payload.reserve, ";");
+  declareShift(code, payloadValues(event), payload.slot, context);
+  code.blank();
+}
+
+void emitReserve(Code& code, const Context& context, const model::Event& event,
+                 const Payload& payload) {
+  code.open(payload.reserve, " {");
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    const std::string name = lock::payloadName(i);
+    if (!reserves(event.payload[i], context.lookup)) continue;
+    code.line("suture::reserveFor<decltype(", payload.slot, "::", name, ")>(", name, ");");
+  }
+  code.close("}").blank();
+}
+
+void emitPayload(Code& code, const Context& context, const model::Interface& interface,
+                 const model::Event& event) {
+  const Payload payload(context, interface, event);
+  std::string stores;
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    const std::string name = lock::payloadName(i);
+    stores +=
+        (i == 0 ? "" : std::string(" && ") + kBreak) + "store(" + name + ", slot." + name + ")";
+  }
+  code.function(payload.store, "return " + stores + ";").blank();
+  code.open(payload.load, " {");
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    code.line("load(slot.", lock::payloadName(i), ", ", lock::payloadName(i), ");");
+  }
+  code.close("}").blank();
+  if (payload.reserves) emitReserve(code, context, event, payload);
+  emitShift(code, payloadValues(event), payload.slot, context);
+}
+
+/// The commands and the events that have a slot of their own.
+template <class Emit>
+void forEachArguments(const Context& context, const model::Interface& interface, const Emit& emit) {
+  for (const model::Command& command : interface.commands) {
+    if (command.parameters.empty() || !command.inheritedFrom.empty()) continue;
+    emit(command, relative(argumentsStruct(interface, command), context.header.cxxNamespace));
+  }
+}
+template <class Emit>
+void forEachPayload(const model::Interface& interface, const Emit& emit) {
+  for (const model::Event& event : interface.events) {
+    if (event.payload.size() >= 2 && event.inheritedFrom.empty()) emit(event);
+  }
+}
+
+template <class Declarations>
+void emitNumbers(Code& code, const std::string& contract, const char* kind, const char* plural,
+                 const Declarations& own, std::size_t all) {
+  if (own.empty()) return;
+  std::size_t inherited = all - own.size();
+  const char* const whose = inherited == 0 ? "" : "own ";
+  code.line("/// The numbers of ", contract, "'s ", whose, plural, ".");
+  code.open("enum class ", contract, kind, " : std::uint16_t {");
+  for (const auto* const declaration : own) {
+    code.line(declaration->name, startOf(std::exchange(inherited, 0)), ",");
+  }
+  code.close("};").blank();
+}
+
+}  // namespace
+
+void emitArguments(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string contract = prefixOf(interface);
+  std::string title = ": the arguments of its commands ---";
+  const auto titled = [&] {
+    if (!title.empty()) code.line("// --- ", contract, std::exchange(title, "")).blank();
+  };
+  forEachArguments(context, interface, [&](const model::Command& command, const std::string& slot) {
+    titled();
+    emitStruct(code, context, command, slot);
+    code.line(storeSignature(context, command, slot), ";");
+    declareShift(code, argumentValues(command), slot, context);
+    code.blank();
+  });
+  title = ": what its events carry ---";
+  forEachPayload(interface, [&](const model::Event& event) {
+    titled();
+    declarePayload(code, context, interface, event);
+  });
+  emitNumbers(code, contract, "Command", "commands in every table and record",
+              ownCommands(interface), interface.commands.size());
+  emitNumbers(code, contract, "Event", "events", ownEvents(interface), interface.events.size());
+}
+
+void emitArgumentConversions(Code& code, const Context& context,
+                             const model::Interface& interface) {
+  forEachArguments(context, interface, [&](const model::Command& command, const std::string& slot) {
+    emitStore(code, context, command, slot);
+    emitShift(code, argumentValues(command), slot, context);
+  });
+  forEachPayload(interface,
+                 [&](const model::Event& event) { emitPayload(code, context, interface, event); });
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,79 @@
+#include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/parts.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+/// "implementation_.servo_cp(scratch_.servo_cp_goal)".
+std::string call(const model::Command& command) {
+  std::string arguments;
+  for (const model::Parameter& parameter : command.parameters) {
+    if (!arguments.empty()) arguments += std::string(", ") + kBreak;
+    arguments += "scratch_." + scratchName(command, parameter);
+  }
+  return "implementation_." + command.name + "(" + arguments + ")";
+}
+
+void emitCase(Code& code, const Context& context, const model::Interface& interface,
+              const model::Command& command) {
+  code.open("case ", prefixOf(interface), "Command::", command.name, ": {");
+  if (!command.parameters.empty()) {
+    code.line("const auto& slot = ", kBreakText, "slotIn<", argumentsStruct(interface, command),
+              ">(arguments);");
+    for (const model::Parameter& parameter : command.parameters) {
+      code.line("load(slot.", parameter.name, ", scratch_.", scratchName(command, parameter), ");");
+    }
+  }
+  if (command.result) {
+    const std::string answer = command.parameters.empty() ? "slot" : "answer";
+    code.line("auto& ", answer, " = ", kBreakText, "newSlot<",
+              slotType(*command.result, context, "suture"), ">(result);");
+    code.line("return store(", call(command), ", ", kBreakText, answer, ") ", kBreakText,
+              "? Errc{} : Errc::TooLarge;");
+  } else {
+    code.line(call(command), ";").line("return Errc{};");
+  }
+  code.close("}");
+}
+
+}  // namespace
+
+void emitReserved(Code& code, const Context& context, const model::Interface& interface) {
+  const std::vector<Argument> arguments = reservedArguments(interface, context.lookup);
+  if (arguments.empty()) return;
+  code.open("auto Provided<", interface.name, ">::Scratch::reserved() -> Scratch {");
+  code.line("Scratch scratch{};");
+  for (const auto& [command, parameter] : arguments) {
+    code.line("reserveFor<decltype(", argumentsStruct(interface, command), "::", parameter.name,
+              ")>(", kBreakText, "scratch.", scratchName(command, parameter), ");");
+  }
+  code.line("return scratch;").close("}").blank();
+}
+
+void emitExecute(Code& code, const Context& context, const model::Interface& interface) {
+  const std::vector<const model::Command*> own = ownCommands(interface);
+  const bool derives = !interface.base.empty();
+  if (derives && own.empty()) return;  // then the base's is right
+  const bool any = !own.empty();
+  bool takes = derives;
+  bool answers = derives;
+  for (const model::Command* const command : own) {
+    takes = takes || !command->parameters.empty();
+    answers = answers || command->result.has_value();
+  }
+  code.open("Errc Provided<", interface.name, ">::execute(", kBreakText, "std::uint16_t ",
+            named("command", any), ", ", kBreakText, "const std::byte* ", named("arguments", takes),
+            ", ", kBreakText, "std::byte* ", named("result", answers), ") {");
+  if (any) {
+    code.line("using ::", interface.name, "Command;");
+    code.open("switch (static_cast<", prefixOf(interface), "Command>(command)) {");
+    for (const model::Command* const command : own) emitCase(code, context, interface, *command);
+    code.close("}");
+  }
+  const std::string rest =
+      derives ? "Provided<" + interface.base + ">::execute(command, arguments, result)"
+              : "Errc::Invalid";
+  code.line("return ", rest, ";").close("}").blank();
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,219 @@
+#include "compiler/emit/cpp/stamps.h"
+#include "compiler/emit/text/contract.h"
+#include "compiler/emit/text/parts.h"
+#include "compiler/emit/wire/remote.h"
+#include "compiler/emit/wire/wire_form.h"
+#include "compiler/emit/wire/wire_places.h"
+#include "compiler/model/naming.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+namespace suture::compiler::emit {
+namespace {
+
+const char* kindName(model::CommandKind kind) {
+  switch (kind) {
+    case model::CommandKind::Void: return "Void";
+    case model::CommandKind::Write: return "Write";
+    case model::CommandKind::Read: return "Read";
+    case model::CommandKind::QualifiedRead: return "QualifiedRead";
+    case model::CommandKind::VoidReturn: return "VoidReturn";
+    case model::CommandKind::WriteReturn: return "WriteReturn";
+  }
+  return "";
+}
+
+std::string duration(const char* name, std::int64_t nanoseconds) {
+  return std::string(name) + " = Duration(" + grouped(nanoseconds) + ")";
+}
+
+/// One row of a table: on one line if it fits, else one member a line.
+void emitEntry(Code& code, const std::vector<std::string>& members) {
+  std::string row;
+  for (const std::string& member : members) row += (row.empty() ? "    {" : ", ") + member;
+  if (row.size() + 2 <= Code::kColumns) {
+    code.line(row, "},");
+    return;
+  }
+  for (const std::string& member : members) {
+    const bool first = &member == &members.front();
+    const bool last = &member == &members.back();
+    code.line(first ? "    {" : "     ", member, last ? "}," : ",");
+  }
+}
+
+/// The same JSON in as few lines as there have to be.
+std::string packed(const std::string& json) {
+  std::string text, line;
+  std::istringstream lines(json);
+  for (std::string one; std::getline(lines, one);) {
+    one.erase(0, one.find_first_not_of(' '));
+    const bool tight = line.empty() || line.ends_with('{') || line.ends_with('[') ||
+                       one.starts_with('}') || one.starts_with(']');
+    if (line.size() + one.size() + 1 > Code::kColumns) {
+      text += line + '\n';
+      line = one;
+    } else {
+      line += (tight ? "" : " ") + one;
+    }
+  }
+  return text + line;
+}
+
+/// Adds the member unless there is nothing to say.
+void addMember(std::vector<std::string>& members, const char* name, const std::string& value) {
+  if (!value.empty()) members.push_back(std::string(name) + " = " + value);
+}
+
+/// Emits the command's row of the table; what that row needs goes to `before`.
+void emitCommand(Code& table, Code& before, const Context& context,
+                 const model::Interface& interface, const model::Command& command, int column) {
+  const std::string& home = context.header.cxxNamespace;
+  std::vector<std::string> members = {
+      ".name = \"" + command.name + "\"",
+      std::string(".kind = CommandKind::") + kindName(command.kind)};
+  const std::string slot = relative(argumentsStruct(interface, command), home);
+  if (!command.parameters.empty()) {
+    members.push_back(".argumentsSize = slotSize<" + slot + ">");
+  }
+  if (command.result) {
+    members.push_back(".resultSize = slotSize<" + slotType(*command.result, context, home) + ">");
+  }
+  members.push_back(".depth = " + std::to_string(command.queue));
+  if (command.latest) members.push_back(".latest = true");
+  if (command.ttlNanoseconds) members.push_back(duration(".ttl", *command.ttlNanoseconds));
+  if (column >= 0) members.push_back(".column = " + std::to_string(column));
+  if (command.deadlineNanoseconds) {
+    members.push_back(duration(".deadline", *command.deadlineNanoseconds));
+  }
+  const auto isOpen = [&](const auto& carried) { return !isBounded(carried, context.lookup); };
+  const auto& parameters = command.parameters;
+  if (std::any_of(parameters.begin(), parameters.end(),
+                  [&](const model::Parameter& one) { return isOpen(one.type); })) {
+    members.push_back(".sharedArguments = true");
+  }
+  if (command.result && isOpen(*command.result)) members.push_back(".sharedResult = true");
+  if (command.concurrent || command.direct) members.push_back(".inCallersThread = true");
+  if (const std::string check = argumentsCheck(interface, command, context); !check.empty()) {
+    members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
+  }
+  if (const std::string check = resultCheck(interface, command, context); !check.empty()) {
+    members.push_back(".acceptsResult = checkSlot<" + slotType(*command.result, context, home) +
+                      ", " + check + ">");
+  }
+  addMember(members, ".shiftArguments", shiftOf(slot, argumentValues(command), context));
+  if (command.result) {
+    const std::string name = "shift" + prefixOf(interface) + model::titleCase(command.wireName);
+    addMember(members, ".shiftResult",
+              emitShiftOf(before, *command.result, name + "Result", context));
+  }
+  emitEntry(table, members);
+}
+
+void emitCommands(Code& code, const Context& context, const model::Interface& interface) {
+  if (ownCommands(interface).empty()) return;
+  Code table;
+  int columns = 0;
+  for (const model::Command& command : interface.commands) {
+    const int column = command.kind == model::CommandKind::Read ? columns++ : -1;
+    if (command.inheritedFrom.empty()) {
+      emitCommand(table, code, context, interface, command, column);
+    }
+  }
+  code.line("constexpr CommandInfo k", prefixOf(interface), "Commands[] = {");
+  code.verbatim(table.text()).line("};").blank();
+}
+
+std::string shiftOfPayload(Code& before, const Context& context, const model::Interface& interface,
+                           const model::Event& event) {
+  const std::string slot = payloadSlot(interface, event, context, context.header.cxxNamespace);
+  if (event.payload.size() != 1) return shiftOf(slot, payloadValues(event), context);
+  const std::string name = "shift" + prefixOf(interface) + model::titleCase(event.wireName);
+  return emitShiftOf(before, event.payload.front(), name + "Payload", context);
+}
+
+void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
+  const std::vector<const model::Event*> own = ownEvents(interface);
+  if (own.empty()) return;
+  Code table;
+  for (const model::Event* const event : own) {
+    std::vector<std::string> members = {".name = \"" + event->name + "\""};
+    if (!event->payload.empty()) {
+      const std::string slot = payloadSlot(interface, *event, context, context.header.cxxNamespace);
+      members.push_back(".payloadSize = slotSize<" + slot + ">");
+    }
+    members.push_back(".depth = " + std::to_string(event->queue));
+    if (event->latest) members.push_back(".latest = true");
+    if (event->latched) members.push_back(".latched = true");
+    const auto& payload = event->payload;
+    if (!std::all_of(payload.begin(), payload.end(),
+                     [&](const model::Type& type) { return isBounded(type, context.lookup); })) {
+      members.push_back(".sharedPayload = true");
+    }
+    if (const std::string check = payloadCheck(interface, *event, context); !check.empty()) {
+      const std::string slot = payloadSlot(interface, *event, context, context.header.cxxNamespace);
+      members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
+    }
+    addMember(members, ".shiftPayload", shiftOfPayload(code, context, interface, *event));
+    emitEntry(table, members);
+  }
+  code.line("constexpr EventInfo k", prefixOf(interface), "Events[] = {");
+  code.verbatim(table.text()).line("};").blank();
+}
+
+/// Returns how kInfo spells all rows of a contract: its base has the first, its table `own` the
+/// others. Emits what joins the two.
+std::string rows(Code& code, const model::Interface& interface, const std::string& kind,
+                 const std::string& own, std::size_t ownRows, std::size_t allRows) {
+  if (ownRows == allRows) return allRows == 0 ? "{}" : own;
+  std::string inherited = "interfaceInfo<" + interface.base + ">()." + kind;
+  if (ownRows == 0) return inherited;
+  std::string name = "k" + model::titleCase(kind);
+  code.line("static const auto ", name, " = extended<", std::to_string(allRows), ">(", kBreakText,
+            inherited, ", ", kBreakText, own, ");");
+  return name;
+}
+
+}  // namespace
+
+void emitTables(Code& code, const Context& context, const model::Interface& interface) {
+  emitCommands(code, context, interface);
+  emitEvents(code, context, interface);
+  code.line("// The self-description, as in ", model::stemOf(context.header.path), ".suture.json.");
+  code.line("constexpr char k", prefixOf(interface), "Description[] = R\"json(");
+  code.verbatim(packed(describe(context, interface))).line(")json\";").blank();
+}
+
+void emitInfo(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string& home = context.header.cxxNamespace;
+  const std::string tables = (home.empty() ? "::k" : home + "::k") + prefixOf(interface);
+  code.line("template <>");
+  code.open("const InterfaceInfo& interfaceInfo<", interface.name, ">() {");
+  const std::string commands = rows(code, interface, "commands", tables + "Commands",
+                                    ownCommands(interface).size(), interface.commands.size());
+  const std::string events = rows(code, interface, "events", tables + "Events",
+                                  ownEvents(interface).size(), interface.events.size());
+  const bool derives = !interface.base.empty();
+  code.line("static ", derives ? "const" : "constexpr", " InterfaceInfo kInfo{");
+  code.line("    .name = \"", interface.name, "\",");
+  code.line("    .hash = \"", context.hashes.at(interface.name), "\",");
+  code.line("    .description = ", tables, "Description,");
+  code.line("    .commands = ", commands, ",");
+  code.line("    .events = ", events, ",");
+  code.line("    .binding = &", home.empty() ? "::" : home + "::", bindingFunction(interface), ",");
+  if (derives) {
+    code.line("    .base = &interfaceInfo<", interface.base, ">,");
+    code.line("    .toBase = &castToBase<", interface.name, ", ", kBreakText, interface.base, ">,");
+  }
+  if (!wireEvents(context, interface).empty()) {
+    code.line("    .wireEvents = ", tables, "WireEvents,");
+  }
+  if (!wireColumns(context, interface).empty()) {
+    code.line("    .wireColumns = ", tables, "WireColumns,");
+  }
+  code.line("};").line("return kInfo;").close("}").blank();
+}
+
+}  // namespace suture::compiler::emit

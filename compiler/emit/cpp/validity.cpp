@@ -1,0 +1,218 @@
+// Which numbers a provider may act on: NaN and what lies outside a range() stop at the border.
+
+#include <algorithm>
+
+#include "compiler/emit/text/contract.h"
+#include "compiler/emit/wire/wire_form.h"
+#include "compiler/lock/schema/wire_type.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+using model::Type;
+using Shape = Type::Shape;
+using Range = std::optional<std::pair<double, double>>;
+
+bool isReal(model::Scalar scalar) {
+  return scalar == model::Scalar::Float32 || scalar == model::Scalar::Float64;
+}
+
+std::string within(const std::string& slot, const Range& range, double scale) {
+  return "inRange(" + slot + ", " + cxxNumber(range->first * scale) + ", " +
+         cxxNumber(range->second * scale) + ")";
+}
+
+bool usesPath(const std::string& condition) {
+  return condition.find(", path") != std::string::npos;
+}
+
+std::string lambda(const std::string& parameter, const std::string& result) {
+  const std::string capture = usesPath(result) ? "[path]" : "[]";
+  return capture + "(" + parameter + ") {" + lambdaBody("return " + result + ";") + "}";
+}
+
+/// `path` is null where C++ does not count the elements of such a type by one number in brackets.
+std::string allOf(const std::string& slot, const std::string& path, const std::string& parameter,
+                  const std::string& each) {
+  return "allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
+}
+
+/// The condition under which the coefficients of an Eigen type are valid.
+std::string coefficientsCondition(const Type& type, const std::string& slot, const Range& range,
+                                  unsigned depth) {
+  const bool vector = type.shape == Shape::Matrix && (type.rows == 1 || type.columns == 1);
+  if (!range && !isReal(type.scalar)) return "";
+  if (!range) return "isValid(" + slot + (vector ? ", path)" : ")");
+  const std::string item = "element" + depthSuffix(depth);
+  return allOf(slot, vector ? "path" : "nullptr", cxxScalar(type.scalar) + " " + item,
+               within(item, range, 1));
+}
+
+/// True if anything in it has to be looked at.
+bool isChecked(const Type& type) {
+  switch (type.shape) {
+    case Shape::Scalar:
+    case Shape::AnyMatrix:
+    case Shape::Matrix: return isReal(type.scalar);
+    case Shape::Duration: return isReal(lock::wireScalar(type));
+    case Shape::Quaternion:
+    case Shape::Isometry:
+    case Shape::Affine:
+    case Shape::Struct:
+    case Shape::Variant: return true;
+    default: break;
+  }
+  return std::any_of(type.element.begin(), type.element.end(), isChecked);
+}
+
+/// The slot of an enum is a number, and only the enum's own check knows which of them it declares.
+bool holdsEnum(const Type& type) {
+  return type.shape == Shape::Enum ||
+         std::any_of(type.element.begin(), type.element.end(), holdsEnum);
+}
+
+/// The condition of a type that one overload of the runtime's isValid() judges as a whole.
+std::string wholeCondition(const Type& type, const std::string& slot) {
+  return isChecked(type) ? "isValid(" + slot + ", path)" : "";
+}
+
+std::string condition(const Type& type, const std::string& slot, const Range& range,
+                      const Context& context, unsigned depth);
+
+std::string mapCondition(const Type& type, const std::string& slot, const Range& range,
+                         const Context& context, unsigned depth) {
+  if (!range && !holdsEnum(type)) return wholeCondition(type, slot);
+  const std::string item = "element" + depthSuffix(depth);
+  const std::string key = condition(type.element.front(), item + ".key", {}, context, depth + 1);
+  const std::string value =
+      condition(type.element.back(), item + ".value", range, context, depth + 1);
+  const std::string itemType = elementSlot(type, context, context.header.cxxNamespace);
+  return allOf(slot, "path", "const " + itemType + "& " + item,
+               key + (key.empty() || value.empty() ? "" : " && ") + value);
+}
+
+/// Returns what can be called with a slot of the type and says whether that may be acted on.
+std::string checkOf(const Type& type, const Context& context, unsigned depth) {
+  if (type.shape == Shape::Enum) return enumCheck(type.name, context);
+  if (!holdsEnum(type)) return "Valid{path}";
+  const std::string item = "element" + depthSuffix(depth);
+  const std::string itemType = slotType(type, context, context.header.cxxNamespace);
+  return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth + 1));
+}
+
+/// A tuple or a variant is given one check for each thing that is, or may be, in it.
+std::string eachCondition(const char* function, const Type& type, const std::string& slot,
+                          const Context& context, unsigned depth) {
+  if (!holdsEnum(type)) return wholeCondition(type, slot);
+  std::string checks;
+  for (const Type& element : type.element) {
+    checks += std::string(", ") + kBreak + checkOf(element, context, depth + 1);
+  }
+  return function + ("(" + slot) + ", path" + checks + ")";
+}
+
+/// The condition of a number of seconds, whose slot holds its count or nanoseconds.
+std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
+  if (!range) return isChecked(type) ? "isValid(" + slot + ")" : "";
+  const double counts =
+      static_cast<double>(type.periodDenominator) / static_cast<double>(type.periodNumerator);
+  return within(slot, range, isReal(lock::wireScalar(type)) ? counts : 1e9);
+}
+
+std::string sequenceCondition(const Type& type, const std::string& slot, const Range& range,
+                              const Context& context, unsigned depth) {
+  const Type& element = type.element.front();
+  const std::string item = "element" + depthSuffix(depth);
+  const std::string each = condition(element, item, range, context, depth + 1);
+  if (each.empty()) return "";
+  if (element.shape == Shape::Scalar && !range) return "isValid(" + slot + ", path)";
+  const std::string itemType = slotType(element, context, context.header.cxxNamespace);
+  return allOf(slot, "path", "const " + itemType + "& " + item, each);
+}
+
+/// An expression of type bool; empty when there is nothing to check.
+std::string condition(const Type& type, const std::string& slot, const Range& range,
+                      const Context& context, unsigned depth) {
+  switch (type.shape) {
+    case Shape::Scalar:
+      if (type.scalar == model::Scalar::Bool) return "";
+      if (range) return within(slot, range, 1);
+      return isReal(type.scalar) ? "isValid(" + slot + ")" : "";
+    case Shape::Duration: return durationCondition(type, slot, range);
+    case Shape::Struct: return "isValid(" + slot + ", path)";
+    case Shape::Enum: return enumCheck(type.name, context) + "(" + slot + ")";
+    case Shape::Text:
+    case Shape::TimePoint:
+    case Shape::Nothing: return "";
+    case Shape::Matrix:
+    case Shape::AnyMatrix:
+    case Shape::Quaternion:
+    case Shape::Isometry:
+    case Shape::Affine: return coefficientsCondition(type, slot, range, depth);
+    case Shape::Tuple: return eachCondition("allItems", type, slot, context, depth);
+    case Shape::Variant: return eachCondition("theOneOf", type, slot, context, depth);
+    case Shape::Map: return mapCondition(type, slot, range, context, depth);
+    case Shape::Optional:
+      if (!range && !holdsEnum(type)) return wholeCondition(type, slot);
+      [[fallthrough]];
+    case Shape::List:
+    case Shape::Array: return sequenceCondition(type, slot, range, context, depth);
+  }
+  return "";
+}
+
+std::string conditionOf(const WireValue& value, const Context& context) {
+  return condition(value.type, value.slot, value.range, context, 0);
+}
+
+/// The expression that a check returns when it refuses the value.
+std::string refusalOf(const WireValue& value) {
+  return value.member.empty() ? "false" : "refusedAt(path, \"" + value.member + "\")";
+}
+
+void emitRefusal(Code& code, const std::string& unless, const std::string& refusal) {
+  const std::string line = "  if (!" + unless + ") return " + refusal + ";";
+  const bool isOneLine = unless.find(kBody) == std::string::npos && line.size() <= Code::kColumns;
+  if (isOneLine) {
+    code.line("if (!", unless, ") return ", refusal, ";");
+  } else {
+    code.open("if (!", unless, ") {").line("return ", refusal, ";").close("}");
+  }
+}
+
+}  // namespace
+
+bool hasConditions(const std::vector<WireValue>& values, const Context& context) {
+  return std::any_of(values.begin(), values.end(),
+                     [&](const WireValue& value) { return !conditionOf(value, context).empty(); });
+}
+
+std::string validityParameters(const std::string& slot, const std::vector<WireValue>& values,
+                               const Context& context) {
+  const bool tells = std::any_of(values.begin(), values.end(), [&](const WireValue& value) {
+    const std::string one = conditionOf(value, context);
+    return !one.empty() && (usesPath(one) || !value.member.empty());
+  });
+  return "const " + slot + (hasConditions(values, context) ? "& slot, " : "&, ") + kBreak +
+         (tells ? "FieldPath* path" : "FieldPath*");
+}
+
+void emitValidity(Code& code, const std::vector<WireValue>& values, const Context& context) {
+  std::vector<const WireValue*> checked;
+  for (const WireValue& value : values) {
+    if (!conditionOf(value, context).empty()) checked.push_back(&value);
+  }
+  std::string last = "true";
+  for (const WireValue* const value : checked) {
+    const std::string one = conditionOf(*value, context);
+    const std::string refusal = refusalOf(*value);
+    if (value != checked.back() || one.find(kBody) != std::string::npos) {
+      emitRefusal(code, one, refusal);
+    } else {
+      last = value->member.empty() ? one : one + " || " + kBreak + refusal;
+    }
+  }
+  code.line("return ", last, ";");
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,160 @@
+#include "compiler/emit/text/contract.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "compiler/lock/wanted.h"
+
+namespace suture::compiler::emit {
+
+std::string eventArguments(const Context& context, const model::Interface& interface,
+                           const model::Event& event) {
+  if (event.payload.empty()) return "void";
+  std::string text = payloadSlot(interface, event, context, "suture");
+  for (const model::Type& type : event.payload) {
+    text += std::string(", ") + kBreak + cxxType(type, "suture");
+  }
+  return text;
+}
+
+std::string payloadMember(const model::Event& event, const std::string& slot, std::size_t index) {
+  return event.payload.size() == 1 ? slot : slot + "." + lock::payloadName(index);
+}
+
+std::string baseClass(const char* kind, const model::Interface& interface) {
+  if (interface.base.empty()) return std::string(kind) + "Base";
+  return std::string(kind) + "<" + interface.base + ">";
+}
+
+void emitEventsHead(Code& code, const model::Interface& interface, const std::string& base) {
+  const bool inherits = ownEvents(interface).size() < interface.events.size();
+  code.open("struct Events ", inherits ? ": " + base + "::Events " : "", "{");
+}
+
+void emitEventConstructor(Code& code, const model::Interface& interface, const std::string& base,
+                          const std::string& parameter, const std::string& argument) {
+  const std::vector<const model::Event*> events = ownEvents(interface);
+  code.line("explicit Events(", parameter, ")");
+  const char* lead = "    : ";
+  if (events.size() < interface.events.size()) {
+    code.line(lead, base, "::Events(", argument, "),");
+    lead = "      ";
+  }
+  for (const model::Event* const event : events) {
+    code.line(lead, event->name, "{", argument,
+              ", static_cast<std::uint16_t>(EventId::", event->name, ")}",
+              event == events.back() ? " {}" : ",");
+    lead = "      ";
+  }
+}
+
+void emitNumberAliases(Code& code, const model::Interface& interface) {
+  if (!ownCommands(interface).empty()) code.line("using Id = ", interface.name, "Command;");
+  if (!ownEvents(interface).empty()) code.line("using EventId = ", interface.name, "Event;");
+}
+
+namespace {
+
+template <class Declaration>
+std::vector<const Declaration*> ownOf(const std::vector<Declaration>& all) {
+  std::vector<const Declaration*> own;
+  for (const Declaration& one : all) {
+    if (one.inheritedFrom.empty()) own.push_back(&one);
+  }
+  return own;
+}
+
+}  // namespace
+
+std::vector<const model::Command*> ownCommands(const model::Interface& interface) {
+  return ownOf(interface.commands);
+}
+
+std::vector<const model::Event*> ownEvents(const model::Interface& interface) {
+  return ownOf(interface.events);
+}
+
+std::string startOf(std::size_t inherited) {
+  return inherited == 0 ? "" : " = " + std::to_string(inherited);
+}
+
+std::string eventNumber(const model::Interface& interface, const model::Event& event,
+                        const std::string& inNamespace) {
+  const std::string& home = event.inheritedFrom.empty() ? interface.name : event.inheritedFrom;
+  return "numberOf(" + relative(home, inNamespace) + "Event::" + event.name + ")";
+}
+
+std::vector<const model::Command*> readsOf(const model::Interface& interface) {
+  std::vector<const model::Command*> reads;
+  for (const model::Command& command : interface.commands) {
+    if (command.kind == model::CommandKind::Read) reads.push_back(&command);
+  }
+  return reads;
+}
+
+std::string number(double value) {
+  char text[64];
+  char* end = std::to_chars(text, text + sizeof text, value).ptr;
+  const bool everyday = std::abs(value) >= 1e-6 && std::abs(value) < 1e9;
+  if (everyday) end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed).ptr;
+  return {text, end};
+}
+
+std::string cxxNumber(double value) {
+  const std::string infinity = "std::numeric_limits<double>::infinity()";
+  if (std::isinf(value)) return (value < 0 ? "-" : "") + infinity;
+  const std::string text = number(value);
+  // Such an integer fits no type of C++.
+  const bool large = std::abs(value) >= 0x1p63 && text.find_first_of(".e") == std::string::npos;
+  return large ? text + ".0" : text;
+}
+
+bool hasOwnParameters(const model::Interface& interface) {
+  for (const model::Command* const command : ownCommands(interface)) {
+    if (!command->parameters.empty()) return true;
+  }
+  return false;
+}
+
+bool reserves(const model::Struct& declaration, const model::Lookup& lookup) {
+  const auto& fields = declaration.fields;
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const model::Field& field) { return reserves(field.type, lookup); });
+}
+
+bool reserves(const model::Type& type, const model::Lookup& lookup) {
+  using Shape = model::Type::Shape;
+  switch (type.shape) {
+    case Shape::Text: return type.capacity.value_or(0) > 0;
+    case Shape::List:  // not of sets, deques and Eigen's vectors, which cannot
+      return type.capacity.value_or(0) > 0 && type.spelling.starts_with("std::vector<");
+    case Shape::Array: return reserves(type.element.front(), lookup);
+    case Shape::Struct: {
+      const model::Struct* const declaration = lookup.findStruct(type.name);
+      return declaration != nullptr && reserves(*declaration, lookup);
+    }
+    default: return false;
+  }
+}
+
+std::vector<Argument> reservedArguments(const model::Interface& interface,
+                                        const model::Lookup& lookup) {
+  std::vector<Argument> arguments;
+  for (const model::Command* const command : ownCommands(interface)) {
+    for (const model::Parameter& parameter : command->parameters) {
+      if (reserves(parameter.type, lookup)) arguments.push_back({*command, parameter});
+    }
+  }
+  return arguments;
+}
+
+std::string named(const char* name, bool used) {
+  return used ? name : std::string("/*") + name + "*/";
+}
+
+std::string scratchName(const model::Command& command, const model::Parameter& parameter) {
+  return command.name + "_" + parameter.name;
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,126 @@
+#include "compiler/emit/text/order.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/lock/contract_node.h"
+#include "compiler/model/lookup.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+constexpr unsigned kUnknown = std::numeric_limits<unsigned>::max();
+
+unsigned ordinalOf(const lock::Node& node, const std::string& name) {
+  for (const lock::Member& member : node.members) {
+    if (member.name == name && !member.removed()) return member.ordinal;
+  }
+  return kUnknown;
+}
+
+/// Where a command or event stands: what a base declares comes first, in the base's own order.
+struct Place {
+  std::size_t depth;
+  unsigned ordinal;
+
+  auto operator<=>(const Place&) const = default;
+};
+
+/// The contracts that `interface` derives from, outermost first, and itself.
+std::vector<const model::Interface*> lineage(const model::Interface& interface,
+                                             const model::Lookup& lookup) {
+  std::vector<const model::Interface*> line;
+  for (const model::Interface* one = &interface; one != nullptr;
+       one = lookup.findInterface(one->base)) {
+    line.insert(line.begin(), one);
+  }
+  return line;
+}
+
+class Order {
+ public:
+  Order(const model::Lookup& lookup, const lock::Locks& locks) : lookup_(lookup), locks_(locks) {}
+
+  void sort(model::Interface& interface) const {
+    sort(interface, interface.commands, "cxx");
+    sort(interface, interface.events, "eventsOf");
+  }
+
+ private:
+  template <class Declarations>
+  void sort(const model::Interface& interface, Declarations& declarations,
+            const char* annotation) const {
+    const auto line = lineage(interface, lookup_);
+    const auto place = [&](const auto& one) {
+      const std::string& home = one.inheritedFrom.empty() ? interface.name : one.inheritedFrom;
+      std::size_t depth = 0;
+      while (depth + 1 < line.size() && line[depth]->name != home) ++depth;
+      const lock::Node* const node = nodeOf(home, annotation);
+      return Place{depth, node == nullptr ? kUnknown : ordinalOf(*node, one.wireName)};
+    };
+    std::stable_sort(declarations.begin(), declarations.end(),
+                     [&](const auto& a, const auto& b) { return place(a) < place(b); });
+    for (auto& one : declarations) {
+      const unsigned ordinal = place(one).ordinal;
+      if (ordinal != kUnknown) one.ordinal = ordinal;
+    }
+  }
+
+  const lock::Node* nodeOf(const std::string& interface, const char* annotation) const {
+    const model::Header* const header = lookup_.headerOf(interface);
+    if (header == nullptr) return nullptr;
+    const auto lock = locks_.files.find(lock::lockPath(header->path));
+    return lock == locks_.files.end() ? nullptr : lock::nodeOf(lock->second, annotation, interface);
+  }
+
+  const model::Lookup& lookup_;
+  const lock::Locks& locks_;
+};
+
+/// Puts structs behind those that they hold, and else leaves their order.
+class PartsFirst {
+ public:
+  explicit PartsFirst(std::vector<model::Struct>& structs) : structs_(structs) {}
+
+  void sort() {
+    for (const model::Struct& record : structs_) place(record.name);
+    structs_ = std::move(sorted_);
+  }
+
+ private:
+  void place(const std::string& name) {
+    const auto found = std::find_if(structs_.begin(), structs_.end(),
+                                    [&](const model::Struct& one) { return one.name == name; });
+    if (found == structs_.end() || !seen_.insert(name).second) return;
+    for (const model::Field& field : found->fields) place(field.type);
+    sorted_.push_back(*found);
+  }
+
+  void place(const model::Type& type) {
+    if (!type.name.empty()) place(type.name);
+    for (const model::Type& element : type.element) place(element);
+  }
+
+  std::vector<model::Struct>& structs_;
+  std::vector<model::Struct> sorted_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+model::Model ordered(model::Model model, const lock::Locks& locks) {
+  const model::Model declared = model;  // looked up in while the other is sorted
+  const model::Lookup lookup(declared);
+  const Order order(lookup, locks);
+  for (model::Header& header : model.headers) {
+    PartsFirst(header.structs).sort();
+    for (model::Interface& interface : header.interfaces) order.sort(interface);
+  }
+  return model;
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,16 @@
+#pragma once
+// Tells which parameters commands have got since they were first locked.
+
+#include <set>
+#include <string>
+
+#include "compiler/emit/text/context.h"
+
+namespace suture::compiler::emit {
+
+/// The wire names of the parameters that came later than the command, which an older client does
+/// not send. All others it must send: nobody moves an arm to a goal that was left out.
+std::set<std::string> laterParameters(const Context& context, const model::Interface& interface,
+                                      const model::Command& command);
+
+}  // namespace suture::compiler::emit

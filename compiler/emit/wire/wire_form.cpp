@@ -1,0 +1,393 @@
+#include "compiler/emit/wire/wire_form.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <string_view>
+
+#include "compiler/emit/text/contract.h"
+#include "compiler/lock/schema/composites.h"
+#include "compiler/lock/schema/wire_type.h"
+#include "compiler/lock/wanted.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+using model::Type;
+using Shape = Type::Shape;
+
+bool isSequence(const Type& type) {
+  return type.shape == Shape::List || type.shape == Shape::Array || type.shape == Shape::Map;
+}
+
+/// True if the type travels as a capnp struct of its own.
+bool isRecord(const Type& type) {
+  const bool composite = lock::isComposite(type) && type.shape != Shape::Map;
+  return type.shape == Shape::Struct || composite || !lock::namedEigenType(type).empty();
+}
+
+/// True if generated code has a fromWire() for the type, which takes the shift.
+bool isGenerated(const Type& type) {
+  return type.shape == Shape::Struct || type.shape == Shape::Optional ||
+         type.shape == Shape::Tuple || type.shape == Shape::Variant;
+}
+
+/// True if the type travels as one number.
+bool isNumber(const Type& type) {
+  return type.shape == Shape::Scalar || type.shape == Shape::Duration ||
+         type.shape == Shape::TimePoint;
+}
+
+bool isSteady(const Type& type) {
+  return type.shape == Shape::TimePoint && type.clock == model::Clock::Steady;
+}
+
+/// True for a sequence that one overload of the runtime's toWire() converts as a whole.
+bool isPlainSequence(const Type& type) {
+  if (type.shape == Shape::Map) return false;
+  const Type& element = type.element.front();
+  return isNumber(element) || (type.shape == Shape::List && element.shape == Shape::Text);
+}
+
+/// The type of a lambda's parameter; that of a composite is long, and its place says what it is.
+std::string elementSlot(const Type& type, const Context& context) {
+  const bool composite = type.shape == Shape::Map || lock::isComposite(type.element.front());
+  return composite ? "auto" : elementSlot(type, context, context.header.cxxNamespace);
+}
+
+/// "robots::types::" in front of a function for a type of another namespace than the header's.
+std::string qualifier(const std::string& declared, const Context& context) {
+  const model::Header* const header = context.lookup.headerOf(declared);
+  const bool here = header == nullptr || header->cxxNamespace == context.header.cxxNamespace;
+  return here ? "" : header->cxxNamespace + "::";
+}
+
+/// Number of elements of its wire list or text.
+std::string lengthOf(const Type& type, const std::string& slot) {
+  switch (type.shape) {
+    case Shape::Array: return std::to_string(type.rows);
+    case Shape::Matrix: return std::to_string(type.rows * type.columns);
+    case Shape::Quaternion: return "4";
+    case Shape::Isometry: return "12";
+    default: break;
+  }
+  if (!lock::isFlatList(type)) return slot + ".size";
+  return slot + ".size * " + std::to_string(type.element.front().rows);
+}
+
+/// A block of bytes is as long as its numbers are.
+std::string bulkFactor(const Type& type) {
+  const model::Scalar scalar = type.element.empty() ? type.scalar : type.element[0].scalar;
+  const bool bytes = scalar == model::Scalar::UInt8 || scalar == model::Scalar::Int8;
+  return type.bulk && !bytes ? " * sizeof(" + cxxScalar(scalar) + ")" : "";
+}
+
+/// Where a value goes: a field of a struct builder, or element i of a list builder.
+class Target {
+ public:
+  static Target field(const std::string& out, const std::string& wireName) {
+    const std::string title = model::titleCase(wireName);
+    return {out + ".set" + title + "(", out + ".init" + title + "(", out + ".init" + title + "()"};
+  }
+  static Target element(const std::string& list, const std::string& i) {
+    return {list + ".set(" + i + ", ", list + ".init(" + i + ", ", list + "[" + i + "]"};
+  }
+
+  std::string set(const std::string& value) const { return set_ + value + ")"; }
+  std::string init(const std::string& size) const { return init_ + size + ")"; }
+  const std::string& record() const { return record_; }
+
+ private:
+  Target(std::string set, std::string init, std::string record)
+      : set_(std::move(set)), init_(std::move(init)), record_(std::move(record)) {}
+
+  std::string set_, init_, record_;
+};
+
+std::string encodeInto(const Type& type, const std::string& slot, const Target& target,
+                       const Context& context, unsigned depth);
+
+/// What turns one element of a sequence into its wire form.
+std::string encodeElement(const Type& type, const std::string& slot, const Target& target,
+                          const Context& context, unsigned depth) {
+  if (type.shape == Shape::Map) return "toWire(" + slot + ", " + kBreak + target.record() + ")";
+  return encodeInto(type.element.front(), slot, target, context, depth);
+}
+
+std::string encodeInto(const Type& type, const std::string& slot, const Target& target,
+                       const Context& context, unsigned depth) {
+  if (isRecord(type)) return "toWire(" + slot + ", " + kBreak + target.record() + ")";
+  if (type.shape == Shape::Enum) {
+    return target.set(enumEncoder(type.name, context) + "(" + slot + ")");
+  }
+  if (isNumber(type)) {
+    const bool isBool = type.shape == Shape::Scalar && type.scalar == model::Scalar::Bool;
+    return target.set(isBool ? slot + " != 0" : slot);
+  }
+  if (type.shape == Shape::Nothing) return target.set("");
+  const std::string list = target.init(lengthOf(type, slot) + bulkFactor(type));
+  if (lock::isFlatList(type)) return "suture::rpc::toWireFlat(" + slot + ", " + kBreak + list + ")";
+  if (!isSequence(type) || isPlainSequence(type)) {
+    return "toWire(" + slot + ", " + kBreak + list + ")";
+  }
+  const std::string item = "element" + depthSuffix(depth);
+  const std::string inner = "list" + depthSuffix(depth);
+  const std::string index = "i" + depthSuffix(depth);
+  const std::string statement =
+      encodeElement(type, item, Target::element(inner, index), context, depth + 1);
+  return "toWireList(" + slot + ", " + kBreak + list + ", " + kBreak + "[](const " +
+         elementSlot(type, context) + "& " + item + ", auto " + inner + ", std::uint32_t " + index +
+         ") {" + lambdaBody(statement + ";") + "})";
+}
+
+/// A value is read by an assignment, which cannot fail, or by an expression of type Errc.
+struct Reading {
+  bool canFail;
+  std::string text;
+};
+
+Reading decodeFrom(const Type& type, const std::string& in, const std::string& slot,
+                   const std::string& shift, const Context& context, unsigned depth);
+
+Reading decodeSequence(const Type& type, const std::string& in, const std::string& slot,
+                       const std::string& shift, const Context& context, unsigned depth) {
+  const std::string item = "item" + depthSuffix(depth);
+  const std::string target = "target" + depthSuffix(depth);
+  const bool map = type.shape == Shape::Map;
+  const Type& element = type.element.front();
+  const Reading each = map ? Reading{true, "fromWire(" + item + ", " + target + ", " + shift + ")"}
+                           : decodeFrom(element, item, target, shift, context, depth + 1);
+  const std::string capture = map || usesShift(element) ? "[&]" : "[]";
+  const std::string function =
+      map || type.distinct ? "suture::rpc::fromWireDistinct(" : "fromWireList(";
+  return {true, function + in + ", " + kBreak + slot + ", " + kBreak + capture + "(auto " + item +
+                    ", " + elementSlot(type, context) + "& " + target + ") {" +
+                    lambdaBody("return " + each.text + (each.canFail ? ";" : ", Errc{};")) + "})"};
+}
+
+Reading decodeFrom(const Type& type, const std::string& in, const std::string& slot,
+                   const std::string& shift, const Context& context, unsigned depth) {
+  const std::string both = "fromWire(" + in + ", " + slot;
+  if (isSteady(type)) return {false, slot + " = suture::rpc::shifted(" + in + ", " + shift + ")"};
+  if (isNumber(type)) return {false, slot + " = " + in};
+  if (isGenerated(type)) return {true, both + ", " + shift + ")"};
+  if (lock::isFlatList(type)) return {true, "suture::rpc::fromWireFlat(" + in + ", " + slot + ")"};
+  if (type.shape == Shape::Affine) {
+    return {true, "suture::rpc::fromWireAffine(" + in + ", " + slot + ")"};
+  }
+  if (type.shape == Shape::Enum) return {true, qualifier(type.name, context) + both + ")"};
+  const bool whole = !isSequence(type) ||
+                     (isPlainSequence(type) && !type.distinct && !isSteady(type.element.front()));
+  return whole ? Reading{true, both + ")"} : decodeSequence(type, in, slot, shift, context, depth);
+}
+
+/// True if an older sender leaves its wire form out; for one number the schema has the default.
+bool canBeMissing(const Type& type) {
+  return !isNumber(type) && type.shape != Shape::Enum && type.shape != Shape::Nothing;
+}
+
+/// True if it reads as a value although nothing was sent.
+bool wouldBeMadeUp(const Type& type) {
+  if (type.shape == Shape::Array || type.shape == Shape::Matrix) return true;
+  return isRecord(type) && type.shape != Shape::Optional && type.shape != Shape::AnyMatrix;
+}
+
+/// Asks whether the value was sent, or was not. No array is empty, so an empty list says nothing.
+std::string whether(bool sent, const WireValue& value, const std::string& in) {
+  const bool isList = value.type.shape == Shape::Array ||
+                      (value.type.shape == Shape::Matrix && !isRecord(value.type));
+  const std::string name = model::titleCase(value.wireName);
+  if (isList) return in + ".get" + name + "().size() " + (sent ? "!=" : "==") + " 0";
+  return (sent ? "" : "!") + in + ".has" + name + "()";
+}
+
+/// Reads it by `expression` where it was sent.
+std::string ifSent(const WireValue& value, const std::string& in, const std::string& expression) {
+  const std::string sent = whether(true, value, in);
+  const auto choice = [](const std::string& asked, const std::string& yes, const std::string& no) {
+    return asked + " " + kBreak + "? " + yes + " " + kBreak + ": " + no;
+  };
+  if (value.isNeeded && wouldBeMadeUp(value.type)) return choice(sent, expression, "Errc::Invalid");
+  if (value.preset.empty()) return expression;
+  const std::string preset = "fromDefault(" + value.preset + ", " + value.slot + ")";
+  const bool isLong = expression.find(kBody) != std::string::npos;
+  return isLong ? choice(whether(false, value, in), preset, expression)
+                : choice(sent, expression, preset);
+}
+
+}  // namespace
+
+std::string depthSuffix(unsigned depth) { return depth == 0 ? "" : std::to_string(depth + 1); }
+
+std::string lambdaBody(const std::string& statements) {
+  return std::string(1, kBody) + statements + kBodyEnd;
+}
+
+std::string enumEncoder(const std::string& enumName, const Context& context) {
+  return qualifier(enumName, context) + "wire" + model::unqualified(enumName);
+}
+
+std::string enumCheck(const std::string& enumName, const Context& context) {
+  return qualifier(enumName, context) + "isKnown" + model::unqualified(enumName);
+}
+
+namespace {
+
+constexpr std::string_view kStructCheck = "isValid";
+
+std::string structCheck(const Type& type, const Context& context) {
+  return qualifier(type.name, context).append(kStructCheck);
+}
+
+/// Admits infinity where that is the default, since it then says something.
+std::optional<std::pair<double, double>> admitted(const model::Field& field) {
+  const bool infinite = field.defaultJson == "\"inf\"" || field.defaultJson == "\"-inf\"";
+  if (field.range || !infinite || !isNumber(field.type)) return field.range;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return std::pair{-kInfinity, kInfinity};
+}
+
+}  // namespace
+
+bool isStructCheck(const std::string& check) { return check.ends_with(kStructCheck); }
+
+std::vector<WireValue> fieldValues(const model::Struct& type, const Context& context) {
+  const std::string& home = context.header.cxxNamespace;
+  const std::string fresh = relative(type.name, home) + "()";
+  std::vector<WireValue> values;
+  for (const model::Field& field : type.fields) {
+    const bool preset = field.isPreset && canBeMissing(field.type);
+    values.push_back({.type = field.type,
+                      .wireName = field.wireName,
+                      .slot = "slot." + field.name,
+                      .range = admitted(field),
+                      .preset = preset ? access(type, field, fresh, true, home) : "",
+                      .member = field.isBase ? "" : field.name});
+  }
+  return values;
+}
+
+std::vector<WireValue> argumentValues(const model::Command& command) {
+  std::vector<WireValue> values;
+  for (const model::Parameter& one : command.parameters) {
+    values.push_back({.type = one.type,
+                      .wireName = one.wireName,
+                      .slot = "slot." + one.name,
+                      .range = one.range,
+                      .member = one.name});
+  }
+  return values;
+}
+
+std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
+                           const Context& context) {
+  if (!hasConditions(argumentValues(command), context)) return "";
+  return "accepts" + prefixOf(interface) + model::titleCase(command.wireName);
+}
+
+std::vector<WireValue> resultValues(const model::Command& command) {
+  return {{.type = *command.result, .wireName = "value", .slot = "slot", .isNeeded = true}};
+}
+
+std::string resultCheck(const model::Interface& interface, const model::Command& command,
+                        const Context& context) {
+  if (!command.result || !hasConditions(resultValues(command), context)) return "";
+  if (command.result->shape == Shape::Struct) return structCheck(*command.result, context);
+  return "accepts" + prefixOf(interface) + model::titleCase(command.wireName) + "Result";
+}
+
+std::vector<WireValue> payloadValues(const model::Event& event) {
+  std::vector<WireValue> values;
+  const bool several = event.payload.size() > 1;
+  for (std::size_t i = 0; i < event.payload.size(); ++i) {
+    const auto range = i < event.limits.size() ? event.limits[i].range : std::nullopt;
+    values.push_back({.type = event.payload[i],
+                      .wireName = lock::payloadName(i),
+                      .slot = payloadMember(event, "slot", i),
+                      .range = range,
+                      .isNeeded = true,
+                      .member = several ? lock::payloadName(i) : ""});
+  }
+  return values;
+}
+
+std::string payloadCheck(const model::Interface& interface, const model::Event& event,
+                         const Context& context) {
+  if (!hasConditions(payloadValues(event), context)) return "";
+  if (event.payload.size() == 1 && event.payload.front().shape == Shape::Struct) {
+    return structCheck(event.payload.front(), context);
+  }
+  return "accepts" + prefixOf(interface) + model::titleCase(event.wireName) + "Event";
+}
+
+std::string encode(const WireValue& value, const std::string& out, const Context& context) {
+  return encodeInto(value.type, value.slot, Target::field(out, value.wireName), context, 0);
+}
+
+namespace {
+
+/// Writes the assignments; returns the expressions that may fail.
+std::vector<std::string> emitAssignments(Code& code, const std::vector<WireValue>& values,
+                                         const std::string& in, const std::string& shift,
+                                         const Context& context) {
+  std::vector<std::string> checks;
+  for (const WireValue& value : values) {
+    if (value.type.shape == Shape::Nothing) continue;
+    const std::string source = in + ".get" + model::titleCase(value.wireName) + "()";
+    const Reading reading = decodeFrom(value.type, source, value.slot, shift, context, 0);
+    if (reading.canFail) {
+      checks.push_back(ifSent(value, in, reading.text));
+    } else {
+      code.line(reading.text, ";");
+    }
+  }
+  return checks;
+}
+
+void emitChecks(Code& code, const char* beginning, const std::vector<std::string>& checks) {
+  if (checks.empty()) {
+    code.line(beginning, "Errc{};");
+  } else if (checks.size() == 1) {
+    code.line(beginning, checks.front(), ";");
+  } else {
+    code.line(beginning, "firstError({");
+    for (const std::string& check : checks) code.line("    ", check, ",");
+    code.line("});");
+  }
+}
+
+}  // namespace
+
+void emitDecodeAndReturn(Code& code, const std::vector<WireValue>& values, const std::string& in,
+                         const std::string& shift, const Context& context) {
+  emitChecks(code, "return ", emitAssignments(code, values, in, shift, context));
+}
+
+std::string emitDecode(Code& code, const std::vector<WireValue>& values, const std::string& in,
+                       const std::string& shift, const Context& context) {
+  const std::vector<std::string> checks = emitAssignments(code, values, in, shift, context);
+  if (checks.empty()) return "Errc{}";
+  if (checks.size() == 1) return checks.front();
+  emitChecks(code, "const Errc error = ", checks);
+  return "error";
+}
+
+void emitError(Code& code, const std::string& outcome) {
+  if (outcome == "error") return;
+  if (outcome.find(kBody) != std::string::npos) {
+    code.line("const Errc error = ", outcome, ";");
+    return;
+  }
+  std::string whole;
+  std::copy_if(outcome.begin(), outcome.end(), std::back_inserter(whole),
+               [](char c) { return c != kBreak; });
+  code.line("const Errc error = ", kBreakText, whole, ";");
+}
+
+bool usesShift(const Type& type) {
+  if (isGenerated(type) || type.shape == Shape::Map || isSteady(type)) return true;
+  return !type.element.empty() && usesShift(type.element.front());
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,103 @@
+#include "compiler/emit/wire/wire_places.h"
+
+#include <algorithm>
+#include <numeric>
+#include <span>
+#include <string_view>
+
+#include "compiler/emit/text/contract.h"
+#include "compiler/lock/contract_node.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+/// Names what lives in a node and came from the contract, in the order of the ordinals.
+std::vector<std::string> namesIn(const Context& context, const model::Interface& interface,
+                                 const char* annotation,
+                                 std::span<const std::string_view> builtIn) {
+  const std::string path = lock::lockPath(context.lookup.headerOf(interface.name)->path);
+  const lock::Node& node = *lock::nodeOf(context.schemas.at(path), annotation, interface.name);
+  std::vector<std::string> names;
+  for (const lock::Member& member : node.members) {
+    const bool isBuiltIn = std::find(builtIn.begin(), builtIn.end(), member.name) != builtIn.end();
+    if (!member.removed() && !isBuiltIn) names.push_back(member.name);
+  }
+  return names;
+}
+
+std::vector<unsigned> placesOf(const std::vector<std::string>& names,
+                               const std::vector<std::string>& locked) {
+  std::vector<unsigned> places;
+  for (const std::string& name : names) {
+    const auto found = std::find(locked.begin(), locked.end(), name);
+    places.push_back(static_cast<unsigned>(found - locked.begin()));
+  }
+  std::vector<unsigned> same(places.size());
+  std::iota(same.begin(), same.end(), 0);
+  return places == same ? std::vector<unsigned>{} : places;
+}
+
+/// The places in the lock, if they are others.
+void emitPlaces(Code& code, const model::Interface& interface, const char* table,
+                const std::vector<unsigned>& places) {
+  if (places.empty()) return;
+  std::string listed;
+  for (const unsigned place : places)
+    listed += (listed.empty() ? "" : ", ") + std::to_string(place);
+  code.line("// By place in the contract, the place in the lock: a base got more since.");
+  code.line("constexpr std::uint8_t k", prefixOf(interface), table, "[] = {", kBreakText, listed,
+            "};");
+  code.blank();
+}
+
+std::string converted(const char* function, bool isOther, const model::Interface& interface,
+                      const char* table, const std::string& set) {
+  if (!isOther) return set;
+  return std::string("suture::") + function + "(k" + prefixOf(interface) + table + ", " + set + ")";
+}
+
+}  // namespace
+
+std::vector<unsigned> wireEvents(const Context& context, const model::Interface& interface) {
+  std::vector<std::string> names;
+  for (const model::Event& event : interface.events) names.push_back(event.wireName);
+  return placesOf(names, namesIn(context, interface, "eventsOf", model::kBuiltInEvents));
+}
+
+std::vector<unsigned> wireColumns(const Context& context, const model::Interface& interface) {
+  std::vector<std::string> names;
+  for (const model::Command* const read : readsOf(interface)) names.push_back(read->wireName);
+  return placesOf(names, namesIn(context, interface, "stateOf", model::kBuiltInColumns));
+}
+
+void emitWirePlaces(Code& code, const Context& context, const model::Interface& interface) {
+  emitPlaces(code, interface, "WireEvents", wireEvents(context, interface));
+  emitPlaces(code, interface, "WireColumns", wireColumns(context, interface));
+}
+
+std::string eventsToWire(const Context& context, const model::Interface& interface,
+                         const std::string& set) {
+  return converted("toWireNumbers", !wireEvents(context, interface).empty(), interface,
+                   "WireEvents", set);
+}
+
+std::string eventsFromWire(const Context& context, const model::Interface& interface,
+                           const std::string& set) {
+  return converted("fromWireNumbers", !wireEvents(context, interface).empty(), interface,
+                   "WireEvents", set);
+}
+
+std::string columnsToWire(const Context& context, const model::Interface& interface,
+                          const std::string& set) {
+  return converted("toWireNumbers", !wireColumns(context, interface).empty(), interface,
+                   "WireColumns", set);
+}
+
+std::string columnsFromWire(const Context& context, const model::Interface& interface,
+                            const std::string& set) {
+  return converted("fromWireNumbers", !wireColumns(context, interface).empty(), interface,
+                   "WireColumns", set);
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,67 @@
+#include "compiler/frontend/ast/header_table.h"
+
+#include <clang/Basic/SourceManager.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace suture::compiler::frontend {
+namespace {
+
+std::optional<std::string> below(const std::string& directory, llvm::StringRef file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path relative = fs::weakly_canonical(file.str(), ignored)
+                                .lexically_relative(fs::weakly_canonical(directory, ignored));
+  if (relative.empty() || *relative.begin() == "..") return std::nullopt;
+  return relative.generic_string();
+}
+
+}  // namespace
+
+HeaderTable::HeaderTable(const clang::SourceManager& sources, clang::HeaderSearch& search,
+                         std::string baseDirectory)
+    : sources_(sources), search_(search), baseDirectory_(std::move(baseDirectory)) {}
+
+bool HeaderTable::addOwn(const std::string& header) {
+  const auto file = sources_.getFileManager().getOptionalFileRef(header);
+  if (!file) return false;
+  model::Header& entry = headers_[&file->getFileEntry()];
+  entry.path = pathOf(*file);
+  entry.file = file->getName().str();
+  entry.own = true;
+  return true;
+}
+
+model::Header& HeaderTable::of(const clang::Decl* declaration) {
+  const clang::FileID id = sources_.getFileID(sources_.getExpansionLoc(declaration->getLocation()));
+  const auto file = sources_.getFileEntryRefForID(id);
+  const auto [entry, added] =
+      headers_.try_emplace(file ? &file->getFileEntry() : nullptr, model::Header{});
+  if (added) {
+    entry->second.own = false;
+    if (file) {
+      entry->second.path = pathOf(*file);
+      entry->second.file = file->getName().str();
+    }
+  }
+  return entry->second;
+}
+
+// In one tree all targets share the base directory; a header from elsewhere is known by its include
+// path.
+std::string HeaderTable::pathOf(clang::FileEntryRef file) const {
+  if (auto relative = below(baseDirectory_, file.getName())) return *relative;
+  return search_.suggestPathToFileForDiagnostics(file, "");
+}
+
+std::vector<model::Header> HeaderTable::take() {
+  std::vector<model::Header> headers;
+  for (auto& [file, header] : headers_) headers.push_back(std::move(header));
+  std::sort(headers.begin(), headers.end(),
+            [](const auto& a, const auto& b) { return a.path < b.path; });
+  return headers;
+}
+
+}  // namespace suture::compiler::frontend

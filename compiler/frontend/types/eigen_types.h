@@ -1,0 +1,16 @@
+#pragma once
+// Eigen's fixed-size types.
+
+#include <clang/AST/DeclTemplate.h>
+
+#include "compiler/frontend/types/type_mapper.h"
+
+namespace suture::compiler::frontend {
+
+MappedType mapMatrix(const clang::ClassTemplateSpecializationDecl* type, const NamedTypes& names);
+MappedType mapQuaternion(const clang::ClassTemplateSpecializationDecl* type,
+                         const NamedTypes& names);
+MappedType mapTransform(const clang::ClassTemplateSpecializationDecl* type,
+                        const NamedTypes& names);
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,15 @@
+#pragma once
+// What `suturec --fix` may do about a member of which the type cannot go over a wire.
+
+#include <vector>
+
+#include "compiler/frontend/types/mapping.h"
+#include "compiler/frontend/types/type_mapper.h"
+
+namespace suture::compiler::frontend {
+
+/// None where a person has to decide.
+std::vector<model::Fix> fixesFor(const clang::NamedDecl* declaration, const TypeProblem& problem,
+                                 Mapping& mapping);
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,86 @@
+#pragma once
+// What all mappers of declarations share: where findings go and how parts of a declaration are
+// read.
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/DeclCXX.h>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "compiler/frontend/ast/annotation.h"
+#include "compiler/frontend/report/source_table.h"
+#include "compiler/frontend/types/named_types.h"
+#include "compiler/model/diagnostic.h"
+#include "compiler/model/model.h"
+
+namespace suture::compiler::frontend {
+
+class Mapping {
+ public:
+  Mapping(clang::ASTContext& context, SourceTable& table, model::Diagnostics& findings)
+      : context_(context), table_(table), findings_(findings) {}
+
+  model::Source sourceOf(const clang::NamedDecl* declaration);
+  model::Documentation documentationOf(const clang::Decl* declaration) const;
+
+  /// Appends a finding at the declaration's name; the result takes notes.
+  model::Diagnostic& error(const clang::NamedDecl* declaration, std::string slug,
+                           std::string message, std::string help);
+
+  /// The same, at a place that is no declaration.
+  model::Diagnostic& errorAt(clang::SourceLocation place, std::string slug, std::string message,
+                             std::string help);
+  /// The same, but only a warning.
+  model::Diagnostic& warn(const clang::NamedDecl* declaration, std::string slug,
+                          std::string message, std::string help);
+
+  /// A stretch of text, for fixes.
+  model::Source sourceOf(clang::SourceRange range);
+
+  /// A change of the text in the range, for a finding about it.
+  model::Fix fix(clang::SourceRange range, model::Fix::Place place, std::string text);
+
+  /// The annotation of that kind, its problems reported.
+  Annotation annotationOf(const clang::NamedDecl* declaration, Kind kind);
+
+  /// One annotation for each time that the macro stands there.
+  std::vector<Annotation> annotationsOf(const clang::NamedDecl* declaration, Kind kind);
+
+  /// The same, its problems left to a later annotationOf().
+  static Annotation peek(const clang::NamedDecl* declaration, Kind kind) {
+    std::vector<AnnotationProblem> ignored;
+    return readAnnotation(declaration, kind, ignored);
+  }
+
+  /// A type held by value with its bounds; none after an error at the declaration. `subject` begins
+  /// the message: "field 'p'".
+  std::optional<model::Type> typeOf(const clang::NamedDecl* declaration, clang::QualType type,
+                                    const std::string& subject, const Annotation& field);
+
+  /// Aliases of template instances and external types; filled before anything is mapped.
+  NamedTypes& names() { return names_; }
+
+  /// True when asked of the declaration for the first time.
+  bool once(const clang::NamedDecl* declaration) { return seen_.insert(declaration).second; }
+
+  clang::ASTContext& context() { return context_; }
+  const clang::SourceManager& sources() const { return context_.getSourceManager(); }
+
+ private:
+  model::Diagnostic& add(model::Source source, std::string slug, std::string message,
+                         std::string help);
+  void report(const clang::NamedDecl* declaration, std::vector<AnnotationProblem> problems);
+  void checkNumberArguments(const clang::NamedDecl* declaration, const std::string& subject,
+                            const model::Type& type, const Annotation& field);
+
+  clang::ASTContext& context_;
+  SourceTable& table_;
+  model::Diagnostics& findings_;
+  NamedTypes names_;
+  std::set<const clang::NamedDecl*> seen_;
+};
+
+}  // namespace suture::compiler::frontend

@@ -1,0 +1,59 @@
+#include "compiler/frontend/types/wire_hook.h"
+
+#include <clang/AST/DeclTemplate.h>
+
+namespace suture::compiler::frontend {
+namespace {
+
+using Specialisation = clang::ClassTemplateSpecializationDecl;
+
+template <class Declaration>
+Declaration* findIn(const clang::DeclContext* scope, llvm::StringRef name) {
+  clang::IdentifierInfo& identifier = scope->getParentASTContext().Idents.get(name);
+  for (clang::NamedDecl* found : scope->lookup(&identifier)) {
+    if (auto* declaration = llvm::dyn_cast<Declaration>(found)) return declaration;
+  }
+  return nullptr;
+}
+
+const Specialisation* hookOf(const clang::CXXRecordDecl* type) {
+  const clang::ASTContext& context = type->getASTContext();
+  const auto* space = findIn<clang::NamespaceDecl>(context.getTranslationUnitDecl(), "suture");
+  const auto* hooks = space ? findIn<clang::ClassTemplateDecl>(space, "Wire") : nullptr;
+  if (!hooks) return nullptr;
+  const clang::QualType wanted = context.getRecordType(type).getCanonicalType();
+  for (const Specialisation* one : hooks->specializations()) {
+    const bool same = one->getTemplateArgs()[0].getAsType().getCanonicalType() == wanted;
+    if (same && one->hasDefinition())
+      return one->getDefinition() ? llvm::cast<Specialisation>(one->getDefinition()) : nullptr;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<MappedType> mapByHook(const clang::CXXRecordDecl* type, const NamedTypes& names) {
+  const Specialisation* hook = hookOf(type);
+  if (!hook) return std::nullopt;
+  const auto* form = findIn<clang::TypedefNameDecl>(hook, "Type");
+  if (!form || !findIn<clang::CXXMethodDecl>(hook, "to") ||
+      !findIn<clang::CXXMethodDecl>(hook, "from")) {
+    return TypeProblem{"wire-hook", "its suture::Wire lacks Type, to() or from()",
+                       "declare 'using Type', 'static Type to(const T&)' and "
+                       "'static T from(const Type&)' here",
+                       hook};
+  }
+  MappedType mapped = mapType(form->getUnderlyingType(), names);
+  if (auto* problem = std::get_if<TypeProblem>(&mapped)) {
+    problem->reason = "the Type of its suture::Wire: " + problem->reason;
+  } else {
+    const clang::ASTContext& context = type->getASTContext();
+    clang::PrintingPolicy policy(context.getLangOpts());
+    policy.FullyQualifiedName = policy.PrintCanonicalTypes = policy.SuppressTagKeyword = true;
+    std::get<model::Type>(mapped).spelling =
+        context.getRecordType(type).getCanonicalType().getAsString(policy);
+  }
+  return mapped;
+}
+
+}  // namespace suture::compiler::frontend

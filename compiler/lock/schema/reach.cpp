@@ -1,0 +1,48 @@
+#include "compiler/lock/schema/reach.h"
+
+namespace suture::compiler::lock {
+namespace {
+
+class Walk {
+ public:
+  explicit Walk(const std::map<std::string, Lock>& locks) : locks_(locks) {}
+
+  void visit(const std::string& path, const std::string& name) {
+    const auto lock = locks_.find(path);
+    if (lock == locks_.end()) return;
+    for (const Node& node : lock->second.nodes) {
+      if (node.name != name || !seen_.insert(path + ":" + name).second) continue;
+      for (const Member& member : node.members) visit(path, member);
+    }
+  }
+
+  std::set<std::string> seen() && { return std::move(seen_); }
+
+ private:
+  void visit(const std::string& path, const Member& member) {
+    for (const Member& parameter : member.parameters) visit(path, parameter);
+    for (const Member& result : member.results) visit(path, result);
+    const std::size_t inner = member.type.rfind('(') + 1;  // 0 when there is no list
+    const std::string leaf = member.type.substr(inner, member.type.find(')') - inner);
+    const std::size_t colon = leaf.find(':');
+    if (leaf.starts_with('/') && colon != std::string::npos) {
+      visit(leaf.substr(1, colon - 1), leaf.substr(colon + 1));
+    } else {
+      visit(path, leaf);
+    }
+  }
+
+  const std::map<std::string, Lock>& locks_;
+  std::set<std::string> seen_;
+};
+
+}  // namespace
+
+std::set<std::string> reach(const std::map<std::string, Lock>& locks, const std::string& path,
+                            const std::string& node) {
+  Walk walk(locks);
+  walk.visit(path, node);
+  return std::move(walk).seen();
+}
+
+}  // namespace suture::compiler::lock

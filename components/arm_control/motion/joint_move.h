@@ -1,0 +1,84 @@
+#pragma once
+// A planned joint motion from where the joints are, and as fast as they are, to rest.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "arm_control/motion/smooth_step.h"
+
+namespace robots {
+
+/// What a move may do of what the joints can.
+struct MoveRatios {
+  double velocity = 1, acceleration = 1;
+};
+
+/// All joints stop together. Each brakes at a constant rate from the velocity that it has, and on
+/// top of that goes along a minimum-jerk profile from where it so would stop to its goal. Braking
+/// has half of the acceleration limit, and the profile of a joint that brakes no more than the
+/// other half; so the sum of both keeps the limit, and no joint becomes faster than it was or than
+/// half of its rate limit. Braking takes half of the time at most; so a joint turns round once at
+/// most, and in the second half its way to the goal becomes shorter and shorter. Immutable;
+/// allocates nothing.
+template <int N>
+class JointMove {
+ public:
+  using Joints = Eigen::Matrix<double, N, 1>;
+
+  /// rad, or m for a prismatic joint.
+  struct Start {
+    Joints position;
+    Joints velocity = Joints::Zero();  ///< per second
+  };
+  struct Limits {
+    Joints rate;  ///< per second
+    Joints acceleration = Joints::Constant(std::numeric_limits<double>::infinity());
+  };
+
+  JointMove(const Start& start, const Joints& to, const Limits& limits,
+            const MoveRatios& ratios = {})
+      : from_(start.position), velocity_(start.velocity), to_(to) {
+    braking_ = velocity_.cwiseAbs().cwiseQuotient(kShare * limits.acceleration);
+    way_ = to_ - from_ - 0.5 * velocity_.cwiseProduct(braking_);
+    for (int i = 0; i < N; ++i) {
+      const double way = std::abs(way_[i]);
+      const double share = velocity_[i] == 0 ? 1 : kShare;
+      const double acceleration = std::min(ratios.acceleration, share) * limits.acceleration[i];
+      duration_ = std::max({duration_, 2 * braking_[i],
+                            kSmoothStepPeakSlope * way / (0.5 * ratios.velocity * limits.rate[i]),
+                            std::sqrt(kSmoothStepPeakCurvature * way / acceleration)});
+    }
+  }
+
+  /// Where the joints shall be `t` seconds after the start.
+  Joints at(double t) const {
+    if (t >= duration_) return to_;
+    Joints q = from_ + smoothStep(t / duration_) * way_;
+    for (int i = 0; i < N; ++i) q[i] += braked(i, t);
+    return q;
+  }
+  const Joints& to() const { return to_; }
+  /// s
+  double duration() const { return duration_; }
+
+ private:
+  static constexpr double kShortest = 0.05;  // s
+  static constexpr double kShare = 0.5;      // of the acceleration, for braking
+
+  /// How far the joint has gone by what it braked of its velocity.
+  double braked(int joint, double t) const {
+    const double whole = braking_[joint];
+    if (whole <= 0) return 0;
+    const double s = std::min(t, whole);
+    return velocity_[joint] * s * (1 - 0.5 * s / whole);
+  }
+
+  Joints from_, velocity_, to_;
+  Joints braking_;  // s: how long each brakes
+  Joints way_;      // of the profile
+  double duration_ = kShortest;
+};
+
+}  // namespace robots

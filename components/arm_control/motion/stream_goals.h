@@ -1,0 +1,34 @@
+#pragma once
+// What the goals of servo_jv, servo_jf, servo_cv and servo_cf ask a MotionStream to follow.
+
+#include <optional>
+
+#include "arm_control/motion/motion_stream.h"
+#include "robot_types/cartesian.h"
+#include "robot_types/joint_commands.h"
+
+namespace robots {
+
+template <int N>
+struct JointStreamGoal {
+  typename MotionStream<N>::Joints rate;  ///< rad/s or m/s
+  typename MotionStream<N>::JointBounds bounds = {};
+};
+
+/// Along the axes that the goal is given in.
+struct TwistStreamGoal {
+  kinematics::SpatialVector twist;
+  RateRamp<6>::Limits change = {};
+};
+
+/// Each is none if the goal has a list of the wrong length, a number that is not finite, or an
+/// acceleration that leads nowhere. Joints and axes outside of the mask hold still.
+template <int N>
+std::optional<JointStreamGoal<N>> streamGoal(const JointVelocityGoal& goal);
+template <int N>
+std::optional<JointStreamGoal<N>> streamGoal(const JointEffortGoal& goal);
+/// An acceleration of 0 leaves its axis unbounded, since clients that do not know it send zeros.
+std::optional<TwistStreamGoal> streamGoal(const TwistGoal& goal);
+std::optional<TwistStreamGoal> streamGoal(const WrenchGoal& goal);
+
+}  // namespace robots

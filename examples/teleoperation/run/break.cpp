@@ -1,0 +1,29 @@
+#include "run/break.h"
+
+#include <suture/base/errors.h>
+
+namespace demo {
+
+std::optional<Break> parseBreak(const std::string& text, const Plan& plan,
+                                suture::Duration runLength) {
+  if (text.empty()) return std::nullopt;
+  const std::string asked = "--break " + text;
+  const std::size_t separator = text.find('@');
+  const std::string process = text.substr(0, separator);
+  const auto moment = separator == std::string::npos || process.empty()
+                          ? std::nullopt
+                          : parseMoment(text.substr(separator + 1));
+  if (!moment) {
+    throw suture::SetupError(asked, "that names no process and moment",
+                             "Write for example vision@4s, or vision@4s+1500ms");
+  }
+  plan.deployment().process(process);  // throws if there is none
+  if (!plan.needsManager()) {
+    throw suture::SetupError(asked, "it is the only process, and talks to no other",
+                             "Choose a topology of several processes, or leave --break out");
+  }
+  requireRoom(asked, *moment, runLength);
+  return Break{process, *moment, plan.slavesDrivenAcross(process)};
+}
+
+}  // namespace demo

@@ -1,0 +1,135 @@
+#include "run/network.h"
+
+#include <fcntl.h>
+#include <sched.h>
+#include <suture/base/errors.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+#include <utility>
+
+namespace demo {
+namespace {
+
+// Nothing of it leaves the namespace: the addresses only must differ from each other.
+constexpr const char* kHere = "10.213.7.1";
+constexpr std::size_t kFirstCable = 2;
+
+bool succeeds(const std::string& command) {
+  return std::system(("{ " + command + "; } >/dev/null 2>&1").c_str()) == 0;
+}
+
+/// The first of the commands that fails; "" if none does.
+std::string firstFailure(std::initializer_list<std::string> commands) {
+  for (const std::string& command : commands) {
+    if (!succeeds(command)) return "the command '" + command + "' fails";
+  }
+  return "";
+}
+
+/// Moves this process to a network namespace with a switch. "" or why that cannot be.
+std::string moveToNamespace() {
+  if (geteuid() != 0) return "network namespaces need root";
+  if (const auto missing = firstFailure({"ip -V", "bridge -V", "nsenter -V"}); !missing.empty())
+    return missing;
+  const int before = open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC);
+  if (before < 0 || unshare(CLONE_NEWNET) != 0) {
+    const std::string why = std::strerror(errno);
+    if (before >= 0) close(before);
+    return "the kernel refuses a network namespace: " + why;
+  }
+  // With a cable that is laid for once: connect() lays the others.
+  const std::string failure =
+      firstFailure({"ip link set lo up", "ip link add switch type bridge",
+                    "ip addr add " + std::string(kHere) + "/24 dev switch", "ip link set switch up",
+                    "ip link add cable type veth peer name other", "ip link del cable"});
+  if (!failure.empty()) setns(before, CLONE_NEWNET);
+  close(before);
+  return failure;
+}
+
+}  // namespace
+
+Network::Network(std::string asked, std::string lane)
+    : asked_(std::move(asked)), lane_(std::move(lane)) {
+  if (lane_ != "shm" || asked_ == "auto" || asked_ == "unix") return;
+  throw suture::SetupError("lane shm over --network " + asked_,
+                           "shared memory is for processes that reach each other by a Unix socket",
+                           "Leave --network out, or choose another lane");
+}
+
+void Network::open() {
+  const bool isAuto = asked_ == "auto";
+  kind_ = asked_ == "tls" ? Kind::Tls : asked_ == "tcp" ? Kind::Tcp : Kind::Unix;
+  if (asked_ != "namespaces" && (!isAuto || lane_ == "shm")) return;
+  whyNoNamespaces_ = moveToNamespace();
+  kind_ = whyNoNamespaces_.empty() ? Kind::Namespaces : Kind::Tcp;
+  if (isAuto || whyNoNamespaces_.empty()) return;
+  throw suture::SetupError("running over --network namespaces", whyNoNamespaces_,
+                           "Run it as root with iproute2 installed, or leave --network out");
+}
+
+std::string Network::name() const {
+  switch (kind_) {
+    case Kind::None: return "none";
+    case Kind::Unix: return "unix";
+    case Kind::Tcp: return "tcp";
+    case Kind::Tls: return "tls";
+    case Kind::Namespaces: return "namespaces";
+  }
+  return "";
+}
+
+std::string Network::description() const {
+  const std::string why = whyNoNamespaces_.empty() ? "" : " (" + whyNoNamespaces_ + ")";
+  switch (kind_) {
+    case Kind::None: return "nothing";
+    case Kind::Unix: return "Unix sockets of one machine";
+    case Kind::Tcp: return "TCP on loopback" + why;
+    case Kind::Tls: return "TLS on loopback";
+    case Kind::Namespaces:
+      return "TLS on Ethernet between network namespaces, one for each process";
+  }
+  return "";
+}
+
+std::string Network::managerAddress(const std::filesystem::path& folder) const {
+  switch (kind_) {
+    case Kind::None: return "";
+    case Kind::Unix: return "unix:" + (folder / "manager.sock").string();
+    case Kind::Tcp: return "tcp://127.0.0.1:0";
+    case Kind::Tls: return "tls://127.0.0.1:0";
+    case Kind::Namespaces: return std::string("tls://") + kHere + ":0";
+  }
+  return "";
+}
+
+void Network::connect(const std::string& process, pid_t child) {
+  const std::string number = std::to_string(kFirstCable + cables_.size());
+  const std::string pid = std::to_string(child), here = "cable" + number;
+  cables_[process] = here;
+  const std::string there =
+      "ip addr add 10.213.7." + number + "/24 dev eth0 && ip link set eth0 up && ip link set lo up";
+  if (succeeds("ip link add " + here + " type veth peer name eth0 netns " + pid +
+               " && ip link set " + here + " master switch up && nsenter --target " + pid +
+               " --net sh -c '" + there + "'")) {
+    return;
+  }
+  throw suture::SetupError("laying a cable to process '" + process + "'",
+                           "the command 'ip' has failed", "Try --network tcp");
+}
+
+// The switch passes nothing on to it and from it, of which neither end is told. Of a link that is
+// set down and up again Linux takes notice up to a second late, so it would be away for longer.
+void Network::setCable(const std::string& process, bool plugged) const {
+  const std::string state = plugged ? "forwarding" : "disabled";
+  if (succeeds("bridge link set dev " + cables_.at(process) + " state " + state)) return;
+  throw suture::SetupError("pulling the cable of process '" + process + "'",
+                           "the command 'bridge' has failed", "Try --network tcp");
+}
+
+}  // namespace demo

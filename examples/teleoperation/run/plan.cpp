@@ -1,0 +1,320 @@
+#include "run/plan.h"
+
+#include <suture/base/errors.h>
+#include <suture/deploy/keys_command.h>
+#include <suture/rt/scheduling.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "run/stop.h"
+
+namespace demo {
+namespace {
+
+namespace rt = suture::rt;
+
+using nlohmann::json;
+using suture::ComponentEntry;
+using suture::ConnectionEntry;
+using suture::ProcessEntry;
+
+// s: of each task that controls an arm, in the topologies' files; drives have less. A slower task,
+// such as a camera, keeps its period: how old its data may be is in the file too, and does not
+// follow the rate.
+constexpr double kControlPeriod = 0.001;
+
+void setRate(json& component, double rate) {
+  const json::json_pointer period("/parameters/period");
+  if (!component.contains(period) || component[period] > kControlPeriod) return;
+  component[period] = component[period].get<double>() / kControlPeriod / rate;
+}
+
+void setDynamics(json& component, const std::string& dynamics) {
+  const std::string kind = component.at("class");
+  if (kind.ends_with("Drives")) component["parameters"]["dynamics"] = dynamics;
+}
+
+/// How old the permit of the emergency stop may be without real-time priorities: on a busy machine
+/// a thread may wait for so long for its processor.
+constexpr double kPatientPermit = 0.25;  // s
+
+/// Takes from a process what the topology's file says of the scheduling of its threads, which this
+/// user may not have, and lets its drives be more patient.
+void giveUpRealTime(json& process) {
+  process.erase("scheduling");
+  for (json& component : process.at("components")) {
+    component.erase("scheduling");
+    const json::json_pointer permit("/parameters/permit");
+    if (component.contains(permit) && component[permit] > 0) component[permit] = kPatientPermit;
+  }
+}
+
+void setStop(json& component, const Moment& stop) {
+  if (component.at("class") != "Assistant") return;
+  const auto seconds = [](suture::Duration duration) {
+    return std::chrono::duration<double>(duration).count();
+  };
+  component["parameters"]["press_after"] = seconds(stop.at);
+  component["parameters"]["release_after"] = seconds(stop.length);
+}
+
+/// An arm and its drives exchange more than all others do, and mostly within a process.
+void setLane(json& connection, const std::string& lane) {
+  if (!connection.at("to").get<std::string>().ends_with("/Drives")) connection["lane"] = lane;
+}
+
+/// Makes keys for all processes of a system in the run's folder.
+void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
+  suture::KeysRequest request;
+  for (const json& process : system.at("processes"))
+    request.processes.push_back(process.at("name"));
+  request.out = folder / "keys";
+  suture::makeKeys(request);
+  system["keys"] = "keys";
+}
+
+std::filesystem::path write(const Options& options, const std::optional<Moment>& stop,
+                            bool realTime, Network& network, const std::filesystem::path& topology,
+                            const std::filesystem::path& folder) {
+  // Checked before it is changed, so that a message names the topology's own file and line.
+  json system = suture::Deployment(suture::JsonDocument::read(topology)).document().value();
+  system.erase("$schema");
+  system.erase("manager");
+  if (system.at("processes").size() > 1 || options.lane != "auto") {
+    network.open();
+    system["manager"] = network.managerAddress(folder);
+    if (network.needsKeys()) makeKeys(system, folder);
+  }
+  for (json& process : system.at("processes")) {
+    if (!realTime) giveUpRealTime(process);
+    for (json& component : process.at("components")) {
+      setRate(component, options.rate);
+      if (!options.dynamics.empty()) setDynamics(component, options.dynamics);
+      if (stop) setStop(component, *stop);
+    }
+  }
+  json& connections = *system.emplace("connections", json::array()).first;
+  for (json& connection : connections) setLane(connection, options.lane);
+  auto file = folder / "deployment.json";
+  std::ofstream(file) << system.dump(2) << '\n';
+  return file;
+}
+
+/// "" if this demo may have that priority.
+std::string whyNotWith(int priority, RealTimeTurn& turn) {
+  if (priority == 0) return "";
+  if (!rt::grantedOf("the demo", {rt::Policy::Fifo, priority}).refusals.empty()) {
+    return "this user may have no real-time priorities";
+  }
+  return turn.take() ? "" : "another demo has the real-time priorities of this machine";
+}
+
+/// 0 if the file gives none.
+int highestPriorityIn(const std::filesystem::path& topology) {
+  const suture::Deployment deployment(suture::JsonDocument::read(topology));
+  int highest = 0;
+  const auto look = [&](const std::optional<rt::Scheduling>& scheduling) {
+    if (scheduling) highest = std::max(highest, scheduling->priority);
+  };
+  for (const ProcessEntry& process : deployment.processes()) {
+    look(process.scheduling);
+    for (const ComponentEntry& component : process.components) look(component.scheduling);
+  }
+  return highest;
+}
+
+std::string nameOf(const suture::Endpoint& endpoint) {
+  return endpoint.process + ":" + endpoint.component;
+}
+
+/// A parameter by which the run is judged: it cannot be left to the class's default, which only the
+/// workstation knows.
+template <class Value>
+Value parameterOf(const ComponentEntry& component, const char* name) {
+  try {
+    return component.parameters.at(name).get<Value>();
+  } catch (const json::exception&) {
+    throw suture::SetupError(
+        "reading parameter '" + std::string(name) + "' of component '" + component.name + "'",
+        "the topology's file leaves it out, or gives it another type",
+        "State it there as the class declares it, for the run is judged by it");
+  }
+}
+
+/// s: by how much drives declare that their joints trail. Those that move bodies with mass declare
+/// nothing: what their controllers leave is an error.
+double lagOf(const ComponentEntry& drives) {
+  const auto dynamics = drives.parameters.find("dynamics");
+  const bool haveMass = dynamics != drives.parameters.end() && *dynamics == "RigidBody";
+  return haveMass ? 0 : parameterOf<double>(drives, "time_constant");
+}
+
+Eigen::Vector3d vectorOf(const ComponentEntry& component, const char* name) {
+  return Eigen::Vector3d(parameterOf<std::array<double, 3>>(component, name).data());
+}
+
+bool isDriver(const ComponentEntry& component) {
+  return component.className == "Teleop" || component.className == "KnotGuide";
+}
+
+bool isArm(const ComponentEntry& component) {
+  return component.className == "Mtm" || component.className == "Psm";
+}
+
+}  // namespace
+
+suture::Duration lengthOf(const Options& options) {
+  return std::chrono::duration_cast<suture::Duration>(
+      std::chrono::duration<double>(options.seconds));
+}
+
+std::string nameOf(const ConnectionEntry& connection) {
+  return connection.from.toString() + " -> " + connection.to.toString();
+}
+
+Plan::Plan(const Options& options, Network& network, const std::filesystem::path& topology,
+           const std::filesystem::path& folder)
+    : name_(topology.stem()),
+      stop_(parseStop(options.stop, lengthOf(options))),
+      whyNotRealTime_(whyNotWith(highestPriorityIn(topology), turn_)),
+      folder_(folder),
+      file_(write(options, stop_, whyNotRealTime_.empty(), network, topology, folder)),
+      deployment_(suture::JsonDocument::read(file_)) {
+  findArms();
+  findFollowings(folder);
+  findKnot(folder);
+  findLanes(network.fastestLane());
+  findPermit();
+}
+
+void Plan::setManager(const std::string& address) {
+  json system = deployment_.document().value();
+  system["manager"] = address;
+  std::ofstream(file_) << system.dump(2) << '\n';
+  deployment_ = suture::Deployment(suture::JsonDocument::read(file_));
+}
+
+/// Whoever drives the slave has a connection between that process and another one.
+bool Plan::driverCrosses(const std::string& slave, const std::string& process) const {
+  const auto& all = deployment_.connections();
+  return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& drive) {
+    const ComponentEntry& driver = component(nameOf(drive.from));
+    if (drive.to.toString() != slave + "/Arm" || !isDriver(driver)) return false;
+    return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& one) {
+      return nameOf(one.from) == nameOf(drive.from) && one.from.process != one.to.process &&
+             (one.from.process == process || one.to.process == process);
+    });
+  });
+}
+
+std::vector<RecordedSlave> Plan::slaves() const {
+  return slavesOf([](const std::string&) { return true; });
+}
+
+std::vector<RecordedSlave> Plan::slavesDrivenAcross(const std::string& process) const {
+  return slavesOf([&](const std::string& slave) { return driverCrosses(slave, process); });
+}
+
+template <class Chosen>
+std::vector<RecordedSlave> Plan::slavesOf(const Chosen& chosen) const {
+  std::vector<RecordedSlave> slaves;
+  for (const std::string& arm : arms_) {
+    if (component(arm).className != "Psm" || !chosen(arm)) continue;
+    slaves.push_back({arm, folder_ / recordingOf(arm + "/Arm")});
+  }
+  return slaves;
+}
+
+void Plan::findArms() {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (isArm(component)) arms_.push_back(process.name + ":" + component.name);
+    }
+  }
+}
+
+void Plan::findFollowings(const std::filesystem::path& folder) {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (component.className != "Teleop") continue;
+      const std::string teleop = process.name + ":" + component.name;
+      const std::string master = connectedTo(teleop + "/Master");
+      const std::string slave = connectedTo(teleop + "/Slave");
+      followings_.push_back({master, slave, teleop, folder / recordingOf(master + "/Arm"),
+                             folder / recordingOf(slave + "/Arm"),
+                             folder / recordingOf(teleop + "/Teleoperation"),
+                             lagOf(this->component(connectedTo(slave + "/Drives")))});
+    }
+  }
+}
+
+void Plan::findKnot(const std::filesystem::path& folder) {
+  const ComponentEntry* const guide = componentOfClass("KnotGuide");
+  const ComponentEntry* const recorder = componentOfClass("KnotRecorder");
+  if (guide == nullptr || recorder == nullptr) return;
+  knot_ = {folder / parameterOf<std::string>(*recorder, "file"), vectorOf(*guide, "target"),
+           vectorOf(*guide, "approach"), parameterOf<double>(*guide, "radius"),
+           parameterOf<double>(*guide, "slope")};
+}
+
+const ComponentEntry* Plan::componentOfClass(const std::string& name) const {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (component.className == name) return &component;
+    }
+  }
+  return nullptr;
+}
+
+void Plan::findLanes(const char* fastestLane) {
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    const bool within = connection.from.process == connection.to.process;
+    const char* const fastest = within ? "local" : fastestLane;
+    const bool forced = connection.lane != suture::Lane::Auto;
+    lanes_[nameOf(connection)] = forced ? toString(connection.lane) : fastest;
+  }
+}
+
+void Plan::findPermit() {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (!component.parameters.contains("permit")) continue;
+      const std::chrono::duration<double> seconds(parameterOf<double>(component, "permit"));
+      permit_ = std::chrono::duration_cast<suture::Duration>(seconds);
+    }
+  }
+}
+
+const ComponentEntry& Plan::component(const std::string& name) const {
+  for (const ProcessEntry& process : deployment_.processes()) {
+    for (const ComponentEntry& component : process.components) {
+      if (process.name + ":" + component.name == name) return component;
+    }
+  }
+  throw suture::SetupError("judging '" + name + "'", "the deployment has no such component",
+                           "Correct the topology's file");
+}
+
+std::string Plan::connectedTo(const std::string& required) const {
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    if (connection.from.toString() == required) return nameOf(connection.to);
+  }
+  throw suture::SetupError("judging '" + required + "'", "the deployment does not connect it",
+                           "Connect it in the topology's file");
+}
+
+std::filesystem::path Plan::recordingOf(const std::string& provided) const {
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    if (connection.to.toString() != provided) continue;
+    const ComponentEntry& client = component(nameOf(connection.from));
+    if (client.className == "Recorder") return parameterOf<std::string>(client, "file");
+  }
+  throw suture::SetupError("judging '" + provided + "'", "nothing in the deployment records it",
+                           "Connect a Recorder to it in the topology's file");
+}
+
+}  // namespace demo

@@ -1,0 +1,108 @@
+#pragma once
+// The processes of one run: started together, watched, ended together.
+
+#include <suture/base/time.h>
+#include <suture/observe/report.h>
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "program_hash.h"
+#include "run/break.h"
+#include "run/child_process.h"
+#include "run/plan.h"
+
+namespace demo {
+
+struct CrewResult {
+  std::vector<suture::Report> reports;  ///< the last of each process
+  std::vector<std::string> failures;    ///< what went wrong, by name
+  bool interrupted = false;             ///< by Ctrl-C, or a request to end
+  std::vector<ProgramHash> programs;    ///< that ran as workstations: different ones only
+  std::optional<Outage> outage;         ///< of a run in which a process was cut off and is back
+  suture::Duration ran{};               ///< from when all were connected
+};
+
+/// Blocks the signals that end a run, so that from then on it ends in order: a Crew watches them.
+/// Call it before anything that has to be undone.
+void blockEndSignals();
+
+/// A global manager, if the plan needs one, and a workstation a process. One run an object;
+/// single-threaded.
+class Crew {
+ public:
+  /// Called whenever every process has reported once more, which each does once a second.
+  using Progress = std::function<void(suture::Duration ran, const std::vector<suture::Report>&)>;
+
+  /// `programs`: the folder of the executables; `folder`: where they run and record.
+  Crew(Plan& plan, Network& network, std::optional<Break> cutOff, std::filesystem::path programs,
+       std::filesystem::path folder);
+  ~Crew();
+  Crew(const Crew&) = delete;
+  Crew& operator=(const Crew&) = delete;
+
+  /// Runs for `length` and ends every process, whatever happens; never longer than that and some
+  /// seconds.
+  CrewResult run(suture::Duration length, const Progress& progress);
+
+ private:
+  struct Workstation {
+    ChildProcess process;
+    suture::Report report;  ///< the newest
+    std::uint64_t reports = 0;
+    bool started = false;
+  };
+
+  void startManager();
+  void startWorkstations();
+  void awaitStarted();
+  void watch(suture::Duration length, const Progress& progress);
+  suture::Time breakOrMend(suture::Time began);
+  void cut();
+  void mend();
+  void end();
+
+  /// Handles what happens until `until`, at least once.
+  void pump(suture::Time until);
+  void readSignals();
+  void readOutputs();
+  void readManager();
+  void noticeProgram(const ChildProcess& process);
+  void handle(Workstation& workstation, const std::string& line);
+  void noticeEnds();
+  template <class Ended>
+  void pumpUntil(suture::Time deadline, const Ended& ended);
+  void endAll(const std::vector<ChildProcess*>& processes);
+
+  bool over() const { return result_.interrupted || !result_.failures.empty(); }
+  /// What is lost while a process is cut off, and shortly after, has been cut off on purpose.
+  bool expectsLosses() const;
+  bool allStarted() const;
+  std::uint64_t reportsOfEach() const;
+  const ChildProcess& workstation(const std::string& process) const;
+  std::vector<ChildProcess*> processes();
+  std::vector<suture::Report> reports() const;
+
+  Plan& plan_;
+  Network& network_;
+  const std::optional<Break> cutOff_;
+  const std::filesystem::path programs_, folder_;
+  int signals_;
+  std::unique_ptr<ChildProcess> manager_;
+  bool managerReady_ = false;
+  std::set<std::pair<dev_t, ino_t>> hashed_;  // files of programs
+  std::vector<std::unique_ptr<Workstation>> workstations_;
+  std::vector<const ChildProcess*> ended_;
+  std::optional<suture::Time> broken_;  // since then a process is cut off
+  bool ending_ = false;
+  CrewResult result_;
+};
+
+}  // namespace demo

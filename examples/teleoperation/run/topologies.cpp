@@ -1,0 +1,58 @@
+#include "run/topologies.h"
+
+#include <fmt/format.h>
+#include <suture/base/errors.h>
+#include <suture/deploy/document/json_document.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace demo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What its file says of it; of a file that is no deployment, that.
+std::string titleOf(const fs::path& file) {
+  try {
+    return suture::JsonDocument::read(file).value().value("title", "");
+  } catch (const std::exception&) {
+    return "this file is not a deployment";
+  }
+}
+
+}  // namespace
+
+Topologies Topologies::besideProgramsIn(const fs::path& programs) {
+  return Topologies(programs.parent_path() / "share/suture/teleoperation");
+}
+
+Topologies::Topologies(fs::path folder) : folder_(std::move(folder)) {
+  std::error_code missing;  // then there are none, which find() says
+  for (const auto& entry : fs::directory_iterator(folder_, missing)) {
+    if (entry.path().extension() == ".json") names_.push_back(entry.path().stem());
+  }
+  std::sort(names_.begin(), names_.end());
+}
+
+fs::path Topologies::find(const std::string& asked) const {
+  if (std::find(names_.begin(), names_.end(), asked) != names_.end()) {
+    return folder_ / (asked + ".json");
+  }
+  if (asked.ends_with(".json") && fs::is_regular_file(asked)) return fs::absolute(asked);
+  throw suture::SetupError(
+      "finding topology '" + asked + "'",
+      fmt::format("{} has {}", folder_.string(),
+                  names_.empty() ? "none" : fmt::format("'{}'", fmt::join(names_, "', '"))),
+      "Name one of them, or a deployment file that ends with .json");
+}
+
+std::string Topologies::list() const {
+  std::string lines;
+  for (const std::string& name : names_) {
+    lines += fmt::format("  {:<12} {}\n", name, titleOf(folder_ / (name + ".json")));
+  }
+  return lines;
+}
+
+}  // namespace demo

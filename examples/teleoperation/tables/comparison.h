@@ -1,0 +1,31 @@
+#pragma once
+// What differs between two topologies.
+
+#include <suture/deploy/document/deployment.h>
+
+#include <string>
+#include <vector>
+
+namespace demo {
+
+/// In one of two deployments, and in the other; "-" stands for what is not there.
+struct Difference {
+  std::string subject, first, second;
+};
+
+/// Found in the files alone: where components run, what their entries say, what connects them.
+/// A component is the same one in both if its name is, wherever it runs.
+struct Comparison {
+  std::vector<Difference> places;       ///< of a component: its process
+  std::vector<Difference> settings;     ///< of a component, a process or a connection: any value
+  std::vector<Difference> connections;  ///< of a required interface: who provides it
+  std::size_t equalPlaces = 0, equalConnections = 0;
+};
+
+Comparison compare(const suture::Deployment& first, const suture::Deployment& second);
+
+/// The same for people, with the two files as titles.
+std::string describe(const Comparison& comparison, const std::string& first,
+                     const std::string& second);
+
+}  // namespace demo

@@ -1,0 +1,39 @@
+#pragma once
+// Table 2 of the paper beside what this run measured.
+
+#include <suture/observe/report.h>
+
+#include <string>
+#include <vector>
+
+#include "run/plan.h"
+#include "tables/table.h"
+
+namespace demo {
+
+/// The paper's loops, and below them ages of this run, which are of one way: of the connection to
+/// an arm that had most of them, and enough, within a process and between two. No claim that the
+/// two are alike, for they are not.
+class PaperTable {
+ public:
+  PaperTable(const Plan& plan, const std::vector<suture::ConnectionReport>& connections);
+
+  const Table& table() const { return table_; }
+  /// What a reader has to know of it, line by line.
+  const std::vector<std::string>& notes() const { return notes_; }
+  /// The figures of this run: "command_age", "read_age".
+  const nlohmann::json& figures() const { return figures_; }
+
+ private:
+  using Age = suture::Distribution suture::ConnectionReport::*;
+
+  void addAge(const char* title, const char* key, Age age);
+  const suture::ConnectionReport* busiest(Age age, bool isLocal) const;
+
+  std::vector<suture::ConnectionReport> toArms_;
+  Table table_;
+  std::vector<std::string> notes_;
+  nlohmann::json figures_;
+};
+
+}  // namespace demo

@@ -1,0 +1,47 @@
+#pragma once
+// What the demo shows.
+
+#include <suture/observe/report.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/plan.h"
+#include "run/processes.h"
+#include "tables/table.h"
+#include "verdict.h"
+
+namespace demo {
+
+/// Writes to standard output, in colours if that is a terminal and NO_COLOR is not set.
+class Screen {
+ public:
+  Screen();
+
+  void begin(const Options& options, const Plan& plan, const Network& network);
+  /// One line on what happened since the last call; `error`: how far the worst slave was off, m at
+  /// p99, if any follows a master.
+  void progress(suture::Duration ran, const std::vector<suture::Report>& reports,
+                std::optional<double> error);
+  void end(const Plan& plan, const CrewResult& result, const Verdict& verdict);
+
+ private:
+  /// Sums and worst values over everything that the processes report.
+  struct Totals {
+    std::uint64_t cycles = 0, executed = 0, replaced = 0, dropped = 0, late = 0, skipped = 0;
+    suture::Duration commandAge{}, readAge{}, jitter{};  // p99 of the worst
+  };
+
+  static Totals totalsOf(const std::vector<suture::Report>& reports);
+  void printTable(const Table& table) const;
+  void printSlaves(const std::vector<ArmFigures>& arms) const;
+  void printChecks(const std::vector<Check>& checks) const;
+  std::string bold(const std::string& text) const;
+  std::string verdictMark(bool passed) const;
+
+  const bool colours_;
+  Totals before_;
+};
+
+}  // namespace demo

@@ -1,0 +1,22 @@
+#pragma once
+// A link to another process.
+
+#include <suture/base/time.h>
+#include <suture/framing/link.h>
+#include <suture/loop/event_port.h>
+#include <suture/net/address.h>
+#include <suture/net/secure.h>
+
+#include <string>
+
+namespace suture::cli {
+
+/// Throws SetupError unless something listens there: what was found, and what to do.
+void knock(rpc::EventPort& loop, const rpc::Address& address, Duration limit);
+
+/// A link to the process `expected`, with proof that it is that one where the address asks for it.
+/// Throws as knock() does.
+kj::Own<rpc::Link> reach(rpc::EventPort& loop, const rpc::Address& address, const rpc::Trust& trust,
+                         const std::string& expected, Duration limit);
+
+}  // namespace suture::cli

@@ -1,0 +1,86 @@
+#include "cli/peer/names.h"
+#include <suture/names/listing.h>
+#include <suture/net/tls/keys.h>
+#include "cli/peer/wait.h"
+
+#include <exception>
+
+namespace suture::cli {
+namespace {
+
+std::vector<rpc::Address> addressesOf(const std::string& text) {
+  try {
+    return rpc::parseAddresses(text);
+  } catch (const SetupError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+/// Says also, if that fails, how to start a manager there.
+kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& address,
+                                const Options& options) {
+  try {
+    return cli::reach(loop, address, options.trust, tls::kManagerName, options.patience);
+  } catch (const SetupError& error) {
+    throw SetupError(std::string("reach the global manager: ") + error.what() +
+                     " Start it with: suture-manager --listen " + address.text());
+  }
+}
+
+kj::Promise<wire::Session::Client> greet(wire::GlobalManager::Client manager) {
+  auto request = manager.helloRequest();
+  request.setVersion(wire::PROTOCOL_VERSION);
+  request.setProgram(kOwnName);
+  return request.send().then([](auto&& results) -> kj::Promise<wire::Session::Client> {
+    if (results.isRefused()) return refused(results.getRefused());
+    return results.getSession();
+  });
+}
+
+std::string noManagerAnswers(const rpc::Address& address) {
+  return "talk to " + address.text() +
+         ": what listens there does not answer as a global manager. Check the address; if it is "
+         "right, restart the manager.";
+}
+
+}  // namespace
+
+Names::Names(rpc::EventPort& loop, const Options& options)
+    : loop_(loop), patience_(options.patience), manager_(openFirst(loop, options)) {}
+
+// Each manager that lives knows all processes. If none lives, throws what was found at the first.
+Names::Manager Names::openFirst(rpc::EventPort& loop, const Options& options) {
+  std::exception_ptr why;
+  for (const rpc::Address& address : addressesOf(options.manager)) {
+    try {
+      return open(loop, address, options);
+    } catch (const SetupError&) {
+      if (!why) why = std::current_exception();
+    }
+  }
+  std::rethrow_exception(why);
+}
+
+Names::Manager Names::open(rpc::EventPort& loop, const rpc::Address& address,
+                           const Options& options) {
+  auto link = reachManager(loop, address, options);
+  auto greeted = greet(link->bootstrap<wire::GlobalManager>());
+  auto session = wait(loop, options.patience, kj::mv(greeted), noManagerAnswers(address));
+  return {address, kj::mv(link), kj::mv(session)};
+}
+
+std::vector<ProcessRecord> Names::processes() {
+  return wait(loop_, patience_, listAll(manager_.session), noManagerAnswers(manager_.address));
+}
+
+ProcessRecord Names::process(const std::string& name) {
+  auto request = manager_.session.resolveRequest();
+  request.setProcess(textOf(name));
+  auto answer = request.send().then([](auto&& results) -> kj::Promise<ProcessRecord> {
+    if (results.isRefused()) return refused(results.getRefused());
+    return fromWire(results.getFound());
+  });
+  return wait(loop_, patience_, kj::mv(answer), noManagerAnswers(manager_.address));
+}
+
+}  // namespace suture::cli

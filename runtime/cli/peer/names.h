@@ -1,0 +1,41 @@
+#pragma once
+// What the global manager knows, asked by a program that is not part of the system.
+
+#include <suture/names/records.h>
+#include "cli/command_line/options.h"
+#include "cli/peer/link.h"
+
+#include <string>
+#include <vector>
+
+namespace suture::cli {
+
+/// A link to the global manager, of several to the first that answers. Throws SetupError wherever
+/// it or what is asked for is not there.
+class Names {
+ public:
+  Names(rpc::EventPort& loop, const Options& options);
+
+  std::vector<ProcessRecord> processes();
+  ProcessRecord process(const std::string& name);
+  /// Is the network that of tls:// addresses?
+  bool leadsToTls() const { return manager_.address.kind == rpc::Address::Kind::Tls; }
+  /// The address of the manager that answers.
+  const rpc::Address& address() const { return manager_.address; }
+
+ private:
+  struct Manager {
+    rpc::Address address;
+    kj::Own<rpc::Link> link;
+    wire::Session::Client session;
+  };
+
+  static Manager open(rpc::EventPort& loop, const rpc::Address& address, const Options& options);
+  static Manager openFirst(rpc::EventPort& loop, const Options& options);
+
+  rpc::EventPort& loop_;
+  const Duration patience_;
+  Manager manager_;
+};
+
+}  // namespace suture::cli

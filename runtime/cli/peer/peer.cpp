@@ -1,0 +1,100 @@
+#include "cli/peer/peer.h"
+#include <suture/base/errors.h>
+#include <suture/session/peer_host.h>
+#include <suture/wire/stamps.h>
+#include "cli/peer/wait.h"
+
+namespace suture::cli {
+namespace {
+
+rpc::Address addressOf(const ProcessRecord& process) {
+  if (process.addresses.empty()) {
+    throw SetupError("reach process '" + process.name + "'", "it has no address", "Restart it");
+  }
+  return rpc::Address::parse(process.addresses.front());
+}
+
+/// A peer that is older than a question does not know it.
+kj::Exception orTooOld(kj::Exception&& failure, const std::string& process) {
+  if (failure.getType() != kj::Exception::Type::UNIMPLEMENTED) return kj::mv(failure);
+  return rpc::failure(kj::Exception::Type::FAILED,
+                      "ask process '" + process +
+                          "' what it is: its Suture is older than that question. Rebuild it.");
+}
+
+}  // namespace
+
+Peer::Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options)
+    : loop_(loop),
+      process_(std::move(process)),
+      patience_(options.patience),
+      trust_(options.trust),
+      address_(addressOf(process_)) {}
+
+void Peer::knock() { cli::knock(loop_, address_, patience_); }
+
+void Peer::dial() {
+  link_ = cli::reach(loop_, address_, trust_, process_.name, patience_);
+  peer_ = link_->bootstrap<wire::Peer>();
+}
+
+void Peer::greet() {
+  auto request = peer_.helloRequest();
+  request.setVersion(wire::PROTOCOL_VERSION);
+  request.setProcess(kOwnName);
+  request.setBootId(textOf(bootId()));
+  auto answer = request.send().then([this, asked = now()](auto&& results) -> kj::Promise<void> {
+    if (results.isRefused()) return refused(results.getRefused());
+    const bool oneClock = stringOf(results.getBootId()) == bootId();
+    clock_ = oneClock ? ClockOffset::none() : ClockOffset();
+    if (!oneClock) clock_.add(asked, results.getReceived(), results.getSent(), now());
+    return kj::READY_NOW;
+  });
+  wait(loop_, patience_, kj::mv(answer), noAnswer());
+}
+
+std::vector<ComponentRecord> Peer::components() {
+  auto answer = peer_.describeRequest().send().then(
+      [](auto&& results) { return fromWire(results.getComponents()); });
+  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+}
+
+std::shared_ptr<const Contract> Peer::explain(const Target& target, wire::Peer::Side side) {
+  auto request = peer_.explainRequest();
+  request.setComponent(textOf(target.component));
+  request.setInterface(textOf(target.interface));
+  request.setSide(side);
+  auto answer = request.send().then(
+      [&target](auto&& results) -> kj::Promise<std::shared_ptr<const Contract>> {
+        if (results.isRefused()) return refused(results.getRefused());
+        return std::make_shared<const Contract>(target.toString(), results.getExplained());
+      },
+      [this](kj::Exception&& failure) -> kj::Promise<std::shared_ptr<const Contract>> {
+        return orTooOld(kj::mv(failure), process_.name);
+      });
+  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+}
+
+capnp::DynamicCapability::Client Peer::open(const Target& target, const Contract& contract) {
+  auto request = peer_.openRequest();
+  request.setComponent(textOf(target.component));
+  request.setInterface(textOf(target.interface));
+  using Opened = capnp::DynamicCapability::Client;
+  auto answer = request.send().then([&contract](auto&& results) -> kj::Promise<Opened> {
+    if (results.isRefused()) return refused(results.getRefused());
+    return results.getContract().template castAs<capnp::DynamicCapability>(contract.interface());
+  });
+  return wait(loop_, patience_, kj::mv(answer), noAnswer());
+}
+
+Time Peer::here(std::int64_t stamp) const {
+  return Time(Duration(rpc::shifted(stamp, -clock_.offset())));
+}
+
+std::string Peer::noAnswer() const {
+  return "talk to process '" + process_.name +
+         "': it is there, but does not answer. It hangs, has no file descriptor left for another "
+         "link, or has not yet made its components known: see what it says and does.";
+}
+
+}  // namespace suture::cli

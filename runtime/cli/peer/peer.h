@@ -1,0 +1,59 @@
+#pragma once
+// A process, as a program meets it that is none of its peers.
+
+#include <capnp/dynamic.h>
+#include <suture/names/records.h>
+#include <suture/peer.capnp.h>
+#include <suture/session/clock_offset.h>
+#include "cli/command_line/options.h"
+#include "cli/command_line/target.h"
+#include "cli/contract/contract.h"
+#include "cli/peer/link.h"
+
+#include <memory>
+#include <vector>
+
+namespace suture::cli {
+
+/// One link. Call these in their order; each throws SetupError: what was asked, found and to do.
+class Peer {
+ public:
+  Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options);
+
+  const ProcessRecord& process() const { return process_; }
+  /// Where it is dialled.
+  const rpc::Address& address() const { return address_; }
+
+  /// Makes sure that something listens there.
+  void knock();
+  /// Links to it, and makes sure that it is that process, as far as its address can prove it.
+  void dial();
+  /// Makes sure that both speak the same version of the protocol.
+  void greet();
+
+  std::vector<ComponentRecord> components();
+  std::shared_ptr<const Contract> explain(const Target& target, wire::Peer::Side side);
+  /// The provided interface itself.
+  capnp::DynamicCapability::Client open(const Target& target, const Contract& contract);
+
+  /// How its clock stands to ours, once it has been greeted: as exact as the greeting was fast.
+  const ClockOffset& clock() const { return clock_; }
+  /// A stamp of its clock, on ours; as exact as that.
+  Time here(std::int64_t stamp) const;
+  /// Resolves when it is gone.
+  kj::Promise<void> onDisconnect() { return link_->onDisconnect(); }
+
+ private:
+  std::string noAnswer() const;
+
+  rpc::EventPort& loop_;
+  const ProcessRecord process_;
+  const Duration patience_;
+  const rpc::Trust trust_;
+  const rpc::Address address_;
+  kj::Own<rpc::Link> link_;
+  wire::Peer::Client peer_ = nullptr;
+  ClockOffset clock_;
+};
+
+}  // namespace suture::cli

@@ -1,0 +1,110 @@
+#include "cli/peer/provider.h"
+#include <suture/base/errors.h>
+#include <suture/framing/remote_error.h>
+#include "cli/contract/annotations.h"
+#include "cli/contract/from_json.h"
+#include "cli/peer/lookup.h"
+#include "cli/peer/wait.h"
+
+namespace suture::cli {
+namespace {
+
+std::string remedyFor(Errc error, const Target& target) {
+  const std::string component = target.process + ":" + target.component + "/component";
+  switch (error) {
+    case Errc::Faulted:
+    case Errc::Suspended: return "`suture read " + component + " component_state` tells how it is";
+    case Errc::Full: return "Send less, or again when it has taken some";
+    case Errc::OutcomeUnknown: return "`suture doctor " + target.toString() + "` looks for it";
+    default: return "`suture describe " + target.toString() + "` tells what it takes and answers";
+  }
+}
+
+/// Returns the value of a method that carries only one, else all by their names.
+Json unwrapped(const Json& all) {
+  if (!all.is_object() || all.empty()) return nullptr;
+  return all.size() == 1 ? Json(all.begin().value()) : all;
+}
+
+class Receiver final : public capnp::DynamicCapability::Server {
+ public:
+  Receiver(std::shared_ptr<const Contract> contract, Labels labels, Provider::Heard heard)
+      : Server(contract->eventsInterface()),
+        contract_(std::move(contract)),
+        labels_(labels),
+        heard_(std::move(heard)) {}
+
+  kj::Promise<void> call(
+      capnp::InterfaceSchema::Method method,
+      capnp::CallContext<capnp::DynamicStruct, capnp::DynamicStruct> context) override {
+    for (const Member& event : contract_->events()) {
+      if (event.method == method) heard_(event, unwrapped(toJson(context.getParams(), labels_)));
+    }
+    return kj::READY_NOW;
+  }
+
+ private:
+  const std::shared_ptr<const Contract> contract_;
+  const Labels labels_;
+  const Provider::Heard heard_;
+};
+
+}  // namespace
+
+Provider::Provider(rpc::EventPort& loop, const Options& options, const Target& target)
+    : loop_(loop),
+      patience_(options.patience),
+      peer_(meet(loop, options, target.process)),
+      contract_(peer_.explain(target, wire::Peer::Side::PROVIDED)),
+      capability_(peer_.open(target, *contract_)) {}
+
+Answer Provider::call(const Member& command, const Json& arguments, Labels labels) {
+  auto request = capability_.newRequest(command.method);
+  fill(request, arguments, "");
+  for (const auto field : request.getSchema().getFields()) {
+    if (isSent(field)) request.init(field).as<capnp::DynamicStruct>().set("answer", true);
+  }
+  const std::string title = "call " + command.name + " of " + contract_->title();
+  const Target target = Target::parse(contract_->title());
+  auto answer = request.send().then(
+      [this, labels](auto&& results) -> kj::Promise<Answer> {
+        Json all = toJson(results, labels);
+        const auto age = ageIn(results);
+        if (age) all.erase("stamp");
+        return Answer{unwrapped(all), age, peer_.clock().error(now())};
+      },
+      [title, target](kj::Exception&& failure) -> kj::Promise<Answer> {
+        return rpc::failure(
+            kj::Exception::Type::FAILED,
+            SetupError(title, rpc::reasonOf(failure), remedyFor(rpc::errcOf(failure), target))
+                .what());
+      });
+  return wait(loop_, patience_, kj::mv(answer),
+              title + ": no answer in time; whether it ran is not known. `suture doctor " +
+                  contract_->title() + "` looks for the reason.");
+}
+
+std::optional<Duration> Provider::ageIn(capnp::DynamicStruct::Reader results) const {
+  KJ_IF_MAYBE (stamp, results.getSchema().findFieldByName("stamp")) {
+    return now() - peer_.here(results.get(*stamp).as<std::int64_t>());
+  }
+  return std::nullopt;
+}
+
+void Provider::subscribe(std::uint64_t events, Labels labels, Heard heard) {
+  auto request = capability_.newRequest("subscribe");
+  request.set("events", capnp::DynamicCapability::Client(
+                            kj::heap<Receiver>(contract_, labels, std::move(heard))));
+  request.set("eventMask", events);
+  wait(loop_, patience_, request.send().ignoreResult(),
+       "subscribe to events of " + contract_->title() + ": no answer. Look at what it is doing.");
+}
+
+kj::Promise<void> Provider::whenGone() {
+  return peer_.onDisconnect().then([this]() -> kj::Promise<void> {
+    return rpc::disconnected("watch " + contract_->title() + ": process '" + peer_.process().name +
+                             "' is gone. Start it again.");
+  });
+}
+
+}  // namespace suture::cli

@@ -1,0 +1,50 @@
+#pragma once
+// A provided interface, used by a program that has learnt its contract from it.
+
+#include <capnp/dynamic.h>
+#include "cli/command_line/options.h"
+#include "cli/contract/to_json.h"
+#include "cli/peer/peer.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace suture::cli {
+
+/// How a command ended.
+struct Answer {
+  Json value;                   ///< null: it has none
+  std::optional<Duration> age;  ///< of what was read, when it arrived
+  Duration ageError{0};         ///< how wrong that may be: zero if both have one clock
+};
+
+/// Finds its process, links to that and opens it. All members throw SetupError.
+class Provider {
+ public:
+  using Heard = std::function<void(const Member& event, const Json& value)>;
+
+  Provider(rpc::EventPort& loop, const Options& options, const Target& target);
+
+  const Contract& contract() const { return *contract_; }
+
+  /// Runs a command and waits for its end. Throws UsageError if the arguments are not its.
+  Answer call(const Member& command, const Json& arguments, Labels labels);
+  /// Asks for events, bit i for the contract's event i. `heard` is called as they arrive; while it
+  /// works, the provider keeps what follows.
+  void subscribe(std::uint64_t events, Labels labels, Heard heard);
+  /// Rejects when the provider's process is gone.
+  kj::Promise<void> whenGone();
+
+ private:
+  std::optional<Duration> ageIn(capnp::DynamicStruct::Reader results) const;
+
+  rpc::EventPort& loop_;
+  const Duration patience_;
+  Peer peer_;
+  std::shared_ptr<const Contract> contract_;
+  capnp::DynamicCapability::Client capability_;
+};
+
+}  // namespace suture::cli

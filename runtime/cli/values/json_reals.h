@@ -1,0 +1,28 @@
+#pragma once
+// Real numbers in JSON, which has no words for some of them.
+
+#include "cli/values/json.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace suture::cli {
+
+/// A number, or "nan", "inf", "-inf".
+inline Json realToJson(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value;
+}
+
+/// The reverse; none if it is neither.
+inline std::optional<double> realOf(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  if (json == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (json == "inf") return std::numeric_limits<double>::infinity();
+  if (json == "-inf") return -std::numeric_limits<double>::infinity();
+  return std::nullopt;
+}
+
+}  // namespace suture::cli

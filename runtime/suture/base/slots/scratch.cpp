@@ -1,0 +1,60 @@
+#include <suture/base/slots/scratch.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+namespace suture {
+namespace {
+
+struct Block {
+  std::size_t bytes;
+  std::unique_ptr<std::byte[]> memory;
+};
+
+/// The calling thread's blocks that are not in use. With each block that is taken, room is made to
+/// put it back, so that this never allocates.
+struct Unused {
+  std::vector<Block> blocks;
+  std::size_t inUse = 0;
+};
+
+Unused& unused() {
+  thread_local Unused blocks;
+  return blocks;
+}
+
+}  // namespace
+
+ScratchMemory::ScratchMemory(std::size_t bytes) : bytes_(bytes) {
+  Unused& store = unused();
+  // The smallest that is large enough: a small value must not take what a large one will need.
+  const auto found = std::min_element(store.blocks.begin(), store.blocks.end(),
+                                      [&](const Block& a, const Block& b) {
+                                        if ((a.bytes >= bytes) != (b.bytes >= bytes))
+                                          return a.bytes >= bytes;
+                                        return a.bytes < b.bytes;
+                                      });
+  if (found != store.blocks.end() && found->bytes >= bytes) {
+    bytes_ = found->bytes;
+    memory_ = found->memory.release();
+    store.blocks.erase(found);
+  } else {
+    store.blocks.reserve(store.blocks.size() + store.inUse + 1);
+    memory_ = std::make_unique_for_overwrite<std::byte[]>(bytes).release();
+  }
+  ++store.inUse;
+}
+
+ScratchMemory::~ScratchMemory() {
+  Unused& store = unused();
+  --store.inUse;
+  store.blocks.push_back({bytes_, std::unique_ptr<std::byte[]>(memory_)});
+}
+
+void reserveScratch(std::size_t bytes) {
+  if (bytes <= kLargestOnStack) return;
+  const ScratchMemory first(bytes), second(bytes);
+}
+
+}  // namespace suture

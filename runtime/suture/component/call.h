@@ -1,0 +1,160 @@
+#pragma once
+// A call whose answer comes later.
+
+#include <suture/base/sample.h>
+#include <suture/base/slots/shared_slot.h>
+#include <suture/component/required.h>
+
+#include <new>
+#include <type_traits>
+#include <utility>
+
+namespace suture {
+
+/// The slot of something that has no value.
+struct NoSlot {};
+
+/// What an answer holds, and how it says that there is none.
+template <class Answer>
+struct AnswerTraits;
+
+template <class T>
+struct AnswerTraits<Sample<T>> {
+  using Value = T;
+  static Sample<T> error(Errc error) { return error; }
+  static Sample<T> success(T value, Time stamp) { return {std::move(value), stamp}; }
+};
+
+template <class T>
+struct AnswerTraits<Result<T>> {
+  using Value = T;
+  static Result<T> error(Errc error) { return Result<T>{tl::unexpect, error}; }
+  template <class Found>
+  static Result<T> success(Found value, Time) {
+    return value;
+  }
+};
+
+/// The part of Call that does not depend on what is called.
+class CallBase {
+ protected:
+  using PendingCall = RequiredBase::PendingCall;
+
+  CallBase() = default;
+  CallBase(RequiredBase& required, PendingCall& pending, Duration limit)
+      : required_(&required), pending_(&pending), limit_(limit) {}
+  CallBase(CallBase&& other) noexcept;
+  CallBase& operator=(CallBase&& other) noexcept;
+  ~CallBase() { close(); }
+
+  bool done();
+  void waitUntilDone(Duration limit) { required_->waitFor(*pending_, limit); }
+  /// True if the provider will not execute it; then it is closed.
+  bool takeBack();
+  /// `follower` is called when the answer is here.
+  void passOnTo(RequiredBase::Follower follower);
+  /// Ends the call: its answer has been looked at, or is no longer wanted.
+  void close();
+
+  RequiredBase* required_ = nullptr;
+  PendingCall* pending_ = nullptr;
+  Duration limit_ = kDefaultDeadline;
+};
+
+/// Follows one call to its answer: by poll() in a control loop, or by within() where blocking for a
+/// bounded time is right. Destroying it abandons the call; the provider may still execute it.
+/// Belongs to the thread that started the call and must not outlive the required interface.
+template <class Answer, class Slot>
+class [[nodiscard]] Call : CallBase {
+ public:
+  Call(Errc error) : answer_(Traits::error(error)), ended_(true) {}  // NOLINT: converts on purpose
+  Call(Answer answer) : answer_(std::move(answer)), ended_(true) {}  // NOLINT: as well
+  /// `limit`: how long within() waits when it is not told.
+  Call(RequiredBase& required, RequiredBase::PendingCall& pending, Duration limit, Errc sent)
+      : CallBase(required, pending, limit) {
+    if (sent == Errc{}) return;
+    pending.done = true;  // nothing will come
+    close();
+    end(Traits::error(sent));
+  }
+
+  /// The answer if it is here, else null. Never blocks.
+  const Answer* poll() {
+    if (!ended_ && done()) take();
+    return ended_ ? &answer_ : nullptr;
+  }
+
+  /// The answer, waiting at most `limit` for it: Errc::Timeout if it does not come. There is no way
+  /// to wait without a limit.
+  const Answer& within(Duration limit) {
+    if (!ended_) {
+      waitUntilDone(limit);
+      if (!poll()) {
+        close();
+        end(Traits::error(Errc::Timeout));
+      }
+    }
+    return answer_;
+  }
+  /// The same with the deadline() that the contract states for the command, else kDefaultDeadline.
+  const Answer& within() { return within(limit_); }
+
+  /// Takes the command back: true if it will not be executed, and Errc::Cancelled is the answer.
+  /// False: it is being executed or has been, or has left for another process or been answered;
+  /// then nothing changes, and the answer still comes. Never blocks.
+  [[nodiscard]] bool cancel() {
+    if (poll() || !takeBack()) return false;
+    end(Traits::error(Errc::Cancelled));
+    return true;
+  }
+
+  /// Instead of poll() and within(): `handler(const Answer&)` is called once, in this thread, when
+  /// the answer is here or the connection has ended: before run(), or by a device's
+  /// processEvents(); at once if the call has ended by now, as one that was refused. Nothing is
+  /// allocated: what `handler` captures is a few pointers and numbers, copied as bytes.
+  ///   slave_.move.start(goal, 1, "").then([this](const Result<bool>& reached) { ... });
+  template <class Handler>
+  void then(Handler handler) && {
+    static_assert(sizeof(Handler) <= RequiredBase::kHandlerSize, "capture a pointer to it instead");
+    static_assert(
+        std::is_trivially_copyable_v<Handler> && std::is_trivially_destructible_v<Handler>,
+        "capture pointers and numbers only: the handler is copied as bytes");
+    if (poll()) return handler(answer_);
+    new (pending_->handler) Handler(handler);
+    passOnTo(&finish<Handler>);
+  }
+
+ private:
+  using Traits = AnswerTraits<Answer>;
+
+  template <class Handler>
+  static void finish(RequiredBase& required, RequiredBase::PendingCall& pending) {
+    // Copy the handler: if it starts another call, that may get this place.
+    const Handler handler = *std::launder(reinterpret_cast<Handler*>(pending.handler));
+    Call call(required, pending, kDefaultDeadline, Errc{});
+    handler(*call.poll());
+  }
+
+  void take() {
+    if (pending_->error != Errc{}) {
+      end(Traits::error(pending_->error));
+    } else if constexpr (std::is_same_v<Slot, NoSlot>) {
+      end(Answer{});
+    } else {
+      typename Traits::Value value{};
+      load(slotIn<Slot>(pending_->result.data()), value);
+      end(Traits::success(std::move(value), pending_->stamp));
+    }
+    close();
+  }
+
+  void end(Answer&& answer) {
+    answer_ = std::move(answer);
+    ended_ = true;
+  }
+
+  Answer answer_ = Traits::error(Errc::NotYet);
+  bool ended_ = false;
+};
+
+}  // namespace suture

@@ -1,0 +1,33 @@
+#include <suture/component/channel/channel_counts.h>
+#include <suture/rt/counter.h>
+
+namespace suture {
+namespace {
+
+/// The provider counts these: it takes the commands and emits the events.
+Tally ofProvider(const rt::MailboxCounters& commands, const rt::EventCounters& events) {
+  return {.executed = rt::count(commands.executed),
+          .late = rt::count(commands.late),
+          .refused = rt::count(commands.refused),
+          .failed = rt::count(commands.failed),
+          .superseded = rt::count(commands.superseded),
+          .cancelled = rt::count(commands.cancelled),
+          .eventsDropped = rt::count(events.dropped)};
+}
+
+}  // namespace
+
+Tally ChannelCounts::own(ConnectionEnd end) const {
+  Tally tally;
+  if (!foreign || end == ConnectionEnd::Provider) tally = ofProvider(*commands, *events);
+  if (!foreign || end == ConnectionEnd::Client) tally.replaced = rt::count(commands->replaced);
+  tally.refused += rt::count(turnedAway);
+  return tally;
+}
+
+Tally ChannelCounts::heard(ConnectionEnd end) const {
+  const bool shared = foreign && end == ConnectionEnd::Client;
+  return shared ? ofProvider(*commands, *events) : told.load();
+}
+
+}  // namespace suture

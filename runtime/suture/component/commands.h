@@ -1,0 +1,273 @@
+#pragma once
+// The members of a generated Required<Contract>: one object for each command. All belong to the
+// thread of the component that owns the required interface.
+
+#include <suture/base/sample.h>
+#include <suture/base/slots/shared_slot.h>
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/call.h>
+#include <suture/component/required.h>
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace suture {
+
+template <class Slot, class... Arguments>
+Errc RequiredBase::judgeHere(std::uint16_t command, Arguments&... arguments) {
+  if constexpr (sizeof...(Arguments) != 0) {
+    if (info_.commands[command].accepts == nullptr) return Errc{};
+    LooseSlot<Slot> slot;
+    const bool fits = store(arguments..., slot.value());
+    return judge(command, slot.memory(), fits);
+  }
+  return Errc{};
+}
+
+template <class Slot, class Value>
+Errc RequiredBase::judgeResultHere(std::uint16_t command, const Value& value) const {
+  const CommandInfo& info = info_.commands[command];
+  if (info.acceptsResult == nullptr) return Errc{};
+  LooseSlot<Slot> slot;
+  if (!store(value, slot.value())) return Errc::TooLarge;
+  return admitsResult(command, slot.memory()) ? Errc{} : Errc::Invalid;
+}
+
+/// A void or write command: queued at the provider, executed in its thread. A direct() one, and any
+/// of a device, is executed at once in the caller's thread where both are in one process.
+///   slave_.servo_cp(goal);                        queued; the answer says whether
+///   auto call = slave_.servo_cp.start(goal);      the same, and learns when it has been executed
+template <auto Method, class ArgumentsSlot>
+class Command;
+
+// `Nothing` is void; see resultOf().
+template <class Contract, class Nothing, class... Arguments,
+          Nothing (Contract::*Method)(Arguments...), class ArgumentsSlot>
+class Command<Method, ArgumentsSlot> {
+ public:
+  Command(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+
+  /// Never blocks; never allocates in a task's thread, and in another only for its first arguments
+  /// of more than 4 KiB. Success means that the command waits at the provider (local), or is on its
+  /// way within the provider's credit (any other lane). Errc::Full, Lost, TooLarge, Faulted
+  /// otherwise; Errc::Invalid for what the contract does not admit, on every lane.
+  Result<Nothing> operator()(Arguments... arguments) {
+    return resultOf<Nothing>(send(0, arguments...));
+  }
+
+  /// As above, and the answer comes when the command has been executed.
+  [[nodiscard]] Call<Result<Nothing>, NoSlot> start(Arguments... arguments) {
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
+    if (ProvidedBase* const callee = required_.callee(id_)) {
+      return resultOf<Nothing>(callHere(*callee, arguments...));
+    }
+    auto* pending = required_.openCall(id_);
+    if (pending == nullptr) return Errc::TooManyCalls;
+    return {required_, *pending, required_.deadlineOf(id_), send(pending->number, arguments...)};
+  }
+
+ private:
+  Errc callHere(ProvidedBase& callee, Arguments... arguments) {
+    const Errc error = required_.judgeHere<ArgumentsSlot>(id_, arguments...);
+    if (error != Errc{}) return error;
+    return RequiredBase::callHere<Contract>(
+        callee, [&](Contract& contract) { (contract.*Method)(arguments...); });
+  }
+
+  Errc send(std::uint32_t call, Arguments... arguments) {
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
+    if (ProvidedBase* const callee = required_.callee(id_)) return callHere(*callee, arguments...);
+    return required_.send(id_, call, [&]([[maybe_unused]] std::byte* memory) {
+      if constexpr (sizeof...(Arguments) == 0) {
+        return true;
+      } else {
+        return store(arguments..., newSlot<ArgumentsSlot>(memory));
+      }
+    });
+  }
+
+  RequiredBase& required_;
+  std::uint16_t id_;
+};
+
+/// A read command: the newest value the provider produced, copied without waiting for anyone.
+///   const auto pose = master_.measured_cp();             Sample<PoseStamped>
+///   master_.measured_js(state);                          into an object that keeps its memory
+///   master_.measured_cp.at(frame.stamp)                  as it was then
+///   master_.measured_cp.delayed(10ms)                    as it was 10 ms ago
+///   auto call = master_.measured_cp.fresh();             evaluated by the provider for this call
+/// readTogether() (read_together.h) reads several of one row.
+template <auto Method, class ResultSlot>
+class ReadCommand;
+
+template <class Contract, class ReturnType, ReturnType (Contract::*Method)() const,
+          class ResultSlot>
+class ReadCommand<Method, ResultSlot> {
+ public:
+  using Value = std::remove_cvref_t<ReturnType>;
+
+  ReadCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+
+  /// The newest value. Errc::NotYet until the provider has produced it for the first time; asking
+  /// makes it do so from now on. Errc::Invalid while the contract does not admit what the provider
+  /// produces; a device in this process answers by itself, unjudged. Allocates only if Value does,
+  /// and in a thread that is no task's for its first value of more than 4 KiB.
+  Sample<Value> operator()() {
+    Value value{};
+    const Sample<void> read = (*this)(value);
+    return {read, std::move(value)};
+  }
+
+  /// The same into `value`, which keeps its memory and is left alone if the sample carries none.
+  Sample<void> operator()(Value& value) {
+    LooseSlot<ResultSlot> slot;
+    bool device = false;
+    const Sample<void> read = required_.read(id_, slot.memory(), device);
+    if (device) return readDevice(value);
+    if (required_.zeroes(read)) {
+      load(slot.zero(), value);  // not Value{}: Eigen leaves that uninitialised
+    } else if (read.carriesValue()) {
+      load(slot.value(), value);
+    }
+    return read;
+  }
+
+  /// Any thread, before its task starts: gives `value` the memory of the largest there can be, so
+  /// that not even the first read into it allocates. Of vectors of strings and the like, the
+  /// elements may.
+  static void reserve(Value& value) { reserveFor<ResultSlot>(value); }
+
+  /// The value as it was at `time`: of the last row published at or before it, whose stamp the
+  /// sample carries. Errc::TooOld if the provider keeps no row so old (ProvidedBase::keepState), or
+  /// is a device in this process, which keeps none; NotYet if it had not produced the value by
+  /// then. On other lanes than `local` the rows are those that arrived.
+  Sample<Value> at(Time time) {
+    Value value{};
+    const Sample<void> read = at(time, value);
+    if (!read) return read.error();
+    return {std::move(value), read.stamp()};
+  }
+  /// The same into `value`, which keeps its memory and is left alone if there is no value.
+  Sample<void> at(Time time, Value& value) {
+    LooseSlot<ResultSlot> slot;
+    bool device = false;
+    const Sample<void> read = required_.readAt(time, id_, slot.memory(), device);
+    if (device) return readDevice(value);
+    if (read) load(slot.value(), value);
+    return read;
+  }
+
+  /// The value as it was `delay` ago; see at().
+  Sample<Value> delayed(Duration delay) { return at(ago(delay)); }
+  Sample<void> delayed(Duration delay, Value& value) { return at(ago(delay), value); }
+
+  /// Has the provider evaluate the value now, in its own thread.
+  [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
+    if (required_.callee(id_) != nullptr) return (*this)();
+    auto* pending = required_.openCall(id_);
+    if (pending == nullptr) return Errc::TooManyCalls;
+    return {required_, *pending, required_.deadlineOf(id_),
+            required_.send(id_, pending->number, [](std::byte*) { return true; })};
+  }
+
+ private:
+  friend class RowReader;
+  using Slot = ResultSlot;
+
+  Sample<void> readDevice(Value& value) {
+    const Errc error = RequiredBase::callHere<const Contract>(
+        *required_.callee(id_),
+        [&](const Contract& contract) { copy((contract.*Method)(), value); });
+    if (error != Errc{}) return error;
+    return Sample<void>(now());
+  }
+
+  static void copy(ReturnType result, Value& value) {
+    if constexpr (std::is_assignable_v<Value&, ReturnType>) {
+      value = std::forward<ReturnType>(result);
+    } else {  // it has a std::unique_ptr in it; its slot has not
+      LooseSlot<ResultSlot> slot;
+      store(result, slot.value());
+      load(slot.value(), value);
+    }
+  }
+
+  RequiredBase& required_;
+  std::uint16_t id_;
+};
+
+/// What qualified reads and commands with a return value have in common: `Method` runs on the
+/// arguments, and its result is the answer.
+///   auto call = slave_.inverse_kinematics.start(pose);   look at call.poll() in a control loop
+///   call.within(20ms)                                    or wait, for a bounded time
+template <class Contract, auto Method, class ArgumentsSlot, class ResultSlot, class ReturnType,
+          class... Arguments>
+class AnsweredCommand {
+ public:
+  using Value = std::remove_cvref_t<ReturnType>;
+
+  AnsweredCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+
+  [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
+    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
+    if (ProvidedBase* const callee = required_.callee(id_)) return askHere(*callee, arguments...);
+    auto* pending = required_.openCall(id_);
+    if (pending == nullptr) return Errc::TooManyCalls;
+    return {required_, *pending, required_.deadlineOf(id_),
+            required_.send(id_, pending->number, [&]([[maybe_unused]] std::byte* memory) {
+              if constexpr (sizeof...(Arguments) == 0) {
+                return true;
+              } else {
+                return store(arguments..., newSlot<ArgumentsSlot>(memory));
+              }
+            })};
+  }
+
+ private:
+  Result<Value> askHere(ProvidedBase& callee, Arguments... arguments) {
+    Value value{};
+    Errc error = required_.judgeHere<ArgumentsSlot>(id_, arguments...);
+    if (error == Errc{}) {
+      error = RequiredBase::callHere<Contract>(
+          callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); });
+    }
+    if (error == Errc{}) error = required_.judgeResultHere<ResultSlot>(id_, value);
+    return error == Errc{} ? Result<Value>(std::move(value)) : Result<Value>(tl::unexpect, error);
+  }
+
+  RequiredBase& required_;
+  std::uint16_t id_;
+};
+
+/// A qualified read: a question with arguments, to which the answer changes nothing. A concurrent()
+/// one, and any of a device, is answered at once in the caller's thread where both are in one
+/// process.
+template <auto Method, class ArgumentsSlot, class ResultSlot>
+class QualifiedReadCommand;
+
+template <class Contract, class ReturnType, class... Arguments,
+          ReturnType (Contract::*Method)(Arguments...) const, class ArgumentsSlot, class ResultSlot>
+class QualifiedReadCommand<Method, ArgumentsSlot, ResultSlot>
+    : public AnsweredCommand<const Contract, Method, ArgumentsSlot, ResultSlot, ReturnType,
+                             Arguments...> {
+ public:
+  using QualifiedReadCommand::AnsweredCommand::AnsweredCommand;
+};
+
+/// A void or write command that returns a value: queued like any other, and the answer brings what
+/// it returned.
+template <auto Method, class ArgumentsSlot, class ResultSlot>
+class ReturningCommand;
+
+template <class Contract, class ReturnType, class... Arguments,
+          ReturnType (Contract::*Method)(Arguments...), class ArgumentsSlot, class ResultSlot>
+class ReturningCommand<Method, ArgumentsSlot, ResultSlot>
+    : public AnsweredCommand<Contract, Method, ArgumentsSlot, ResultSlot, ReturnType,
+                             Arguments...> {
+ public:
+  using ReturningCommand::AnsweredCommand::AnsweredCommand;
+};
+
+}  // namespace suture

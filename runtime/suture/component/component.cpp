@@ -1,0 +1,204 @@
+#include <pthread.h>
+#include <suture/base/errors.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/component.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include <mutex>
+
+namespace suture {
+namespace {
+
+// Names a thread alike in the program and in each library that it loads: these may have copies of
+// this file, so nothing of its own can name one.
+const void* thisThread() {
+  return reinterpret_cast<const void*>(pthread_self());  // NOLINT(performance-no-int-to-ptr)
+}
+
+}  // namespace
+
+// What no other file needs to compile, and what may be rung when the component is gone.
+struct Component::Aside {
+  rt::Doorbell doorbell{std::make_shared<MemoryBlock>("suture-doorbell", sizeof(std::uint64_t)),
+                        rt::Doorbell::Sleeper::Here};
+  std::mutex mutex;  // of the next two: taken by who parks, and by who asks why
+  std::string fault;
+  FaultCause cause = FaultCause::Code;
+  std::shared_ptr<StateListener> listener;
+};
+
+Component::Component(bool ownsThread)
+    : ownsThread_(ownsThread), aside_(std::make_shared<Aside>()), doorbell_(aside_->doorbell) {}
+
+// Drops the listener, which refers to this; whoever may still ring keeps the rest.
+Component::~Component() { aside_->listener = nullptr; }
+
+std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
+  if (lender_ != nullptr) return lender_->sharedDoorbell();
+  return {aside_, &doorbell_};
+}
+
+void Component::ringLater(rt::Doorbell& bell) {
+  if (!ownsThread()) {
+    bell.ring();
+  } else {
+    dueBells_.add(bell);
+  }
+}
+
+void Component::ringForArrival(Channel& channel) {
+  channel.untaken.raise(std::memory_order_release);
+  rt::Doorbell& bell = *channel.ends.client;
+  if (!ownsThread()) {
+    bell.ring(rt::RungFor::Arrival);
+  } else {
+    dueBells_.add(bell, rt::RungFor::Arrival, &channel.untaken);
+  }
+}
+
+void Component::ringNow() { dueBells_.ringAll(); }
+
+bool Component::ownedByThisThread() {
+  const void* owner = owner_.load(std::memory_order_acquire);
+  if (owner == thisThread()) return true;
+  if (owner != nullptr || ownsThread()) return false;
+  return owner_.compare_exchange_strong(owner, thisThread());
+}
+
+bool Component::mayRunHandlers() const {
+  return statusIn(state_.load(std::memory_order_seq_cst)) == ChannelStatus::Connected;
+}
+
+bool Component::ownedByAnotherThread() const {
+  const void* owner = owner_.load(std::memory_order_acquire);
+  return owner != nullptr && owner != thisThread();
+}
+
+void Component::claimForThisThread() { owner_.store(thisThread(), std::memory_order_release); }
+
+void Component::configure() {
+  requireLegal(name_, state(), Transition::Configure);
+  makeTransition(Transition::Configure);
+  ringNow();
+}
+
+void Component::request(Transition transition) {
+  if (transition != Transition::Suspend && transition != Transition::Resume) {
+    throw SetupError(
+        "component '" + name_ + "' was asked to " + toString(transition),
+        "that is for whoever gave it its thread",
+        "Call configure(), start() or stop(); only suspend and resume can be asked for");
+  }
+  requireLegal(name_, state(), transition);
+  take(transition);
+}
+
+void Component::makeTransition(Transition transition) {
+  const ComponentState from = state();
+  const auto to = after(from, transition);
+  if (!to) return;  // a device that was parked since it was asked
+  if (!parkOnThrow([&] { callHook(transition); })) return;
+  if (transition == Transition::Resume || transition == Transition::Restart) {
+    resumed_.store(toNanoseconds(now()), std::memory_order_release);
+  }
+  if (!changeState(from, *to)) return;
+  // Those whose connection a stop has ended are told by endLife(); who has connected since then, by
+  // a start.
+  if (transition != Transition::Configure && transition != Transition::Stop) {
+    for (ProvidedBase* provided : provided_) provided->announce(statusIn(state()));
+  }
+}
+
+void Component::callHook(Transition transition) {
+  switch (transition) {
+    case Transition::Configure: onConfigure(); break;
+    case Transition::Start: onStart(); break;
+    case Transition::Suspend: onSuspend(); break;
+    case Transition::Resume: onResume(); break;
+    case Transition::Stop: onStop(); break;
+    case Transition::Restart: onRestart(); break;
+  }
+}
+
+void Component::endLife() {
+  if (after(state(), Transition::Stop)) makeTransition(Transition::Stop);
+  if (ownsThread()) {  // a device's thread is not this one; its interfaces do it when they end
+    for (const RequiredBase* required : required_) required->awaitDirectHandlers();
+  }
+  ringNow();
+  for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Lost);
+}
+
+// attach() adds its channel before it looks at the state, in one order with this: one of the two
+// tells the client.
+void Component::setState(ComponentState state) {
+  state_.store(state, std::memory_order_seq_cst);
+  tellListener(state);
+}
+
+bool Component::hasStateListener() const { return aside_->listener != nullptr; }
+
+void Component::setStateListener(std::shared_ptr<StateListener> listener) {
+  aside_->listener = std::move(listener);
+}
+
+void Component::tellListener(ComponentState state) {
+  if (hasStateListener()) aside_->listener->stateChanged(state);
+}
+
+// Changes nothing if the component was parked meanwhile: by what the hook read, under the contract
+// of a connection, or by a client's call of a device.
+bool Component::changeState(ComponentState from, ComponentState to) {
+  if (parked_.test()) return false;
+  if (!state_.compare_exchange_strong(from, to, std::memory_order_seq_cst)) return false;
+  tellListener(to);
+  return true;
+}
+
+void Component::park(std::string reason, FaultCause cause) {
+  if (parked_.test_and_set()) return;
+  {
+    const std::lock_guard lock(aside_->mutex);
+    aside_->fault = std::move(reason);
+    aside_->cause = cause;
+  }
+  // Set the state first: a new count beside a running component would look like a restart.
+  setState(ComponentState::Faulted);
+  faults_.fetch_add(1, std::memory_order_release);
+  for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Faulted);
+}
+
+void Component::parkSoon(std::string reason) { park(std::move(reason)); }
+
+std::string Component::fault() const {
+  const std::lock_guard lock(aside_->mutex);
+  return aside_->fault;
+}
+
+FaultCause Component::faultCause() const {
+  const std::lock_guard lock(aside_->mutex);
+  return aside_->cause;
+}
+
+std::string Component::whyFaulted() const {
+  const std::lock_guard lock(aside_->mutex);
+  return aside_->cause == FaultCause::Code ? "its code threw: " + aside_->fault : aside_->fault;
+}
+
+void Component::restart() {
+  parked_.clear();
+  makeTransition(Transition::Restart);
+}
+
+void Component::handleEvents() {
+  const ComponentState before = state();
+  for (RequiredBase* required : required_) required->lookAtConnection();
+  for (RequiredBase* required : required_) {
+    // The contract of a connection has parked it, or it is asked to stop.
+    if (state() != before || ending()) return;
+    required->handleEvents();
+  }
+}
+
+}  // namespace suture

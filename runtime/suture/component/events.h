@@ -1,0 +1,168 @@
+#pragma once
+// The members of a generated Provided<Contract>::emit() and Required<Contract>::on(): one object an
+// event.
+
+#include <suture/base/slots/shared_slot.h>
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/next_event.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace suture {
+
+/// Emits one event, in the provider's thread: any other gets Errc::WrongThread, and nobody the
+/// event. A device may emit in any thread.
+///   arm_.emit().operating_state(value);
+/// `Slot` is the payload's; void: the event carries nothing.
+template <class Slot, class... Payload>
+class Emitter;
+
+template <>
+class Emitter<void> {
+ public:
+  Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
+  /// Never blocks, never allocates; a subscriber whose queue is full loses it, and that is counted.
+  Result<void> operator()();
+
+ private:
+  ProvidedBase& provided_;
+  std::uint16_t event_;
+};
+
+template <class Slot, class... Payload>
+class Emitter {
+ public:
+  Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
+  /// Never blocks; never allocates in a task's thread, and in another only for its first payload of
+  /// more than 4 KiB. Errc::TooLarge if the payload exceeds its declared capacity, Errc::Invalid if
+  /// it has a value that the contract does not admit; nobody gets it then.
+  Result<std::void_t<Slot>> operator()(const Payload&... payload) {  // see resultOf()
+    LooseSlot<Slot> slot;
+    const bool fits = store(payload..., slot.value());
+    return resultOf<std::void_t<Slot>>(provided_.emit(event_, slot.memory(), fits));
+  }
+
+ private:
+  ProvidedBase& provided_;
+  std::uint16_t event_;
+};
+
+/// The part of a Subscription that does not depend on what the event carries.
+class SubscriptionBase {
+ public:
+  /// No handler begins to run any more, not even for events that wait in the queue; a direct() one
+  /// that runs at this moment ends in its own time. Whoever subscribes anew gets only what comes
+  /// after. May be called by the handler itself.
+  Result<void> reset();
+
+ protected:
+  SubscriptionBase(RequiredBase& required, std::uint16_t event)
+      : required_(required), event_(event) {}
+
+  RequiredBase& required_;
+  std::uint16_t event_;
+};
+
+/// One event, to subscribe to and to leave again. In the component's constructor, or later in its
+/// thread at any time; another thread gets Errc::WrongThread. The handler runs in the component's
+/// thread, before run() or in a device's processEvents().
+///   arm_.on().operating_state([this](const OperatingState& state) { ... });
+///   arm_.on().operating_state.reset();
+template <class Slot, class... Payload>
+class Subscription;
+
+template <>
+class Subscription<void> : public SubscriptionBase {
+ public:
+  Subscription(RequiredBase& required, std::uint16_t event) : SubscriptionBase(required, event) {}
+  /// See the other Subscription.
+  Result<void> operator()(std::function<void()> handler);
+  Result<void> direct(std::function<void()> handler);
+  [[nodiscard]] NextEvent<void> next();
+};
+
+/// Calls a handler with the values in a slot.
+template <class Slot, class... Payload>
+class SlotHandler {
+ public:
+  explicit SlotHandler(std::function<void(const Payload&...)> handler)
+      : handler_(std::move(handler)), scratch_(std::make_shared<Scratch>()) {
+    std::apply([](Payload&... payload) { reserveFor<Slot>(payload...); }, scratch_->payload);
+  }
+
+  void operator()(const std::byte* memory) const {
+    if (scratch_->inUse.test_and_set(std::memory_order_acquire)) {  // a device emits in two threads
+      std::tuple<Payload...> own;
+      return call(memory, own);
+    }
+    struct Release {
+      std::atomic_flag& flag;
+      ~Release() { flag.clear(std::memory_order_release); }
+    } release{scratch_->inUse};
+    call(memory, scratch_->payload);
+  }
+
+ private:
+  // One object for all events of this kind, so that what it owns is allocated once: here.
+  struct Scratch {
+    std::tuple<Payload...> payload;
+    std::atomic_flag inUse = ATOMIC_FLAG_INIT;
+  };
+
+  void call(const std::byte* memory, std::tuple<Payload...>& values) const {
+    std::apply(
+        [&](Payload&... payload) {
+          load(slotIn<Slot>(memory), payload...);
+          handler_(payload...);
+        },
+        values);
+  }
+
+  std::function<void(const Payload&...)> handler_;
+  std::shared_ptr<Scratch> scratch_;
+};
+
+/// `handler` as it is called with a slot; null: none.
+template <class Slot, class... Payload>
+std::function<void(const std::byte*)> slotHandler(std::function<void(const Payload&...)> handler) {
+  if (handler == nullptr) return nullptr;
+  return SlotHandler<Slot, Payload...>(std::move(handler));
+}
+
+template <class Slot, class... Payload>
+class Subscription : public SubscriptionBase {
+ public:
+  Subscription(RequiredBase& required, std::uint16_t event) : SubscriptionBase(required, event) {}
+
+  /// From now on `handler` gets what is emitted once the provider knows: a task does before it
+  /// executes any command sent later, on every lane, and begins with the last value of a latched()
+  /// event. An earlier handler is replaced. Never blocks; what it allocates is what keeps
+  /// `handler`, so a control loop subscribes rarely.
+  Result<std::void_t<Slot>> operator()(std::function<void(const Payload&...)> handler) {
+    return resultOf<std::void_t<Slot>>(
+        required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler))));
+  }
+
+  /// The same, and where both ends are in one process and no delay lies between them, `handler`
+  /// runs at once in the thread that emits, before emit() returns, also while this component's own
+  /// thread runs: so it is short, safe to call from any thread, and leaves this component's
+  /// required interfaces alone (Errc::WrongThread). What it throws parks this component, not the
+  /// emitter. While this component is suspended or faulted, and from any other process, the event
+  /// is queued as every other and `handler` runs in this component's thread.
+  Result<std::void_t<Slot>> direct(std::function<void(const Payload&...)> handler) {
+    return resultOf<std::void_t<Slot>>(
+        required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)), true));
+  }
+
+  /// The next such event, to wait for or to look for: NextEvent.
+  [[nodiscard]] NextEvent<Slot, Payload...> next() { return {required_, event_}; }
+};
+
+}  // namespace suture

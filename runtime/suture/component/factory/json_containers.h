@@ -1,0 +1,144 @@
+#pragma once
+// Reads sets, maps, optionals, tuples, variants and matrices of any size from JSON. See
+// json_reader.h, which includes this.
+
+#include <suture/component/factory/json_reader.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <unordered_map>
+#include <unordered_set>
+#include <variant>
+
+namespace suture {
+
+/// null is nothing.
+template <class T>
+void fromJson(const JsonReader& in, std::optional<T>& value) {
+  if (in.json().is_null()) return value.reset();
+  fromJson(in, value.emplace());
+}
+template <class T>
+void fromJson(const JsonReader& in, std::unique_ptr<T>& value) {
+  if (in.json().is_null()) return value.reset();
+  value = std::make_unique<T>();
+  fromJson(in, *value);
+}
+
+template <class Set>
+void setFromJson(const JsonReader& in, Set& value) {
+  if (!in.json().is_array()) return in.expected("a list");
+  value.clear();
+  for (std::size_t i = 0; i < in.json().size(); ++i) {
+    typename Set::key_type element{};
+    fromJson(in.at(i), element);
+    if (!value.insert(std::move(element)).second) in.at(i).report("this stands twice");
+  }
+}
+template <class T>
+void fromJson(const JsonReader& in, std::set<T>& value) {
+  setFromJson(in, value);
+}
+template <class T>
+void fromJson(const JsonReader& in, std::unordered_set<T>& value) {
+  setFromJson(in, value);
+}
+
+/// An object where the keys are strings, else a list of pairs [key, value].
+template <class Map>
+void mapFromJson(const JsonReader& in, Map& value) {
+  using Key = typename Map::key_type;
+  value.clear();
+  if constexpr (std::is_same_v<Key, std::string>) {
+    if (!in.json().is_object()) return in.expected("an object");
+    for (const auto& [key, unused] : in.json().items()) fromJson(in.at(key), value[key]);
+  } else {
+    if (!in.json().is_array()) return in.expected("a list of pairs");
+    for (std::size_t i = 0; i < in.json().size(); ++i) {
+      std::pair<Key, typename Map::mapped_type> entry{};
+      fromJson(in.at(i), entry);
+      if (!value.insert(std::move(entry)).second) in.at(i).report("this key stands twice");
+    }
+  }
+}
+template <class Key, class Value>
+void fromJson(const JsonReader& in, std::map<Key, Value>& value) {
+  mapFromJson(in, value);
+}
+template <class Key, class Value>
+void fromJson(const JsonReader& in, std::unordered_map<Key, Value>& value) {
+  mapFromJson(in, value);
+}
+
+/// A list of its members.
+template <class Tuple, std::size_t... I>
+void tupleFromJson(const JsonReader& in, Tuple& value, std::index_sequence<I...>) {
+  if (!in.isArrayOf(sizeof...(I))) {
+    return in.expected("a list of " + std::to_string(sizeof...(I)));
+  }
+  (fromJson(in.at(I), std::get<I>(value)), ...);
+}
+template <class... T>
+void fromJson(const JsonReader& in, std::tuple<T...>& value) {
+  tupleFromJson(in, value, std::index_sequence_for<T...>());
+}
+template <class A, class B>
+void fromJson(const JsonReader& in, std::pair<A, B>& value) {
+  tupleFromJson(in, value, std::make_index_sequence<2>());
+}
+
+inline void fromJson(const JsonReader& in, std::monostate&) {
+  if (!in.json().is_null()) in.expected("null");
+}
+
+/// {"index": 1, "value": ...}: nothing else tells which of two alternatives that read alike it is.
+template <class Variant, std::size_t... I>
+void variantFromJson(const JsonReader& in, Variant& value, std::index_sequence<I...>) {
+  JsonReader reader = in;
+  std::size_t index = value.index();
+  reader.field("index", index, 0, sizeof...(I) - 1);
+  const auto read = [&](auto number) {
+    if (value.index() != number) value.template emplace<number>();
+    reader.field("value", *std::get_if<number>(&value));
+  };
+  ((I == index ? read(std::integral_constant<std::size_t, I>()) : void()), ...);
+  reader.finish();
+}
+template <class... T>
+void fromJson(const JsonReader& in, std::variant<T...>& value) {
+  variantFromJson(in, value, std::index_sequence_for<T...>());
+}
+
+/// A vector is a list; a matrix is a list of its rows, all equally long.
+template <class S, int Rows, int Columns, int O, int MaxRows, int MaxColumns>
+requires(Rows == Eigen::Dynamic || Columns == Eigen::Dynamic) void fromJson(
+    const JsonReader& in, Eigen::Matrix<S, Rows, Columns, O, MaxRows, MaxColumns>& value) {
+  if constexpr (Rows == 1 || Columns == 1) {
+    std::vector<S> coefficients;
+    fromJson(in, coefficients);
+    value.resize(static_cast<Eigen::Index>(coefficients.size()));
+    std::copy(coefficients.begin(), coefficients.end(), value.data());
+  } else {
+    std::vector<std::vector<S>> rows;
+    fromJson(in, rows);
+    const std::size_t columns = rows.empty() ? 0 : rows.front().size();
+    if (Rows != Eigen::Dynamic && rows.size() != static_cast<std::size_t>(Rows)) {
+      return in.expected("a list of " + std::to_string(Rows));
+    }
+    value.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      if (rows[row].size() != columns) {
+        return in.at(row).expected("a list of " + std::to_string(columns));
+      }
+      for (std::size_t column = 0; column < columns; ++column) {
+        value(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+            rows[row][column];
+      }
+    }
+  }
+}
+
+}  // namespace suture

@@ -1,0 +1,197 @@
+#pragma once
+// Reads a component's parameters from JSON. Generated code calls field() once for each member.
+
+#include <suture/annotate.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace suture {
+
+/// Something wrong in a JSON text, and where: an RFC 6901 pointer, which the deployment turns into
+/// file and line.
+struct JsonProblem {
+  std::string pointer;
+  std::string text;
+};
+
+/// One JSON value that becomes one C++ value. Collects all problems instead of stopping at the
+/// first. Set-up code only.
+class JsonReader {
+ public:
+  JsonReader(const nlohmann::json& json, std::string pointer, std::vector<JsonProblem>& problems)
+      : json_(json), pointer_(std::move(pointer)), problems_(problems) {}
+
+  const nlohmann::json& json() const { return json_; }
+  /// Reports: "expected a number, found the string \"fast\"".
+  void expected(std::string_view what) const;
+  void report(std::string text) const { problems_.push_back({pointer_, std::move(text)}); }
+
+  /// Member `key` of this object into `target`; if absent, `target` keeps its default.
+  template <class T>
+  void field(const char* key, T& target);
+  /// The same for numbers, which must all lie between `lowest` and `highest`, both allowed.
+  template <class T>
+  void field(const char* key, T& target, double lowest, double highest);
+  /// After all fields: reports every key that none of them is named by.
+  void finish() const;
+
+  /// True if any problem has been reported so far, here or anywhere else in the text.
+  bool failed() const { return !problems_.empty(); }
+
+  /// Reports every number, here or within lists and objects, that is not between the two.
+  void checkRange(double lowest, double highest) const;
+
+  JsonReader at(const std::string& key) const;
+  JsonReader at(std::size_t index) const;
+  /// Reports and returns true if this value lies deeper than any real one: types may hold
+  /// themselves.
+  bool tooDeep() const;
+  bool isArrayOf(std::size_t size) const;
+
+ private:
+  JsonReader below(const nlohmann::json& json, std::string pointer) const;
+
+  const nlohmann::json& json_;
+  std::string pointer_;
+  std::vector<JsonProblem>& problems_;
+  unsigned depth_ = 0;
+  std::vector<std::string> known_;
+};
+
+void fromJson(const JsonReader& in, bool& value);
+void fromJson(const JsonReader& in, std::string& value);
+void fromJson(const JsonReader& in, std::byte& value);
+void fromJson(const JsonReader& in, Eigen::Isometry3d& value);
+void fromJson(const JsonReader& in, Eigen::Affine3d& value);
+
+/// The name of an enumerator, of those in `names`: its index, or -1 and a report.
+int enumeratorFromJson(const JsonReader& in, const std::vector<std::string>& names);
+
+template <class T>
+requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) void fromJson(const JsonReader& in,
+                                                                            T& value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    if (!in.json().is_number()) return in.expected("a number");
+    value = in.json().get<T>();
+  } else {
+    if (!in.json().is_number_integer()) return in.expected("a whole number");
+    const bool negative = !in.json().is_number_unsigned();
+    const auto fits = negative ? std::in_range<T>(in.json().get<std::int64_t>())
+                               : std::in_range<T>(in.json().get<std::uint64_t>());
+    if (!fits) {
+      return in.expected("a number from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
+                         std::to_string(std::numeric_limits<T>::max()));
+    }
+    value = in.json().get<T>();
+  }
+}
+
+/// Durations are numbers of seconds.
+template <class Rep, class Period>
+void fromJson(const JsonReader& in, std::chrono::duration<Rep, Period>& value) {
+  if (!in.json().is_number()) return in.expected("a number of seconds");
+  using Target = std::chrono::duration<Rep, Period>;
+  value =
+      std::chrono::duration_cast<Target>(std::chrono::duration<double>(in.json().get<double>()));
+}
+
+template <class T>
+void fromJson(const JsonReader& in, std::vector<T>& value) {
+  if (!in.json().is_array()) return in.expected("a list");
+  value.resize(in.json().size());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if constexpr (std::is_same_v<T, bool>) {  // its elements have no address
+      bool element = false;
+      fromJson(in.at(i), element);
+      value[i] = element;
+    } else {
+      fromJson(in.at(i), value[i] = T{});
+    }
+  }
+}
+
+template <class T>
+void fromJson(const JsonReader& in, std::deque<T>& value) {
+  if (!in.json().is_array()) return in.expected("a list");
+  value.clear();
+  for (std::size_t i = 0; i < in.json().size(); ++i) fromJson(in.at(i), value.emplace_back());
+}
+
+template <class T, std::size_t N>
+void fromJson(const JsonReader& in, T (&value)[N]) {
+  if (!in.isArrayOf(N)) return in.expected("a list of " + std::to_string(N));
+  for (std::size_t i = 0; i < N; ++i) fromJson(in.at(i), value[i]);
+}
+
+/// A type that has a suture::Wire is read as that says.
+template <class T>
+requires requires { typename Wire<T>::Type; }
+void fromJson(const JsonReader& in, T& value) {
+  typename Wire<T>::Type form = Wire<T>::to(value);
+  fromJson(in, form);
+  value = Wire<T>::from(form);
+}
+
+template <class T, std::size_t N>
+void fromJson(const JsonReader& in, std::array<T, N>& value) {
+  if (!in.isArrayOf(N)) return in.expected("a list of " + std::to_string(N));
+  for (std::size_t i = 0; i < N; ++i) fromJson(in.at(i), value[i]);
+}
+
+/// A vector is a list; a matrix is a list of its rows.
+template <class S, int Rows, int Columns, int Options>
+requires(Rows > 0 && Columns > 0) void fromJson(const JsonReader& in,
+                                                Eigen::Matrix<S, Rows, Columns, Options>& value) {
+  if (!in.isArrayOf(Rows)) return in.expected("a list of " + std::to_string(Rows));
+  for (int row = 0; row < Rows; ++row) {
+    const JsonReader line = in.at(static_cast<std::size_t>(row));
+    if constexpr (Columns == 1) {
+      fromJson(line, value(row));
+    } else {
+      if (!line.isArrayOf(Columns)) return line.expected("a list of " + std::to_string(Columns));
+      for (int column = 0; column < Columns; ++column) {
+        fromJson(line.at(static_cast<std::size_t>(column)), value(row, column));
+      }
+    }
+  }
+}
+
+/// A quaternion is the list w, x, y, z.
+template <class S>
+void fromJson(const JsonReader& in, Eigen::Quaternion<S>& value) {
+  std::array<S, 4> wxyz{};
+  fromJson(in, wxyz);
+  value = Eigen::Quaternion<S>(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
+}
+
+template <class T>
+void JsonReader::field(const char* key, T& target) {
+  known_.emplace_back(key);
+  if (tooDeep()) return;
+  if (json_.is_object() && json_.contains(key)) fromJson(at(std::string(key)), target);
+}
+
+template <class T>
+void JsonReader::field(const char* key, T& target, double lowest, double highest) {
+  const std::size_t before = problems_.size();
+  T value = target;
+  field(key, value);
+  const bool given = problems_.size() == before && json_.is_object() && json_.contains(key);
+  if (given) at(std::string(key)).checkRange(lowest, highest);
+  if (problems_.size() == before) target = std::move(value);
+}
+
+}  // namespace suture
+
+#include <suture/component/factory/json_containers.h>

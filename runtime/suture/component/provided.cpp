@@ -1,0 +1,403 @@
+#include <suture/base/virtual_time.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/provided.h>
+#include <suture/rt/counter.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+namespace suture {
+namespace {
+
+std::size_t payloadWords(const InterfaceInfo& info) {
+  std::size_t size = 0;
+  for (const EventInfo& event : info.events) size = std::max<std::size_t>(size, event.payloadSize);
+  return (size + 7) / 8;
+}
+
+}  // namespace
+
+/// The turn of one command. It ends on every way out, also when the handler throws: then the
+/// command's room is free again, and whoever waits for an answer has one.
+class ProvidedBase::Turn {
+ public:
+  Turn(Channel& channel, Component& owner, const rt::CommandRecord& record)
+      : outcome(&channel.commands.counters.failed),
+        channel_(channel),
+        owner_(owner),
+        command_(record.command),
+        call_(record.call) {}
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+  ~Turn() {
+    if (owner_.ownsThread()) owner_.caller_ = nullptr;
+    release();
+    if (call_ != 0 && !answered) channel_.replyError(call_, error);
+    if (channel_.wantsRows.isUp(std::memory_order_relaxed)) {  // what has been taken, too
+      owner_.ringLater(*channel_.ends.client);
+    } else if (call_ != 0) {
+      owner_.ringForArrival(channel_);
+    }
+  }
+
+  /// Notes the caller, but not a device's, whose commands may run in several threads at once.
+  void begin(const ConnectedClient& client) {
+    if (owner_.ownsThread()) owner_.caller_ = &client;
+  }
+
+  /// Frees the place of a command that has been executed, before anybody sees the answer.
+  void release() {
+    if (std::exchange(released_, true)) return;
+    rt::increment(*outcome);
+    // A newest-wins command without an answer travels in its cell, not in the ring.
+    const bool usesCredit = !channel_.info.commands[command_].latest || call_ != 0;
+    channel_.commands.pop();
+    if (usesCredit) channel_.commands.returnCredit(command_);
+  }
+
+  /// The counter of what becomes of it.
+  std::atomic<std::uint64_t>* outcome;
+  bool answered = false;
+  Errc error = Errc::Faulted;  ///< the answer, unless there has been one
+
+ private:
+  Channel& channel_;
+  Component& owner_;
+  const std::uint16_t command_;
+  const std::uint32_t call_;
+  bool released_ = false;
+};
+
+/// The last value of a latched event: the only column of a table.
+struct ProvidedBase::Latched {
+  explicit Latched(const EventInfo& event)
+      : values(std::array{event.payloadSize}, kRows, rt::ColumnSet{event.sharedPayload}) {}
+
+  static constexpr unsigned kRows = 4;
+  rt::StateTable values;
+  std::atomic_flag keeping = ATOMIC_FLAG_INIT;
+};
+
+ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const InterfaceInfo& info,
+                           void* implementation)
+    : name_(name),
+      owner_(owner),
+      info_(info),
+      implementation_(implementation),
+      state_(makeStateTable(info)),
+      channels_(owner.ownsThread() ? ChannelList::Walkers::Owner : ChannelList::Walkers::Any),
+      replayed_(payloadWords(info)) {
+  for (const EventInfo& event : info.events) {
+    latched_.push_back(event.latched ? std::make_unique<Latched>(event) : nullptr);
+  }
+  refuseUnbounded(info, owner.ownsThread());
+  owner.provided_.push_back(this);
+}
+
+ProvidedBase::~ProvidedBase() = default;
+
+void* ProvidedBase::implementation(const InterfaceInfo& contract) const {
+  void* pointer = implementation_;
+  for (const InterfaceInfo* one = &info_; one != &contract && one->base != nullptr;
+       one = &one->base()) {
+    pointer = one->toBase(pointer);
+  }
+  return pointer;
+}
+
+void ProvidedBase::keepState(const StateOptions& options) {
+  const std::string asked = "the state table of '" + name_ + "'";
+  if (!channels_.empty() || state_->demand() != 0) {
+    throw SetupError(asked, "somebody uses it already",
+                     "Call keepState() in the component's constructor");
+  }
+  if (options.manual && !owner_.ownsThread()) {
+    throw SetupError(asked, "a device, which has no thread to publish rows in",
+                     "Make the component a task, or leave 'manual' out");
+  }
+  constexpr unsigned kMostRows = 1u << 20;
+  if (options.rows == 0 || options.rows > kMostRows) {
+    throw SetupError(asked, std::to_string(options.rows) + " rows",
+                     "Keep 1 to " + std::to_string(kMostRows));
+  }
+  manual_ = options.manual;
+  state_->resize(options.rows);
+}
+
+void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
+  if (!owner_.ownsThread()) channels_.sweep();  // no thread of a device's own ever will
+  channels_.add(channel);
+  greetLocal(*channel);
+  if (!everyState_) tellState(*channel);
+  channel->ends.provider->ring();
+}
+
+// Repeats until the state stays: whoever announces a change may not have seen the channel yet.
+void ProvidedBase::tellState(Channel& channel) const {
+  ComponentState told;
+  do {
+    told = owner_.state();
+    channel.tell(statusIn(told));
+  } while (owner_.state() != told);
+}
+
+bool ProvidedBase::inService() const {
+  return everyState_ || statusIn(owner_.state()) == ChannelStatus::Connected;
+}
+
+bool ProvidedBase::hears() const {
+  return owner_.state() == ComponentState::Running && !owner_.ending();
+}
+
+// A device hears nothing of local clients, which come and go in threads of their own.
+bool ProvidedBase::isNews(const ChannelList::Node& node) {
+  if (node.channel->ends.device != nullptr) return false;
+  const bool over = isOver(node.channel->status.load(std::memory_order_seq_cst));
+  return over == node.known.load(std::memory_order_relaxed);
+}
+
+// Marks a client as known before it reads the status, so that whoever takes out closed channels
+// beside this leaves in those of which the component has been told.
+void ProvidedBase::tellOf(ChannelList::Node& node) {
+  if (!isNews(node)) return;
+  const bool known = node.known.exchange(true, std::memory_order_seq_cst);
+  const ChannelStatus status = node.channel->status.load(std::memory_order_seq_cst);
+  const bool over = isOver(status);
+  if (over) node.known.store(false, std::memory_order_seq_cst);
+  if (known != over) return;  // it has come and gone
+  const ClientNews end = status == ChannelStatus::Lapsed ? ClientNews::Silent : ClientNews::Closed;
+  owner_.onClient(*this, node.client, over ? end : ClientNews::Connected);
+}
+
+void ProvidedBase::drain() {
+  if (hears()) channels_.forEach([this](ChannelList::Node& node) { tellOf(node); });
+  if (owner_.ownsThread() && channels_.unlinkClosed()) {
+    owner_.ringNow();  // a bell that is due may go with its channel
+    channels_.letGo();
+  }
+  channels_.forEach([this](ChannelList::Node& node) {
+    Channel& channel = *node.channel;
+    if (channel.asked != nullptr) state_->askAll(channel.asked->load(std::memory_order_acquire));
+    const bool any = channel.commands.pending();
+    // Fix the cut first, so that a command's events meet those who subscribed before they sent it.
+    if (any) channel.commands.fixCut();
+    greet(node);
+    if (any) drain(node);
+  });
+}
+
+// Local clients of a device greet themselves: it has no cycle in which to do it.
+void ProvidedBase::greet(ChannelList::Node& node) {
+  Channel& channel = *node.channel;
+  if (channel.ends.device != nullptr) return;
+  const EventSet joining = channel.takeJoining();
+  node.served = channel.subscribed();
+  node.direct = channel.direct.events();
+  if (joining != 0) replay(channel, joining & node.served, replayed_);
+}
+
+void ProvidedBase::greetLocal(Channel& channel) {
+  if (channel.ends.device != this) return;
+  const EventSet joining = channel.takeJoining() & channel.subscribed();
+  if (joining == 0) return;
+  std::vector<std::uint64_t> memory(replayed_.size());
+  replay(channel, joining, memory);
+}
+
+Errc ProvidedBase::refusal() const {
+  if (owner_.ending()) return Errc::Lost;
+  return inService() ? Errc{} : errorOf(statusIn(owner_.state()));
+}
+
+// Judges a command, its connection and this component when the command's turn comes: a handler may
+// take long, and the process may be stopped at any moment.
+void ProvidedBase::drain(ChannelList::Node& node) {
+  Channel& channel = *node.channel;
+  const Time drainStart = now();
+  const Time resumed = everyState_ ? Time{} : owner_.resumed();
+  bool first = true;
+  while (const rt::CommandRecord* record = channel.commands.next()) {
+    const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
+    // A client that shares memory tells of a loss there: do not read the clock for each command.
+    const Errc over = channel.begin(first || hasTtl || !channel.foreign);
+    if (over != Errc{}) {
+      turnAway(channel, *record, over);
+    } else if (const Errc refused = refusal(); refused != Errc{}) {
+      turnAway(channel, *record, refused);
+    } else if (record->stamp < resumed) {
+      turnAway(channel, *record, Errc::Suspended);
+    } else {
+      run(node, *record, first || !hasTtl ? drainStart : now());
+    }
+    first = false;
+  }
+}
+
+// What was sent to a suspended component must not move anything when it is resumed later.
+void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal) {
+  Turn turn(channel, owner_, record);
+  turn.error = refusal;
+  turn.outcome = &channel.commands.counters.refused;
+}
+
+void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record, Time present) {
+  Channel& channel = *node.channel;
+  const CommandInfo& command = info_.commands[record.command];
+  Turn turn(channel, owner_, record);
+  channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
+  commandAge_ = present - record.stamp;
+  if (command.ttl > Duration{0} && commandAge_ > command.ttl) {
+    turn.outcome = &channel.commands.counters.late;
+    turn.error = Errc::Late;
+    return;
+  }
+  if (record.call != 0 && !channel.claimCall(record.call)) {
+    turn.outcome = &channel.commands.counters.cancelled;
+    turn.error = Errc::Cancelled;
+    return;
+  }
+  // Judge the copy of foreign arguments: on other lanes they were judged before they came here.
+  if (channel.foreign && !channel.admits(command, record.arguments())) {
+    turn.outcome = &channel.commands.counters.refused;
+    turn.error = Errc::Invalid;
+    return;
+  }
+  if (VirtualTime* const time = virtualTime(); time != nullptr) {
+    time->note(VirtualTime::Kind::Execute, name_.c_str(), command.name, record.sequence);
+  }
+  channel.commandAge.record(commandAge_);
+  turn.begin(node.client);
+  if (record.call == 0) {
+    execute(record.command, record.arguments(), nullptr);
+    turn.outcome = &channel.commands.counters.executed;
+  } else {
+    const ResultForm form{command.resultSize, command.sharedResult};
+    channel.reply(record.call, form, [&](std::byte* result) {
+      const Errc error = produce(record.command, record.arguments(), result, &channel);
+      turn.outcome = &channel.commands.counters.executed;
+      turn.release();
+      return error;
+    });
+    turn.answered = true;
+  }
+}
+
+Errc ProvidedBase::produce(std::uint16_t command, const std::byte* arguments, std::byte* result,
+                           Channel* asker) {
+  const Errc error = execute(command, arguments, result);
+  FieldPath path;
+  if (error != Errc{} || info_.commands[command].admitsResult(result, &path)) return error;
+  noteInvalid(path, asker);
+  return Errc::Invalid;
+}
+
+void ProvidedBase::noteInvalid(const FieldPath& path, Channel* asker) {
+  lastInvalid_.note(path);
+  if (asker != nullptr) return asker->lastInvalid.note(path);
+  channels_.forEach([&path](ChannelList::Node& node) { node.channel->lastInvalid.note(path); });
+}
+
+void ProvidedBase::publishRow() {
+  if (!manual_) advance();
+}
+
+void ProvidedBase::advance() {
+  const rt::ColumnSet demand = state_->demand();
+  if (demand == 0) return;
+  rt::RowColumns columns;
+  for (std::uint16_t i = 0; i < info_.commands.size(); ++i) {
+    const int column = info_.commands[i].column;
+    if (column < 0 || (demand >> column & 1) == 0) continue;
+    const auto number = static_cast<unsigned>(column);
+    columns.enter(number, produce(i, nullptr, state_->draft(number), nullptr));
+  }
+  state_->publish(now(), columns);
+  channels_.forEach([this](ChannelList::Node& node) {
+    if (node.channel->wantsRows.isUp(std::memory_order_relaxed)) {
+      owner_.ringLater(*node.channel->ends.client);
+    }
+  });
+}
+
+bool ProvidedBase::pending() const {
+  bool any = false;
+  channels_.forEach([&any, hears = hears()](ChannelList::Node& node) {
+    const Channel& channel = *node.channel;
+    const bool newcomer = channel.joining() && channel.ends.device == nullptr;
+    any = any || newcomer || channel.commands.pending() || (hears && isNews(node));
+  });
+  return any;
+}
+
+void ProvidedBase::announce(ChannelStatus status) {
+  if (everyState_ && status != ChannelStatus::Lost) return;
+  channels_.forEach([status](ChannelList::Node& node) { node.channel->tell(status); });
+}
+
+Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
+  const bool ownThread = owner_.ownsThread();
+  // Only its own thread may walk the channels of a task and fill its subscribers' queues.
+  if (ownThread && owner_.ownedByAnotherThread()) return Errc::WrongThread;
+  if (!fits) return Errc::TooLarge;
+  const EventInfo& info = info_.events[event];
+  if (FieldPath path; !info.admits(slot, &path)) {
+    noteInvalid(path, nullptr);
+    return Errc::Invalid;
+  }
+  const Time stamp = now();
+  const std::span payload(slot, info.payloadSize);
+  if (info.latched) keepLatched(event, stamp, payload);
+  channels_.forEach([&](ChannelList::Node& node) {
+    Channel& channel = *node.channel;
+    // A task's new subscribers join at its next cycle, together with the latched values.
+    const EventSet wanted = ownThread ? node.served : channel.subscribed();
+    if ((wanted >> event & 1) == 0) return;
+    deliver(channel, event, stamp, payload, ownThread ? node.direct : channel.direct.events());
+  });
+  return Errc{};
+}
+
+void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
+                           std::span<const std::byte> payload, EventSet direct) {
+  if ((direct >> event & 1) != 0 && channel.direct.call(event, payload.data())) return;
+  if (channel.events.push(event, stamp, payload)) {
+    channel.countSent(sizeof(rt::EventRecord) + payload.size());
+  }
+  owner_.ringForArrival(channel);
+}
+
+void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,
+                               std::span<const std::byte> payload) {
+  Latched& latched = *latched_[event];
+  // A device may emit it from two threads at once. These have no order, so either may be the last.
+  if (latched.keeping.test_and_set(std::memory_order_acquire)) return;
+  std::copy(payload.begin(), payload.end(), latched.values.draft(0));
+  if (info_.events[event].sharedPayload) sharedSlotIn(payload.data())->retain();
+  latched.values.publish(stamp, {.valid = 1});
+  latched.keeping.clear(std::memory_order_release);
+}
+
+void ProvidedBase::replay(Channel& channel, EventSet events, std::span<std::uint64_t> memory) {
+  for (std::uint16_t i = 0; i < info_.events.size(); ++i) {
+    if (info_.events[i].latched && (events >> i & 1) != 0) replay(channel, i, memory);
+  }
+}
+
+void ProvidedBase::replay(Channel& channel, std::uint16_t event, std::span<std::uint64_t> memory) {
+  const EventInfo& info = info_.events[event];
+  const auto payload = std::as_writable_bytes(memory).first(info.payloadSize);
+  // A device may emit meanwhile: go on until the newest value has been delivered last.
+  for (Time replayed{};;) {
+    const Result<Time> emitted = latched_[event]->values.read(0, payload.data());
+    if (!emitted) return;
+    const bool news = *emitted != replayed;
+    if (news) deliver(channel, event, *emitted, payload, channel.direct.events());
+    if (info.sharedPayload) releaseSharedSlot(payload.data());
+    if (!news) return;
+    replayed = *emitted;
+  }
+}
+
+}  // namespace suture

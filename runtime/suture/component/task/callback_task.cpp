@@ -1,0 +1,58 @@
+#include <suture/component/task/callback_task.h>
+
+namespace suture {
+
+void CallbackTask::start() {
+  if (running_ && state() == ComponentState::Faulted) return;
+  if (running_) requireLegal(name(), state(), Transition::Start);
+  prepare();
+  enter();
+  restUntilTriggered();
+  releaseThread();
+  running_ = true;
+}
+
+void CallbackTask::stop() {
+  setEnding(true);
+  doorbell().ring();  // its cycle may wait for an event that nobody handles any more
+  if (!running_.exchange(false)) return;
+  while (cycling_.test_and_set(std::memory_order_seq_cst)) cycleEnded_.wait();
+  claimThread();
+  leave();
+  mutablePulse().suspend();
+  cycling_.clear(std::memory_order_release);
+}
+
+// Gives no due time, since nobody here knows when it is called next.
+void CallbackTask::restUntilTriggered() {
+  if (allRest()) {
+    mutablePulse().suspend();
+  } else {
+    mutablePulse().sleep();
+  }
+}
+
+// stop() says that it stops before it looks for a cycle under way, and all of this is in one order:
+// either it sees the end of this cycle, or it is rung.
+void CallbackTask::endCycle() {
+  cycling_.clear(std::memory_order_seq_cst);
+  if (!running_.load(std::memory_order_seq_cst)) cycleEnded_.ring();
+}
+
+bool CallbackTask::trigger() {
+  if (cycling_.test_and_set(std::memory_order_acquire)) {
+    mutableStatistics().skipped.fetch_add(1, std::memory_order_relaxed);
+    return false;
+  }
+  const bool started = running_.load(std::memory_order_acquire);
+  const bool runs = started && !ending() && state() == ComponentState::Running;
+  if (started) {
+    claimThread();
+    cycle();
+    restUntilTriggered();
+  }
+  endCycle();
+  return runs;
+}
+
+}  // namespace suture

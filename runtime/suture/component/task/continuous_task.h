@@ -1,0 +1,24 @@
+#pragma once
+
+#include <suture/component/task/thread_task.h>
+
+namespace suture {
+
+struct ContinuousOptions {
+  rt::Scheduling scheduling{};
+};
+
+/// Runs one cycle after another without a pause: for a run() that itself waits, say for the next
+/// frame of a camera. Whatever it waits for needs a deadline, for stop() waits for the cycle. On a
+/// stepped clock each cycle takes at least kLeastCycle, for it never sleeps.
+class ContinuousTask : public ThreadTask {
+ public:
+  static constexpr Duration kLeastCycle = std::chrono::microseconds(100);
+
+  explicit ContinuousTask(const ContinuousOptions& options = {}) : ThreadTask(options.scheduling) {}
+
+ private:
+  bool awaitCycle() final;
+};
+
+}  // namespace suture

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <suture/component/task/thread_task.h>
+#include <suture/rt/period.h>
+
+namespace suture {
+
+struct PeriodicOptions {
+  Duration period = std::chrono::milliseconds(1);
+  rt::Scheduling scheduling{};
+};
+
+/// Runs a cycle at absolute due times, one period apart. A due time that passes while a cycle runs
+/// is skipped and counted: executed + skipped = elapsed / period, within one.
+class PeriodicTask : public ThreadTask {
+ public:
+  /// Throws SetupError if the period is not positive.
+  explicit PeriodicTask(const PeriodicOptions& options);
+
+  Duration period() const { return period_.length(); }
+
+ private:
+  void beginCycles() final;
+  bool awaitCycle() final;
+
+  rt::Period period_;
+};
+
+}  // namespace suture

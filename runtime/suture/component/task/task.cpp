@@ -1,0 +1,201 @@
+#include <suture/base/errors.h>
+#include <suture/base/slots/scratch.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+#include <suture/component/task/guest_task.h>
+#include <suture/component/task/task.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace suture {
+namespace {
+
+/// To be called before a thread's first cycle with these interfaces, since no cycle allocates.
+template <class Provided, class Required>
+void makeRoom(const Provided& provided, const Required& required) {
+  for (const auto* one : provided) reserveScratch(largestSlot(one->info()));
+  for (const auto* one : required) reserveScratch(largestSlot(one->info()));
+}
+
+}  // namespace
+
+void Task::lend(GuestTask& guest) {
+  guest.accept(*this);
+  guests_.push_back(&guest);
+}
+
+bool Task::isConnected() const {
+  return std::any_of(provided().begin(), provided().end(),
+                     [](const ProvidedBase* one) { return !one->channels().empty(); }) ||
+         std::any_of(required().begin(), required().end(),
+                     [](const RequiredBase* one) { return one->pending(); }) ||
+         std::any_of(guests_.begin(), guests_.end(),
+                     [](const GuestTask* guest) { return guest->isConnected(); });
+}
+
+void Task::claimThread() {
+  if (!ownedByThisThread()) {
+    claimForThisThread();
+    makeRoom(provided(), required());
+  }
+  for (GuestTask* guest : guests_) guest->claimThread();
+}
+
+void Task::prepare() {
+  if (after(state(), Transition::Configure)) configure();
+  for (GuestTask* guest : guests_) guest->prepare();
+}
+
+void Task::enter() {
+  setEnding(false);
+  claimForThisThread();
+  makeRoom(provided(), required());
+  pulse_.run(now());
+  if (after(state(), Transition::Start)) makeTransition(Transition::Start);
+  makeSafe();
+  ringNow();
+  for (GuestTask* guest : guests_) guest->enter();
+}
+
+void Task::take(Transition transition) {
+  requested_.store(transition, std::memory_order_release);
+  doorbell().ring();
+}
+
+void Task::parkSoon(std::string reason) {
+  if (failing_.test_and_set()) return;
+  failure_ = std::move(reason);
+  failed_.store(true, std::memory_order_release);
+  doorbell().ring();
+}
+
+void Task::parkIfAsked() {
+  if (!failed_.load(std::memory_order_acquire)) return;
+  park(failure_);
+  failed_.store(false, std::memory_order_relaxed);
+  failing_.clear(std::memory_order_release);  // once restarted, it may fail again
+}
+
+void Task::makeRequestedTransition() {
+  if (!requested_.load(std::memory_order_relaxed)) return;
+  const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
+  if (!after(state(), *requested)) return;  // it has been parked since it was asked
+  pulse_.run(now());
+  makeTransition(*requested);
+  if (state() != ComponentState::Running) rest();
+}
+
+void Task::cycle() {
+  parkIfAsked();
+  if (goesOn()) parkOnThrow([this] { work(); });
+  if (state() != ComponentState::Running) rest();
+  makeRequestedTransition();
+  makeSafe();
+  ringNow();
+  for (GuestTask* guest : guests_) guest->cycle();
+}
+
+void Task::restartAfterFaults(const RestartBudget& budget) {
+  if (budget.most > RestartBudget::kMost) {
+    throw SetupError("restarting '" + name() + "' after faults",
+                     std::to_string(budget.most) + " restarts",
+                     "Allow at most " + std::to_string(RestartBudget::kMost));
+  }
+  restarts_ = budget;
+}
+
+// A restart may fail and be a fault again; the budget bounds that too.
+void Task::makeSafe() {
+  while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
+    safeAfter_ = faults();
+    pulse_.run(now());
+    const bool restarted = tryOnFault() && mayRestart();
+    if (restarted) restart();
+    staysFaulted_.store(!restarted, std::memory_order_release);
+  }
+}
+
+bool Task::tryOnFault() {
+  try {
+    onFault();
+    return true;
+  } catch (...) {  // the reason for the fault says more than what its aftermath met
+    return false;
+  }
+}
+
+// The restart that was `most` restarts ago must be longer ago than `per`.
+bool Task::mayRestart() {
+  if (restarts_.most == 0) return false;
+  Time& oldest = restartedAt_[restartTurn_ % restarts_.most];
+  const Time present = now();
+  if (oldest != Time{} && present - oldest < restarts_.per) return false;
+  oldest = present;
+  ++restartTurn_;
+  return true;
+}
+
+bool Task::goesOn() const { return state() == ComponentState::Running && !ending(); }
+
+void Task::work() {
+  const Time begin = now();
+  pulse_.run(begin);
+  handleEvents();
+  if (!goesOn()) return;
+  for (ProvidedBase* interface : provided()) interface->drain();
+  if (!goesOn()) return;
+  run();
+  for (ProvidedBase* interface : provided()) interface->publishRow();
+  ringNow();
+  const Time end = now();
+  statistics_.computeTime.record(end - begin);
+  statistics_.windows.cycle(begin, end, statistics_.skipped.load(std::memory_order_relaxed));
+  statistics_.cycles.store(statistics_.cycles.load(std::memory_order_relaxed) + 1,
+                           std::memory_order_relaxed);
+}
+
+// Does the part of a cycle that runs no code of the user's.
+void Task::rest() {
+  for (RequiredBase* interface : required()) interface->adopt();
+  for (ProvidedBase* interface : provided()) {
+    interface->drain();
+    if (interface->inService()) interface->publishRow();
+  }
+}
+
+// Turns away what still waits, so that nothing is left without an answer.
+void Task::leave() {
+  setEnding(true);
+  for (GuestTask* guest : guests_) guest->leave();
+  for (ProvidedBase* interface : provided()) interface->drain();
+  endLife();
+  releaseThread();
+}
+
+bool Task::ownWorkPending() const {
+  const bool running = state() == ComponentState::Running;
+  return requested_.load(std::memory_order_relaxed).has_value() ||
+         failed_.load(std::memory_order_relaxed) ||
+         std::any_of(provided().begin(), provided().end(),
+                     [](const ProvidedBase* one) { return one->pending(); }) ||
+         std::any_of(required().begin(), required().end(), [running](RequiredBase* one) {
+           return running ? one->pending() || one->unseen() : one->rewired();
+         });
+}
+
+bool Task::workPending() const {
+  return ownWorkPending() ||
+         std::any_of(guests_.begin(), guests_.end(),
+                     [](const GuestTask* guest) { return guest->workPending(); });
+}
+
+bool Task::allRest() const {
+  return state() != ComponentState::Running &&
+         std::all_of(guests_.begin(), guests_.end(),
+                     [](const GuestTask* guest) { return guest->allRest(); });
+}
+
+}  // namespace suture

@@ -1,0 +1,55 @@
+#pragma once
+// The component classes that every deployment has: "StateCollector" and "EventCollector".
+
+#include <suture/component/component.h>
+#include <suture/component/contract/interface_info.h>
+#include <suture/deploy/document/deployment.h>
+#include <suture/record/json_lines.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+/// Makes the collectors of one process. Their contract is that of the interface which their
+/// "Source" is connected to, so what they collect has to exist before them, in the same process:
+/// docs/collecting.md.
+class Collectors {
+ public:
+  using Create = std::function<std::unique_ptr<Component>(const JsonReader& parameters)>;
+
+  /// Both outlive this.
+  Collectors(const Deployment& deployment, const ProcessEntry& process)
+      : deployment_(deployment), process_(process) {}
+
+  static bool offers(std::string_view className);
+  /// A problem for each collector that writes to the file of another process's.
+  static void checkFiles(const Deployment& deployment,
+                         const std::function<bool(const ComponentEntry&)>& isCollector,
+                         std::vector<std::string>& problems);
+
+  /// Returns what creates the collector `entry`. `components` are in the order of the process, and
+  /// null where one does not exist yet. Empty, and a problem, if there is nothing to collect.
+  Create find(const ComponentEntry& entry, std::span<const std::unique_ptr<Component>> components,
+              std::vector<std::string>& problems);
+
+ private:
+  const InterfaceInfo* contractOf(const ComponentEntry& entry,
+                                  std::span<const std::unique_ptr<Component>> components,
+                                  std::vector<std::string>& problems) const;
+  std::unique_ptr<Component> create(const std::string& className, const InterfaceInfo& contract,
+                                    const JsonReader& parameters);
+  std::shared_ptr<Sink> sink(const std::string& file);
+
+  const Deployment& deployment_;
+  const ProcessEntry& process_;
+  std::map<std::filesystem::path, std::shared_ptr<Sink>> files_;  // several may share one
+};
+
+}  // namespace suture

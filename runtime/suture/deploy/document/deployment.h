@@ -1,0 +1,118 @@
+#pragma once
+// A system as data: which process runs which components, and how their interfaces are connected.
+
+#include <suture/base/frames.h>
+#include <suture/component/task/task.h>
+#include <suture/deploy/document/json_document.h>
+#include <suture/manager/manager.h>
+#include <suture/rt/scheduling.h>
+#include <suture/wiring/endpoint.h>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+struct ComponentEntry {
+  std::string name;
+  std::string className;
+  std::filesystem::path sharedLibrary;  ///< the file that has the class; "": the program
+  nlohmann::json parameters;
+  std::optional<RestartBudget> restart;
+  std::optional<rt::Scheduling> scheduling;  ///< of its thread; without, as its class says
+  std::map<std::string, Frames> frames;      ///< by the names of its interfaces
+  std::string pointer;                       ///< where it stands in the document
+};
+
+/// What a process keeps of its components (record/black_box.h).
+struct BlackBoxEntry {
+  std::filesystem::path folder;
+  Duration last{}, period{};
+  unsigned rows = 0;                    ///< 0: what each component asks for
+  std::vector<std::string> components;  ///< their names; empty: all
+  std::string pointer;                  ///< where it stands in the document
+};
+
+struct ProcessEntry {
+  std::string name;
+  std::vector<ComponentEntry> components;
+  std::optional<BlackBoxEntry> blackBox;
+  std::optional<rt::Scheduling> scheduling;  ///< of the threads that carry connections
+  bool lockMemory = false;
+  bool realTimeRequired = false;  ///< what the machine does not grant is an error
+  std::string pointer;            ///< where it stands in the document
+};
+
+struct ConnectionEntry {
+  Endpoint from;  ///< a required interface; its process is always named
+  Endpoint to;    ///< a provided interface; its process is always named
+  Lane lane = Lane::Auto;
+  ConnectionDelay delay;
+  ConnectionContract contract;
+  std::string pointer;
+};
+
+/// A checked deployment file (schemas/deployment.schema.json). A value; set-up code only.
+class Deployment {
+ public:
+  /// Throws DocumentError with every problem of the file: of its syntax, of its schema, or of its
+  /// names.
+  explicit Deployment(JsonDocument document);
+
+  const JsonDocument& document() const { return document_; }
+  /// What the system is, for people; "" if the file does not say.
+  std::string title() const { return document_.value().value("title", ""); }
+  /// Address of the global manager, or of several, separated by commas; "" if the file names none.
+  const std::string& manager() const { return manager_; }
+  /// The folder of keys and the policy file; "" if the file names none.
+  std::filesystem::path keys() const { return besideIt(document_.value().value("keys", "")); }
+  std::filesystem::path policy() const { return besideIt(document_.value().value("policy", "")); }
+  const std::vector<ProcessEntry>& processes() const { return processes_; }
+  const std::vector<ConnectionEntry>& connections() const { return connections_; }
+
+  /// The process of that name. Throws DocumentError with what exists.
+  const ProcessEntry& process(std::string_view name) const;
+  /// `path` as a deployment means it: from the folder of its file.
+  std::filesystem::path besideIt(const std::string& path) const;
+
+ private:
+  void readProcesses();
+  ComponentEntry readComponent(const nlohmann::json& component, const std::string& pointer);
+  std::optional<RestartBudget> readRestart(const nlohmann::json& component,
+                                           const std::string& pointer);
+  std::optional<BlackBoxEntry> readBlackBox(const nlohmann::json& process,
+                                            const std::string& pointer);
+  std::optional<rt::Scheduling> readScheduling(const nlohmann::json& owner,
+                                               const std::string& pointer);
+  void readConnections();
+  Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
+                        const char* end);
+  ConnectionDelay readDelay(const nlohmann::json& connection, const std::string& pointer);
+  FaultPlan readFaults(const nlohmann::json& connection, const std::string& pointer);
+  ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);
+  Duration readDuration(const std::string& text, const std::string& pointer,
+                        Duration longest = std::chrono::seconds(60));
+  /// The duration at `key` of `object`, which must not be zero; `otherwise` if there is none.
+  Duration readLength(const nlohmann::json& object, const char* key, const char* otherwise,
+                      const std::string& pointer);
+  void checkNames();
+  void checkBlackBox(const ProcessEntry& process);
+  void reportMissing(const ProcessEntry& process, const std::string& component,
+                     const std::string& pointer);
+  void checkSingleProviders();
+  void checkManager();
+  void checkEndpoint(const Endpoint& endpoint, const std::string& pointer);
+  void report(const std::string& pointer, const std::string& text);
+
+  JsonDocument document_;
+  std::string manager_;
+  std::vector<ProcessEntry> processes_;
+  std::vector<ConnectionEntry> connections_;
+  std::vector<std::string> problems_;  // while it is being checked
+};
+
+}  // namespace suture

@@ -1,0 +1,59 @@
+#pragma once
+// Reads a JSON text into a JsonDocument: the events of nlohmann's parser, and a count of the
+// characters it has taken.
+
+#include <suture/deploy/document/json_document.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+/// One parse. The public members without comment are what nlohmann::json::sax_parse calls.
+class DocumentBuilder {
+ public:
+  DocumentBuilder(JsonDocument& document, std::string_view text)
+      : document_(document), text_(text) {}
+
+  /// Throws DocumentError.
+  void build();
+
+  bool null() { return add(nullptr); }
+  bool boolean(bool value) { return add(value); }
+  bool number_integer(std::int64_t value) { return add(value); }
+  bool number_unsigned(std::uint64_t value) { return add(value); }
+  bool number_float(double value, const std::string&) { return add(value); }
+  bool string(std::string& value) { return add(std::move(value)); }
+  bool binary(nlohmann::json::binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(nlohmann::json::object()); }
+  bool key(std::string& name);
+  bool end_object() { return close(); }
+  bool start_array(std::size_t) { return open(nlohmann::json::array()); }
+  bool end_array() { return close(); }
+  bool parse_error(std::size_t position, const std::string& token,
+                   const nlohmann::json::exception& error);
+
+ private:
+  struct Frame {
+    nlohmann::json* container;
+    std::string pointer;
+    std::string key;  // of the member that comes next
+  };
+
+  /// Puts a value into the innermost container and returns it there.
+  nlohmann::json& place(nlohmann::json value);
+  bool add(nlohmann::json value);
+  bool open(nlohmann::json container);
+  bool close();
+  int lineNow() const;
+  std::string nextPointer() const;
+
+  JsonDocument& document_;
+  std::string_view text_;
+  std::size_t taken_ = 0;  // characters that the parser has read
+  std::vector<Frame> open_;
+  std::vector<std::string> problems_;
+};
+
+}  // namespace suture

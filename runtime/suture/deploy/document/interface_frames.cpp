@@ -1,0 +1,54 @@
+#include <suture/base/nearest.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+#include <suture/deploy/document/interface_frames.h>
+
+namespace suture {
+namespace {
+
+/// False if none of `interfaces` has that name; else it is in `names`.
+template <class Interface>
+bool declare(const std::vector<Interface*>& interfaces, const std::string& name,
+             const Frames& frames, std::vector<std::string>& names) {
+  bool found = false;
+  for (Interface* const one : interfaces) {
+    names.push_back(one->name());
+    if (one->name() != name) continue;
+    one->declareFrames(frames);
+    found = true;
+  }
+  return found;
+}
+
+/// Throws SetupError.
+void declare(const Component& component, const std::string& name, const Frames& frames) {
+  std::vector<std::string> names;
+  const bool provided = declare(component.provided(), name, frames, names);
+  const bool required = declare(component.required(), name, frames, names);
+  if (provided || required) return;
+  const std::string nearest = nearestName(name, names);
+  throw SetupError("declaring the frames of interface '" + name + "'",
+                   "its component has interfaces " + listNames(names),
+                   nearest.empty() ? "Use one of those names" : "Did you mean '" + nearest + "'?");
+}
+
+}  // namespace
+
+void declareFrames(const JsonDocument& document, const ProcessEntry& process,
+                   std::span<const std::unique_ptr<Component>> components) {
+  std::vector<std::string> problems;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const ComponentEntry& entry = process.components[i];
+    for (const auto& [name, frames] : entry.frames) {
+      try {
+        declare(*components[i], name, frames);
+      } catch (const SetupError& error) {
+        problems.push_back(document.locate(entry.pointer + "/frames/" + name,
+                                           "component '" + entry.name + "': " + error.what()));
+      }
+    }
+  }
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
+}  // namespace suture

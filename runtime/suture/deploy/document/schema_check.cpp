@@ -1,0 +1,120 @@
+#include <suture/base/nearest.h>
+#include <suture/deploy/document/json_document.h>
+#include <suture/deploy/document/schema_check.h>
+
+#include <string>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validation_results.hpp>
+#include <valijson/validator.hpp>
+
+namespace suture {
+namespace {
+
+using nlohmann::json;
+using Adapter = valijson::adapters::NlohmannJsonAdapter;
+
+/// Where valijson found something wrong: the value, and the part of the schema that it breaks.
+struct Place {
+  const json* value;
+  const json* schema;
+  std::string pointer;
+};
+
+// The schema of a key: one of its own, or that of all keys.
+const json* schemaOf(const std::string& key, const json& schema) {
+  const auto properties = schema.find("properties");
+  return properties == schema.end() ? &schema.at("additionalProperties") : &properties->at(key);
+}
+
+// valijson's context is "<root>", then "[key]" or "[index]" for each step.
+Place placeOf(const std::vector<std::string>& context, const json& value, const json& schema) {
+  Place place{&value, &schema, ""};
+  for (std::size_t i = 1; i < context.size(); ++i) {
+    const std::string step = context[i].substr(1, context[i].size() - 2);
+    place.pointer = childPointer(place.pointer, step);
+    if (place.value->is_array()) {
+      place.value = &place.value->at(std::stoul(step));
+      place.schema = &place.schema->at("items");
+    } else {
+      place.value = &place.value->at(step);
+      place.schema = schemaOf(step, *place.schema);
+    }
+  }
+  return place;
+}
+
+std::string shortly(const json& value) {
+  constexpr std::size_t kLongest = 60;
+  const std::string text = value.dump();
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
+std::string expectation(const Place& place) {
+  return "expected " + place.schema->at("description").get<std::string>() + "; found " +
+         place.value->type_name() + " " + shortly(*place.value);
+}
+
+void reportUnknownKeys(const Place& place, std::vector<JsonProblem>& problems) {
+  std::vector<std::string> known;
+  for (const auto& [key, unused] : place.schema->at("properties").items()) known.push_back(key);
+  for (const auto& [key, unused] : place.value->items()) {
+    if (place.schema->at("properties").contains(key)) continue;
+    const std::string nearest = nearestName(key, known);
+    problems.push_back({childPointer(place.pointer, key),
+                        "unknown key '" + key + "'; " +
+                            (nearest.empty() ? "known are " + listNames(known)
+                                             : "did you mean '" + nearest + "'?")});
+  }
+}
+
+void reportMissingKeys(const Place& place, std::vector<JsonProblem>& problems) {
+  for (const json& key : place.schema->at("required")) {
+    const auto name = key.get<std::string>();
+    if (place.value->contains(name)) continue;
+    problems.push_back(
+        {place.pointer,
+         "key '" + name + "' is missing; it is " +
+             place.schema->at("properties").at(name).at("description").get<std::string>()});
+  }
+}
+
+void report(const std::string& description, const Place& place,
+            std::vector<JsonProblem>& problems) {
+  // valijson names one key at a time, and stops at the first unknown one.
+  if (description.starts_with("Object contains a property")) {
+    reportUnknownKeys(place, problems);
+  } else if (description.starts_with("Missing required property")) {
+    reportMissingKeys(place, problems);
+  } else {
+    problems.push_back({place.pointer, expectation(place)});
+  }
+}
+
+// True for what valijson adds about each level around the place where something is wrong.
+bool isConsequence(const std::string& description) {
+  return description.starts_with("Failed to validate ");
+}
+
+}  // namespace
+
+std::vector<JsonProblem> checkSchema(const json& value, const json& schema) {
+  valijson::Schema compiled;
+  valijson::SchemaParser().populateSchema(Adapter(schema), compiled);
+  valijson::ValidationResults results;
+  valijson::Validator().validate(compiled, Adapter(value), &results);
+
+  std::vector<JsonProblem> problems;
+  std::vector<std::string> last;  // the same key of the same place is told once
+  for (const auto& error : results) {
+    std::vector<std::string> key = error.context;
+    key.push_back(error.description.substr(0, error.description.find('\'')));
+    if (isConsequence(error.description) || key == last) continue;
+    last = std::move(key);
+    report(error.description, placeOf(error.context, value, schema), problems);
+  }
+  return problems;
+}
+
+}  // namespace suture

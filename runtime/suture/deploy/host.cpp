@@ -1,0 +1,293 @@
+#include <suture/base/nearest.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/required.h>
+#include <suture/component/task/task.h>
+#include <suture/deploy/document/interface_frames.h>
+#include <suture/deploy/document/policy_file.h>
+#include <suture/deploy/host.h>
+#include <suture/net/tls/keys.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace suture {
+namespace {
+
+const ComponentClass* find(std::span<const ComponentClass> classes, const std::string& name) {
+  const auto found = std::find_if(classes.begin(), classes.end(),
+                                  [&](const ComponentClass& one) { return name == one.name; });
+  return found == classes.end() ? nullptr : &*found;
+}
+
+bool isCollector(const ComponentEntry& entry, std::span<const ComponentClass> ofProgram) {
+  return entry.sharedLibrary.empty() && Collectors::offers(entry.className) &&
+         find(ofProgram, entry.className) == nullptr;
+}
+
+std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentClass> classes) {
+  std::vector<std::string> offered;
+  for (const ComponentClass& one : classes) offered.emplace_back(one.name);
+  const std::string nearest = nearestName(entry.className, offered);
+  const std::string where = entry.sharedLibrary.empty()
+                                ? "this program"
+                                : "library '" + entry.sharedLibrary.string() + "'";
+  return "no component class '" + entry.className + "' in " + where + "; it offers " +
+         listNames(offered) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+}
+
+// False while it is between a fault and a restart.
+bool faultedForGood(const Component& component) {
+  if (component.state() != ComponentState::Faulted) return false;
+  return !component.ownsThread() || static_cast<const Task&>(component).staysFaulted();
+}
+
+/// `why`: of each connection, by its name, what its client's end was told: "closed: ...".
+std::string lossText(const std::map<std::string, std::string>& why, const std::string& name) {
+  const auto told = why.find(name);
+  if (told == why.end()) return "is lost: the process at its other end is gone. Start it again";
+  const bool ended = told->second.starts_with("closed");
+  return "is lost, " + told->second +
+         (ended
+              ? ". Start that process again if it has ended; it is connected anew when it is there"
+              : ". It is connected anew when that process goes on");
+}
+
+}  // namespace
+
+Host::Host(const Deployment& deployment, std::string_view process,
+           std::span<const ComponentClass> classes, Duration patience)
+    : deployment_(deployment), process_(deployment.process(process)), patience_(patience) {
+  createComponents(classes);
+  declareFrames(deployment_.document(), process_, components_);
+  checkRequired();
+  faults_.emplace(deployment_.document(), process_, components_);
+  realTime_.giveTo(components_);
+  createManager();
+  realTime_.giveTo(*manager_);
+}
+
+// Collectors come last: what they collect has to be there.
+void Host::createComponents(std::span<const ComponentClass> classes) {
+  std::vector<std::string> problems;
+  Collectors::checkFiles(
+      deployment_, [&](const ComponentEntry& entry) { return isCollector(entry, classes); },
+      problems);
+  components_.resize(process_.components.size());
+  const auto createAll = [&](bool collectors) {
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      const ComponentEntry& entry = process_.components[i];
+      if (isCollector(entry, classes) != collectors) continue;
+      const Collectors::Create creator = collectors ? collectors_.find(entry, components_, problems)
+                                                    : creatorOf(entry, classes, problems);
+      if (creator) components_[i] = create(entry, creator, problems);
+    }
+  };
+  createAll(false);
+  createAll(true);
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
+const SharedLibrary& Host::library(const std::filesystem::path& file) {
+  return libraries_.try_emplace(file, file).first->second;
+}
+
+Collectors::Create Host::creatorOf(const ComponentEntry& entry,
+                                   std::span<const ComponentClass> ofProgram,
+                                   std::vector<std::string>& problems) {
+  const JsonDocument& document = deployment_.document();
+  try {
+    const auto classes =
+        entry.sharedLibrary.empty() ? ofProgram : library(entry.sharedLibrary).classes();
+    if (const ComponentClass* found = find(classes, entry.className)) return found->create;
+    problems.push_back(document.locate(entry.pointer + "/class", unknownClass(entry, classes)));
+  } catch (const SetupError& error) {
+    problems.push_back(document.locate(entry.pointer + "/library", error.what()));
+  }
+  return {};
+}
+
+std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
+                                        const Collectors::Create& create,
+                                        std::vector<std::string>& problems) {
+  const JsonDocument& document = deployment_.document();
+  std::vector<JsonProblem> parameterProblems;
+  const JsonReader parameters(entry.parameters, entry.pointer + "/parameters", parameterProblems);
+  std::unique_ptr<Component> component;
+  try {
+    component = create(parameters);
+  } catch (const std::exception& error) {
+    problems.push_back(document.locate(entry.pointer, "component '" + entry.name + "' of class '" +
+                                                          entry.className +
+                                                          "' cannot be created: " + error.what()));
+  }
+  for (const JsonProblem& problem : parameterProblems) {
+    problems.push_back(document.locate(
+        problem.pointer,
+        "parameters of '" + entry.name + "' (" + entry.className + "): " + problem.text));
+  }
+  return component;
+}
+
+Security Host::security() const {
+  Security ours;
+  if (!deployment_.policy().empty()) ours.policy = readPolicy(deployment_.policy());
+  if (deployment_.keys().empty()) return ours;
+  try {
+    ours.keys = std::make_shared<const tls::Keys>(deployment_.keys(), process_.name);
+  } catch (const SetupError& error) {
+    throw DocumentError({deployment_.document().locate("/keys", error.what())});
+  }
+  return ours;
+}
+
+void Host::createManager() {
+  const std::string& address = deployment_.manager();
+  const Security ours = security();
+  try {
+    manager_ = address.empty() ? std::make_unique<Manager>(process_.name)
+                               : std::make_unique<Manager>(process_.name, address, ours, patience_);
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      manager_->add(process_.components[i].name, *components_[i]);
+    }
+  } catch (const SetupError& error) {
+    throw DocumentError({deployment_.document().locate("/manager", error.what())});
+  }
+}
+
+// Nothing would ever connect such an interface: say so now, before a task silently does nothing.
+void Host::checkRequired() const {
+  std::vector<std::string> problems;
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    const ComponentEntry& entry = process_.components[i];
+    for (const RequiredBase* required : components_[i]->required()) {
+      const Endpoint from{process_.name, entry.name, required->name()};
+      const auto& all = deployment_.connections();
+      const bool connected =
+          std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& connection) {
+            return connection.from.toString() == from.toString();
+          });
+      if (connected || required->isOptional()) continue;
+      problems.push_back(deployment_.document().locate(
+          entry.pointer, "required interface '" + from.toString() + "' (" + required->info().name +
+                             ") has no provider; add a connection {\"from\": \"" + from.toString() +
+                             "\", \"to\": ...}"));
+    }
+  }
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
+void Host::configure() {
+  std::vector<std::string> problems;
+  manager_->configure();
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    if (components_[i]->state() != ComponentState::Faulted) continue;
+    const ComponentEntry& entry = process_.components[i];
+    problems.push_back(deployment_.document().locate(
+        entry.pointer, "component '" + entry.name + "' of class '" + entry.className +
+                           "' cannot be configured: " + components_[i]->fault()));
+  }
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
+// Before a component runs: it could take what is on its way for what its system does not have.
+void Host::announceConnections() {
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    if (connection.from.process != process_.name) continue;
+    for (std::size_t i = 0; i < components_.size(); ++i) {
+      if (process_.components[i].name != connection.from.component) continue;
+      for (RequiredBase* required : components_[i]->required()) {
+        if (required->name() == connection.from.interface) required->expectConnection();
+      }
+    }
+  }
+}
+
+void Host::start() {
+  announceConnections();
+  configure();
+  faults_->begin();
+  try {
+    manager_->start();
+  } catch (const SetupError& error) {
+    throw DocumentError({deployment_.document().locate("/processes", error.what())});
+  }
+  if (messages_) messages_->connect(*manager_);
+  for (const ConnectionEntry& connection : deployment_.connections()) {
+    if (connection.from.process != process_.name) continue;
+    const Endpoint from{"", connection.from.component, connection.from.interface};
+    try {
+      manager_->connect(from.toString(), connection.to.toString(), connection.lane, patience_,
+                        connection.delay, connection.contract);
+    } catch (const SetupError& error) {
+      throw DocumentError({deployment_.document().locate(connection.pointer, error.what())});
+    }
+  }
+}
+
+void Host::listenToMessages() {
+  messages_.emplace(components_);
+  manager_->add(MessageListener::kName, *messages_);
+}
+
+std::vector<std::string> Host::news() {
+  std::vector<std::string> lines = realTime_.news();
+  for (std::string& line : faults_->news()) lines.push_back(std::move(line));
+  if (!messages_) return lines;
+  for (std::string& line : messages_->heard()) lines.push_back(std::move(line));
+  return lines;
+}
+
+std::vector<Trouble> Host::troubles() const {
+  std::vector<Trouble> found = componentTroubles();
+  const std::vector<Trouble> connections = connectionTroubles();
+  found.insert(found.end(), connections.begin(), connections.end());
+  if (const std::string address = manager_->missingGlobalManager(); !address.empty()) {
+    found.push_back(
+        {"the global manager at " + address,
+         "does not answer: connections live on, new ones have to wait for one that does. "
+         "Start it again",
+         false});
+  }
+  return found;
+}
+
+std::vector<Trouble> Host::componentTroubles() const {
+  std::vector<Trouble> found;
+  for (std::size_t i = 0; i < components_.size(); ++i) {
+    if (!faultedForGood(*components_[i])) continue;
+    const ComponentEntry& entry = process_.components[i];
+    const bool loss = components_[i]->faultCause() == FaultCause::Connection;
+    found.push_back({"component '" + process_.name + ":" + entry.name + "'",
+                     "is parked, " + components_[i]->whyFaulted() +
+                         (entry.restart ? ". It is restarted no more" : "") +
+                         ". Correct the cause and start the process anew",
+                     true, loss});
+  }
+  return found;
+}
+
+std::vector<Trouble> Host::connectionTroubles() const {
+  std::vector<Trouble> found;
+  const std::map<std::string, std::string> whyLost = manager_->whyLost();
+  for (const auto& channel : manager_->channels()) {
+    const std::string subject = "connection '" + channel->name + "'";
+    // A delayed connection has both of its ends in this process: tell of it once.
+    if (!found.empty() && found.back().subject == subject) continue;
+    switch (channel->status.load(std::memory_order_acquire)) {
+      case ChannelStatus::Lost:
+        found.push_back({subject, lossText(whyLost, channel->name), true, true});
+        break;
+      case ChannelStatus::Faulted:
+        found.push_back({subject, "is useless: its provider's code threw", true, true});
+        break;
+      case ChannelStatus::Connected:
+      case ChannelStatus::Lapsed:  // the client's process tells of it
+      case ChannelStatus::Suspended:
+      case ChannelStatus::Closed: break;
+    }
+  }
+  return found;
+}
+
+}  // namespace suture

@@ -1,0 +1,94 @@
+#pragma once
+// Runs one process of a deployment.
+
+#include <suture/component/factory/component_class.h>
+#include <suture/deploy/collectors.h>
+#include <suture/deploy/document/deployment.h>
+#include <suture/deploy/fault_handling.h>
+#include <suture/deploy/message_listener.h>
+#include <suture/deploy/real_time.h>
+#include <suture/deploy/shared_library.h>
+#include <suture/manager/manager.h>
+#include <suture/names/security.h>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace suture {
+
+/// Something that is wrong at present, while everything else keeps running.
+struct Trouble {
+  std::string subject;  ///< "connection 'left:Teleop/Slave -> right:PSM1/Arm'"
+  std::string text;     ///< "is lost: the other process does not answer. Start it again"
+  bool failure = true;  ///< false: the process does all it is there for
+  bool loss = false;    ///< of another process, or due to that
+};
+
+/// The components, the manager and the connections of one process. Used by one thread, which is
+/// none of the tasks'.
+class Host {
+ public:
+  /// Creates the components of `process` from `classes` and from the libraries that it names, and
+  /// its manager. Throws DocumentError: library that cannot be loaded, unknown class, wrong
+  /// parameters, a component that refuses its parameters, a required interface that no connection
+  /// begins at, frames, a restart, a black box or a scheduling that cannot be, a global manager
+  /// that does not answer within `patience`. `deployment` outlives the host.
+  Host(const Deployment& deployment, std::string_view process,
+       std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  /// Before start(): news() tells the standard messages of the components too. Throws SetupError.
+  void listenToMessages();
+
+  /// Configures and starts the components, then makes every connection that begins in this process,
+  /// waiting at most `patience` for each other process. Throws DocumentError that names the
+  /// component or the connection.
+  void start();
+
+  /// Any thread: a start() that waits for another process throws now.
+  void giveUp() { manager_->giveUp(); }
+
+  const Manager& manager() const { return *manager_; }
+
+  /// Connections whose far end is gone, components that are faulted for good, a global manager that
+  /// does not answer. What mends is there no more at the next call.
+  std::vector<Trouble> troubles() const;
+  /// What else has happened since the last call, a line each: what the machine does not grant,
+  /// restarts after faults, files of the black box, messages.
+  std::vector<std::string> news();
+
+ private:
+  void createComponents(std::span<const ComponentClass> classes);
+  std::unique_ptr<Component> create(const ComponentEntry& entry, const Collectors::Create& create,
+                                    std::vector<std::string>& problems);
+  Collectors::Create creatorOf(const ComponentEntry& entry,
+                               std::span<const ComponentClass> ofProgram,
+                               std::vector<std::string>& problems);
+  const SharedLibrary& library(const std::filesystem::path& file);
+  void createManager();
+  Security security() const;
+  void checkRequired() const;
+  void announceConnections();
+  void configure();
+  std::vector<Trouble> componentTroubles() const;
+  std::vector<Trouble> connectionTroubles() const;
+
+  const Deployment& deployment_;
+  const ProcessEntry& process_;
+  const Duration patience_;
+  RealTime realTime_{deployment_.document(), process_};       // locks what comes after it, too
+  std::map<std::filesystem::path, SharedLibrary> libraries_;  // outlive what they contain
+  Collectors collectors_{deployment_, process_};
+  std::vector<std::unique_ptr<Component>> components_;  // in the order of the file
+  std::optional<MessageListener> messages_;
+  std::unique_ptr<Manager> manager_;     // stops before the components go
+  std::optional<FaultHandling> faults_;  // looks at components
+};
+
+}  // namespace suture

@@ -1,0 +1,98 @@
+#include <suture/component/task/task.h>
+#include <suture/deploy/real_time.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace suture {
+namespace {
+
+/// True if locked memory has a limit: as much as the limit is beyond what is locked already.
+bool isLimited() {
+  rlimit limit{};
+  getrlimit(RLIMIT_MEMLOCK, &limit);
+  if (limit.rlim_cur == RLIM_INFINITY) return false;
+  void* const more = mmap(nullptr, limit.rlim_cur + 1, PROT_NONE,
+                          MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (more == MAP_FAILED) return true;
+  munmap(more, limit.rlim_cur + 1);
+  return false;
+}
+
+/// Returns why the kernel refuses, or "" if all memory is locked. Under a limit all would be well
+/// until the process needs more, which the kernel then refuses: so it is not locked at all.
+std::string lockAll() {
+  const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
+  const int error = errno;
+  if (!locked && error != ENOMEM && error != EPERM) return std::strerror(error);
+  if (locked && !isLimited()) return "";
+  munlockall();
+  return "this user may lock a limited amount only";
+}
+
+}  // namespace
+
+RealTime::RealTime(const JsonDocument& document, const ProcessEntry& process)
+    : document_(document), process_(process) {
+  if (process_.lockMemory) lockMemory();
+  for (const ComponentEntry& entry : process_.components) {
+    components_.push_back(
+        granted("component '" + entry.name + "'", entry.scheduling, entry.pointer));
+  }
+  service_ = granted("the connections of process '" + process_.name + "'", process_.scheduling,
+                     process_.pointer);
+  if (!problems_.empty()) throw DocumentError(problems_);
+}
+
+void RealTime::lockMemory() {
+  const std::string why = lockAll();
+  if (why.empty()) return;
+  refuse(process_.pointer + "/lock_memory",
+         "cannot lock the memory of process '" + process_.name + "': " + why +
+             ". Grant it (ulimit -l unlimited, CAP_IPC_LOCK) or leave it out");
+}
+
+RealTime::Wish RealTime::granted(const std::string& whose, const Wish& wanted,
+                                 const std::string& pointer) {
+  if (!wanted) return std::nullopt;
+  const rt::Granted granted = rt::grantedOf(whose, *wanted);
+  for (const std::string& refusal : granted.refusals) refuse(pointer + "/scheduling", refusal);
+  return granted.scheduling;
+}
+
+void RealTime::refuse(const std::string& pointer, const std::string& text) {
+  if (process_.realTimeRequired) {
+    problems_.push_back(document_.locate(pointer, text));
+  } else {
+    warnings_.push_back(document_.warn(pointer, text + "; it runs without"));
+  }
+}
+
+void RealTime::giveTo(std::span<const std::unique_ptr<Component>> components) const {
+  std::vector<std::string> problems;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const ComponentEntry& entry = process_.components[i];
+    if (!components_[i]) continue;
+    Component& component = *components[i];
+    const bool done =
+        component.ownsThread() && static_cast<Task&>(component).schedule(*components_[i]);
+    if (done) continue;
+    problems.push_back(document_.locate(
+        entry.pointer + "/scheduling",
+        "component '" + entry.name + "' of class '" + entry.className +
+            "' is to be scheduled, but it has no thread of its own; remove 'scheduling', or "
+            "schedule the component in whose thread it runs"));
+  }
+  if (!problems.empty()) throw DocumentError(problems);
+}
+
+void RealTime::giveTo(Manager& manager) const {
+  if (service_) manager.scheduleService(*service_);
+}
+
+std::vector<std::string> RealTime::news() { return std::exchange(warnings_, {}); }
+
+}  // namespace suture

@@ -1,0 +1,41 @@
+#pragma once
+// One connection between two processes, speaking Cap'n Proto RPC.
+
+#include <suture/loop/kj_comparisons.h>  // first
+
+#include <suture/framing/link_network.h>
+
+#include <memory>
+
+namespace suture::rpc {
+
+/// A stream with an RPC system on it. Belongs to the control thread. Destroying it closes it; every
+/// capability that came through it is then broken (DISCONNECTED).
+class Link {
+ public:
+  /// `offers`: what the peer gets when it asks for the bootstrap capability.
+  Link(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side,
+       kj::Maybe<capnp::Capability::Client> offers = nullptr);
+
+  /// The peer's bootstrap capability.
+  template <class Interface>
+  typename Interface::Client bootstrap() {
+    return bootstrapCapability().castAs<Interface>();
+  }
+
+  /// Resolves when the peer is gone; never rejects.
+  kj::Promise<void> onDisconnect() { return network_.onDisconnect(); }
+
+  /// Why it ended, if the peer broke a limit; else "".
+  const std::string& refusal() const { return network_.refusal(); }
+
+  std::shared_ptr<const LinkCounters> counters() const { return network_.counters(); }
+
+ private:
+  capnp::Capability::Client bootstrapCapability();
+
+  LinkNetwork network_;
+  capnp::RpcSystem<capnp::rpc::twoparty::VatId> system_;
+};
+
+}  // namespace suture::rpc

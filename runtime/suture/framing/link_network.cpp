@@ -1,0 +1,105 @@
+#include <suture/framing/link_network.h>
+
+#include <capnp/rpc.capnp.h>
+#include <kj/refcount.h>
+#include <suture/framing/remote_error.h>
+
+namespace suture::rpc {
+
+using capnp::rpc::twoparty::Side;
+using capnp::rpc::twoparty::VatId;
+using Base = capnp::TwoPartyVatNetworkBase;
+
+/// A message that is being built, with room for most in the same block of memory; what does not fit
+/// goes on in further segments.
+class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
+ public:
+  explicit Outgoing(MessageStream& stream) : stream_(stream), message_(room_) {}
+
+  capnp::AnyPointer::Builder getBody() override { return message_.getRoot<capnp::AnyPointer>(); }
+
+  void send() override {
+    // A peer that is shown more than it allows ends the link; the call alone is to fail. What
+    // throws here becomes the outcome of the call.
+    if (sizeInWords() * sizeof(capnp::word) > stream_.limits().messageBytes) {
+      kj::throwFatalException(remoteError(Errc::TooLarge));
+    }
+    // The caller's last word on a call that has returned only frees memory at the peer.
+    const bool finish = message_.getRoot<capnp::rpc::Message>().isFinish();
+    stream_.write(message_.getSegmentsForOutput(),
+                  finish ? MessageStream::Leaves::WithTheNext : MessageStream::Leaves::WithTheTurn,
+                  descriptors_);
+  }
+
+  void setFds(kj::Array<int> descriptors) override { descriptors_ = kj::mv(descriptors); }
+
+  std::size_t sizeInWords() override {
+    std::size_t words = 0;
+    for (const auto segment : message_.getSegmentsForOutput()) words += segment.size();
+    return words;
+  }
+
+ private:
+  // Blocks of up to 1032 bytes are those that malloc keeps at hand for each thread.
+  static constexpr std::size_t kRoom = 88;
+
+  MessageStream& stream_;
+  capnp::word room_[kRoom] = {};
+  capnp::MallocMessageBuilder message_;
+  kj::Array<int> descriptors_;
+};
+
+class LinkNetwork::Only final : public Base::Connection, public kj::Refcounted {
+ public:
+  explicit Only(LinkNetwork& network) : network_(network) {
+    network_.only_ = this;
+    peer_.getRoot<VatId>().setSide(network.peerSide());
+  }
+  ~Only() noexcept(false) {
+    network_.only_ = nullptr;
+    network_.gone_->fulfill();
+  }
+
+  VatId::Reader getPeerVatId() override { return peer_.getRoot<VatId>(); }
+
+  kj::Own<capnp::OutgoingRpcMessage> newOutgoingMessage(capnp::uint) override {
+    return kj::heap<Outgoing>(*network_.stream_);
+  }
+
+  kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>> receiveIncomingMessage() override {
+    return network_.stream_->read();
+  }
+
+  kj::Promise<void> shutdown() override { return network_.stream_->end(); }
+
+ private:
+  LinkNetwork& network_;
+  capnp::MallocMessageBuilder peer_{4};
+};
+
+LinkNetwork::LinkNetwork(kj::Own<MessageStream> stream, Side side)
+    : stream_(kj::mv(stream)), side_(side) {
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  gone_ = kj::mv(pair.fulfiller);
+  disconnected_ = pair.promise.fork();
+}
+
+Side LinkNetwork::peerSide() const { return side_ == Side::CLIENT ? Side::SERVER : Side::CLIENT; }
+
+kj::Own<Base::Connection> LinkNetwork::connection() {
+  if (only_ != nullptr) return kj::addRef(*only_);
+  return kj::refcounted<Only>(*this);
+}
+
+kj::Maybe<kj::Own<Base::Connection>> LinkNetwork::connect(VatId::Reader peer) {
+  if (peer.getSide() == side_) return nullptr;
+  return connection();
+}
+
+kj::Promise<kj::Own<Base::Connection>> LinkNetwork::accept() {
+  if (side_ == Side::CLIENT || accepted_) return kj::NEVER_DONE;
+  accepted_ = true;
+  return connection();
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,44 @@
+#pragma once
+// What Cap'n Proto's RPC system talks through: one message stream, without promises in between.
+
+#include <suture/loop/kj_comparisons.h>  // first
+
+#include <capnp/rpc-twoparty.h>
+#include <suture/framing/message_stream.h>
+
+#include <memory>
+
+namespace suture::rpc {
+
+/// A network of two processes. Messages go straight into the stream's buffer and come straight out
+/// of it; the library's own network queues each behind a promise of the one before. Belongs to the
+/// control thread; outlives the RPC system on it.
+class LinkNetwork final : public capnp::TwoPartyVatNetworkBase {
+ public:
+  LinkNetwork(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side);
+
+  capnp::rpc::twoparty::Side peerSide() const;
+  std::shared_ptr<const LinkCounters> counters() const { return stream_->counters(); }
+  const std::string& refusal() const { return stream_->refusal(); }
+  /// Resolves when the RPC system has let go of the connection; never rejects.
+  kj::Promise<void> onDisconnect() { return disconnected_.addBranch(); }
+
+  kj::Maybe<kj::Own<capnp::TwoPartyVatNetworkBase::Connection>> connect(
+      capnp::rpc::twoparty::VatId::Reader peer) override;
+  kj::Promise<kj::Own<capnp::TwoPartyVatNetworkBase::Connection>> accept() override;
+
+ private:
+  class Outgoing;
+  class Only;  // the one connection there is
+
+  kj::Own<capnp::TwoPartyVatNetworkBase::Connection> connection();
+
+  kj::Own<MessageStream> stream_;
+  const capnp::rpc::twoparty::Side side_;
+  bool accepted_ = false;
+  Only* only_ = nullptr;  // set while the RPC system holds it
+  kj::Own<kj::PromiseFulfiller<void>> gone_;
+  kj::ForkedPromise<void> disconnected_ = nullptr;
+};
+
+}  // namespace suture::rpc

@@ -1,0 +1,139 @@
+#include <suture/framing/link_server.h>
+#include <suture/loop/failure.h>
+
+#include <cstring>
+
+namespace suture::rpc {
+namespace {
+
+// So many peers at a time are told that there are too many links.
+constexpr std::size_t kMostTurnedAway = 16;
+
+Trust usable(const Trust& trust, const Address& address) {
+  requireKeys(address, trust);
+  return trust;
+}
+
+Listener::Opens opensOf(const Trust& trust, const Address& address) {
+  const bool toOthers = address.kind == Address::Kind::Unix && !trust.users.empty();
+  return toOthers ? Listener::Opens::ToOthers : Listener::Opens::ToOwner;
+}
+
+}  // namespace
+
+using capnp::rpc::twoparty::Side;
+
+capnp::Capability::Client turnAway(Refusals& refusals, const PeerIdentity& who,
+                                   const std::string& text) {
+  refusals.add(who.text(), text);
+  return capnp::Capability::Client(failure(kj::Exception::Type::FAILED, text));
+}
+
+LinkServer::LinkServer(EventPort& port, const Address& address, Offer offer, Refusals& refusals,
+                       StreamLimits limits, std::size_t maxLinks, const Trust& trust,
+                       Awaited awaited)
+    : port_(port),
+      trust_(usable(trust, address)),
+      listener_(port, address, opensOf(trust, address)),
+      offer_(kj::mv(offer)),
+      refusals_(refusals),
+      awaited_(kj::mv(awaited)),
+      limits_(limits),
+      maxLinks_(maxLinks),
+      budget_(std::make_shared<ReceiveBudget>(ReceiveBudget::Limits{})),
+      tasks_(*this) {
+  tasks_.add(listener_.listen([this](kj::AutoCloseFd socket) { accept(kj::mv(socket)); },
+                              [this](int error) { cannotAccept(error); }));
+}
+
+void LinkServer::accept(kj::AutoCloseFd socket) {
+  if (links_ == maxLinks_ + kMostTurnedAway) {
+    return refusals_.add(identityOf(socket).text(),
+                         "talk to " + address().text() + ": " + tooMany());
+  }
+  const Room room = links_++ < maxLinks_ ? Room::Is : Room::IsNot;
+  // What fails here, perhaps for want of memory, ends this connection alone.
+  auto served = kj::evalNow([&] {
+    return address().kind == Address::Kind::Tls ? secure(kj::mv(socket), room)
+                                                : open(ByteStream(kj::mv(socket)), room);
+  });
+  tasks_.add(served.attach(kj::defer([this] { --links_; })));
+}
+
+// Those who connect then wait in the kernel's queue.
+void LinkServer::cannotAccept(int error) {
+  refusals_.add("who connects to " + address().text(),
+                std::string("wait until this process can accept connections again: ") +
+                    std::strerror(error) +
+                    ". Raise its limit (ulimit -n), or give it fewer peers.");
+}
+
+std::string LinkServer::tooMany() const {
+  return "it has " + std::to_string(maxLinks_) +
+         " links, and no process has more. End some of its peers.";
+}
+
+kj::Promise<void> LinkServer::secure(kj::AutoCloseFd socket, Room room) {
+  const auto deadline = std::chrono::milliseconds(limits_.handshakeMilliseconds);
+  return handshake(port_, kj::mv(socket), trust_.keys, tls::Session::Side::Server, deadline)
+      .then([this, room](ByteStream bytes) { return open(kj::mv(bytes), room); });
+}
+
+kj::Promise<void> LinkServer::open(ByteStream bytes, Room room) {
+  return readPreamble(port_, kj::mv(bytes), limits_)
+      .then([this, room](Opened opened) -> kj::Promise<void> {
+        KJ_IF_MAYBE (token, opened.token) {
+          awaited_(*token, kj::mv(opened.bytes));
+          return kj::READY_NOW;
+        }
+        return serve(kj::mv(opened.bytes), opened.begun, room);
+      });
+}
+
+kj::Promise<void> LinkServer::serve(ByteStream bytes, std::span<const std::byte> begun, Room room) {
+  auto caller = std::make_shared<Caller>();
+  caller->identity = bytes.peer();
+  StrangerGuard guard{
+      .known = {caller, &caller->known},
+      .share = std::make_unique<ReceiveBudget::Share>(budget_, caller->identity.text())};
+  auto stream = kj::heap<MessageStream>(port_, kj::mv(bytes), limits_, begun, std::move(guard));
+  caller->counters = stream->counters();
+  auto link = kj::heap<Link>(kj::mv(stream), Side::SERVER, offerTo(caller, room));
+  const Link& ended = *link;
+  return link->onDisconnect()
+      .exclusiveJoin(whenStranger(caller))
+      .then([this, &ended, caller] {
+        if (ended.refusal().empty()) return;
+        refusals_.add(caller->identity.text(),
+                      "talk to " + address().text() + ": " + ended.refusal());
+      })
+      .attach(kj::mv(link));
+}
+
+capnp::Capability::Client LinkServer::offerTo(const std::shared_ptr<Caller>& caller, Room room) {
+  const PeerIdentity& who = caller->identity;
+  const std::string asked = "talk to " + address().text() + ": ";
+  if (room == Room::IsNot) return turnAway(refusals_, who, asked + tooMany());
+  if (who.proof != PeerIdentity::Proof::User || isTrusted(who.user, trust_.users)) {
+    return offer_(caller);
+  }
+  return turnAway(refusals_, who,
+                  asked + "it does not talk to " + who.text() + ". Name that user in its policy.");
+}
+
+kj::Promise<void> LinkServer::whenStranger(std::shared_ptr<Caller> caller) {
+  return port_.getTimer()
+      .afterDelay(limits_.helloMilliseconds * kj::MILLISECONDS)
+      .then([this, caller = std::move(caller)]() -> kj::Promise<void> {
+        if (caller->known) return kj::NEVER_DONE;
+        refusals_.add(caller->identity.text(),
+                      "talk to " + address().text() + ": it has not said what it wants in time");
+        return kj::READY_NOW;
+      });
+}
+
+void LinkServer::taskFailed(kj::Exception&& exception) {
+  refusals_.add("a peer at " + address().text(), describe(exception));
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,75 @@
+#pragma once
+// Serves Cap'n Proto RPC at an address: one link a connection.
+
+#include <suture/framing/link.h>
+#include <suture/framing/preamble.h>
+#include <suture/framing/receive_budget.h>
+#include <suture/net/listener.h>
+#include <suture/net/refusals.h>
+#include <suture/net/secure.h>
+
+#include <memory>
+
+namespace suture::rpc {
+
+/// Belongs to the control thread. The peer at the other end of an accepted link.
+struct Caller {
+  PeerIdentity identity;
+  std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
+  /// Set by whoever serves the peer, once that has said what it wants. A link on which nobody does
+  /// so is closed after StreamLimits::helloMilliseconds.
+  bool known = false;
+};
+
+/// Adds `text` to `refusals`, and returns what a peer gets that is only to hear of it.
+capnp::Capability::Client turnAway(Refusals& refusals, const PeerIdentity& who,
+                                   const std::string& text);
+
+/// Accepts until it is destroyed, which closes all its links. Belongs to the control thread.
+class LinkServer final : private kj::TaskSet::ErrorHandler {
+ public:
+  /// Makes the bootstrap capability of each new link.
+  using Offer = kj::Function<capnp::Capability::Client(std::shared_ptr<Caller>)>;
+
+  /// Given the connections that are no links, see preamble.h.
+  using Awaited = kj::Function<void(const Token&, ByteStream)>;
+
+  /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. At
+  /// tls:// a peer without a certificate of the CA gets no link; at unix: one that is run by a user
+  /// who is not trusted gets a link on which it only hears why it is refused. So does each of a few
+  /// beyond `maxLinks` at a time; more are closed unheard. All are added to `refusals`.
+  LinkServer(
+      EventPort& port, const Address& address, Offer offer, Refusals& refusals,
+      StreamLimits limits = {}, std::size_t maxLinks = 1024, const Trust& trust = {},
+      Awaited awaited = [](const Token&, ByteStream) {});
+
+  const Address& address() const { return listener_.address(); }
+
+ private:
+  void accept(kj::AutoCloseFd socket);
+  void cannotAccept(int error);
+  /// It tells whether there was room for a link when its peer came.
+  enum class Room { Is, IsNot };
+
+  kj::Promise<void> secure(kj::AutoCloseFd socket, Room room);
+  kj::Promise<void> open(ByteStream bytes, Room room);
+  kj::Promise<void> serve(ByteStream bytes, std::span<const std::byte> begun, Room room);
+  capnp::Capability::Client offerTo(const std::shared_ptr<Caller>& caller, Room room);
+  std::string tooMany() const;
+  kj::Promise<void> whenStranger(std::shared_ptr<Caller> caller);
+  void taskFailed(kj::Exception&& exception) override;
+
+  EventPort& port_;
+  const Trust trust_;
+  Listener listener_;
+  Offer offer_;
+  Refusals& refusals_;
+  Awaited awaited_;
+  StreamLimits limits_;
+  std::size_t maxLinks_;
+  std::size_t links_ = 0;
+  const std::shared_ptr<ReceiveBudget> budget_;
+  kj::TaskSet tasks_;  // last: cancelled first
+};
+
+}  // namespace suture::rpc

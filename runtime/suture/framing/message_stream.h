@@ -1,0 +1,128 @@
+#pragma once
+// The only byte stream Cap'n Proto sees in this runtime: buffered in both directions and guarded.
+
+#include <suture/loop/kj_comparisons.h>  // first
+
+#include <capnp/rpc.h>
+#include <kj/async-unix.h>
+#include <suture/framing/frame_header.h>
+#include <suture/framing/receive_budget.h>
+#include <suture/framing/receive_buffer.h>
+#include <suture/loop/event_port.h>
+#include <suture/loop/write_observer.h>
+#include <suture/net/byte_stream.h>
+#include <suture/net/descriptor_passing.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace suture::rpc {
+
+/// Bytes that crossed a link, without what TLS adds. Written by the control thread, read by any.
+struct LinkCounters {
+  std::atomic<std::uint64_t> sentBytes{0};
+  std::atomic<std::uint64_t> receivedBytes{0};
+};
+
+/// Bounds a peer that came by itself.
+struct StrangerGuard {
+  std::shared_ptr<const bool> known;  ///< becomes true when it has said who it is; null: it has
+  std::unique_ptr<ReceiveBudget::Share> share;
+};
+
+/// Messages over a connected, non-blocking stream socket (Unix or TCP), plain or inside TLS.
+/// Belongs to the control thread.
+///
+/// One receive brings as many messages as have arrived; messages written during one turn of the
+/// event loop leave in one send. A peer that breaks the limits gets its connection ended with a
+/// kj::Exception from the pending read; nothing it sent beyond that point is looked at.
+class MessageStream final : private EventPort::Output {
+ public:
+  /// `begun`: what has been received already. A peer that was called is no stranger: all of its
+  /// messages may be long, and nothing bounds their sum.
+  MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits = {},
+                std::span<const std::byte> begun = {}, StrangerGuard guard = {});
+  ~MessageStream() noexcept(false);
+
+  const StreamLimits& limits() const { return limits_; }
+
+  using Reading = kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>>;
+  using Segments = kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>;
+
+  /// The next message; nothing at the end of the stream. Rejects if the connection is lost or the
+  /// peer breaks a limit. One read at a time.
+  Reading read();
+
+  /// When a message leaves.
+  enum class Leaves {
+    WithTheTurn,  ///< when the event loop has nothing else to do
+    WithTheNext,  ///< with the next message, or after kLongestRide: not worth a system call and a
+                  ///< wake-up of the peer of its own
+  };
+  static constexpr int kLongestRideMilliseconds = 5;
+
+  /// Tells why a read has rejected, if the peer broke a limit; else "".
+  const std::string& refusal() const { return refusal_; }
+
+  /// Copies the message, and duplicates `descriptors` (Unix sockets only). If the connection is
+  /// lost, nothing happens: the reader hears of it.
+  void write(Segments message, Leaves when = Leaves::WithTheTurn,
+             kj::ArrayPtr<const int> descriptors = nullptr);
+  /// Sends what has been written, then closes this direction. Rejects if the connection is lost.
+  kj::Promise<void> end();
+
+  /// Shared, so that it outlives the link for whoever reports.
+  std::shared_ptr<const LinkCounters> counters() const { return counters_; }
+
+ private:
+  enum class Received { Some, Nothing, End };
+
+  Reading readBuffered();
+  Reading waitAndRead();
+  kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> takeMessage();
+  Received receive();
+  kj::Maybe<kj::TimePoint> readDeadline();
+  std::uint64_t taken() const;
+  void noteWhetherKnown();
+  [[noreturn]] void refuse(std::string why);
+
+  void scheduleRide();
+  void flush() override;
+  ssize_t sendSome();
+  void awaitRoom();
+  void discardSent();
+  void drained();
+  void fail(kj::Exception exception);
+
+  EventPort& port_;
+  ByteStream bytes_;  // before the observers: they must go first
+  StreamLimits limits_;
+  StrangerGuard guard_;
+  std::shared_ptr<LinkCounters> counters_ = std::make_shared<LinkCounters>();
+
+  EventPort::FdObserver readObserver_;
+  kj::Maybe<kj::Promise<void>> readable_;  // set: the socket was empty when this was made
+  ReceiveBuffer incoming_;
+  AttachedDescriptors arrivedDescriptors_;
+  bool anyMessage_ = false;
+  kj::TimePoint opened_;
+  kj::Maybe<kj::TimePoint> partialSince_;
+  std::string refusal_;
+
+  std::vector<std::byte> outgoing_;
+  std::size_t outgoingBegin_ = 0;
+  AttachedDescriptors outgoingDescriptors_;
+  bool awaitingRoom_ = false;  // the socket is full
+  bool rideScheduled_ = false;
+  kj::Maybe<kj::Exception> writeFailure_;
+  kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> ending_;
+  kj::Maybe<kj::Own<WriteObserver>> writeObserver_;  // made the first time the socket is full
+  kj::Promise<void> rideTask_ = kj::READY_NOW;
+  kj::Promise<void> roomTask_ = kj::READY_NOW;  // the tasks last: cancelled first
+};
+
+}  // namespace suture::rpc

@@ -1,0 +1,80 @@
+#include <suture/framing/preamble.h>
+#include <suture/loop/failure.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <span>
+
+namespace suture::rpc {
+namespace {
+
+class PreambleReader {
+ public:
+  PreambleReader(EventPort& port, ByteStream bytes)
+      : bytes_(kj::mv(bytes)),
+        observer_(kj::heap<EventPort::FdObserver>(port, bytes_.socket(),
+                                                  EventPort::FdObserver::OBSERVE_READ)) {}
+
+  kj::Promise<Opened> read() {
+    while (isPreamble() && read_ < beginning_.size()) {
+      Descriptors none;
+      const ssize_t count = bytes_.receive(std::span(beginning_).subspan(read_), none);
+      if (count > 0) {
+        read_ += static_cast<std::size_t>(count);
+      } else if (count == 0) {
+        break;  // whoever serves a link finds that out
+      } else if (errno == EAGAIN) {
+        return observer_->whenBecomesReadable().then([this] { return read(); });
+      } else if (errno != EINTR) {
+        return bytes_.lost(errno);
+      }
+    }
+    observer_ = nullptr;  // whoever reads next has one of its own
+    return opened();
+  }
+
+ private:
+  /// True if it is a preamble, as far as it has come.
+  bool isPreamble() const {
+    return std::memcmp(beginning_.data(), kPreamble.data(), std::min(read_, kPreamble.size())) == 0;
+  }
+
+  Opened opened() {
+    if (!isPreamble() || read_ < beginning_.size()) {
+      return {kj::mv(bytes_), nullptr, {beginning_.begin(), beginning_.begin() + read_}};
+    }
+    Token token;
+    std::copy(beginning_.begin() + kPreamble.size(), beginning_.end(), token.begin());
+    return {kj::mv(bytes_), token, {}};
+  }
+
+  ByteStream bytes_;
+  kj::Own<EventPort::FdObserver> observer_;
+  std::array<std::byte, sizeof(Token) + kPreamble.size()> beginning_{};
+  std::size_t read_ = 0;
+};
+
+}  // namespace
+
+std::array<std::byte, sizeof(Token) + 8> preambleOf(const Token& token) {
+  std::array<std::byte, sizeof(Token) + 8> preamble;
+  static_assert(kPreamble.size() == 8);
+  std::memcpy(preamble.data(), kPreamble.data(), kPreamble.size());
+  std::copy(token.begin(), token.end(), preamble.begin() + kPreamble.size());
+  return preamble;
+}
+
+kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const StreamLimits& limits) {
+  auto reader = kj::heap<PreambleReader>(port, kj::mv(bytes));
+  auto opened = kj::evalNow([&] { return reader->read(); }).attach(kj::mv(reader));
+  if (limits.firstMilliseconds == 0) return opened;
+  auto late = port.getTimer()
+                  .afterDelay(limits.firstMilliseconds * kj::MILLISECONDS)
+                  .then([]() -> kj::Promise<Opened> {
+                    return disconnected("the peer sent no message in time");
+                  });
+  return opened.exclusiveJoin(kj::mv(late));
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,41 @@
+#pragma once
+// The client's end of a connection to another process, on any lane.
+
+#include <suture/loop/kj_comparisons.h>  // first
+
+#include <kj/refcount.h>
+#include <suture/component/channel/channel.h>
+
+#include <memory>
+
+namespace suture::rpc {
+
+/// Tells a client's channel what becomes of its provider. Belongs to the control thread.
+class ClientEnd : public kj::Refcounted {
+ public:
+  explicit ClientEnd(std::shared_ptr<Channel> channel) : channel_(std::move(channel)) {}
+
+  /// Tells the client how it stands with the provider's component.
+  void tell(ChannelStatus status) { channel_->tell(status); }
+  /// Takes over how the provider's clock stands to this process's.
+  void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
+  /// Takes over what the provider's end has counted.
+  void tally(const Tally& tally) { channel_->counts->told.store(tally); }
+  /// The connection is over: the client is told `why`, calls under way end with their outcome
+  /// unknown. May be called again.
+  void close(ChannelStatus why);
+  /// The next such event was emitted at `stamp`, on the provider's clock, ns: it is a replay.
+  virtual void noteReplay(std::uint16_t /*event*/, std::int64_t /*stamp*/) {}
+
+ protected:
+  bool isClosed() const { return closed_; }
+  /// Called before the client is told.
+  virtual void ending() {}
+
+  const std::shared_ptr<Channel> channel_;
+
+ private:
+  bool closed_ = false;
+};
+
+}  // namespace suture::rpc

@@ -1,0 +1,79 @@
+#include <suture/base/errors.h>
+#include <suture/lane/delay/delay_thread.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+
+namespace suture {
+
+DelayThread::DelayThread(const rt::Scheduling& scheduling) : ThreadTask(scheduling) { start(); }
+
+DelayThread::~DelayThread() {
+  stop();
+  takeOver();
+  for (const auto& one : carried_) one->end();
+}
+
+void DelayThread::requireBounded(const InterfaceInfo& contract) {
+  const bool any =
+      std::any_of(contract.commands.begin(), contract.commands.end(),
+                  [](const CommandInfo& one) { return one.sharedArguments || one.sharedResult; }) ||
+      std::any_of(contract.events.begin(), contract.events.end(),
+                  [](const EventInfo& one) { return one.sharedPayload; });
+  if (!any) return;
+  throw SetupError(std::string("a delay on a connection of ") + contract.name,
+                   "the contract has a type without bounds", "Give it a capacity()");
+}
+
+std::shared_ptr<Channel> DelayThread::interpose(const RequiredBase& required,
+                                                std::shared_ptr<Channel> far,
+                                                const ConnectionDelay& delay) {
+  auto state = makeStateTable(required.info());
+  state->resize(static_cast<unsigned>(far->state->capacity()));
+  const std::shared_ptr<rt::Doorbell> bell = required.owner().sharedDoorbell();
+  const Channel::Ends ends{.client = bell.get(), .provider = &doorbell()};
+  auto near = std::make_shared<Channel>(required.info(), far->name,
+                                        far->lane + (delay.faults.any() ? "+fault" : "+delay"),
+                                        ends, std::move(state), far->subscribed());
+  near->clientsBell = bell;
+  near->providersBell = sharedDoorbell();
+  near->lacking = far->lacking;
+  near->watch = far->watch;
+  auto connection = std::make_unique<DelayedConnection>(near, std::move(far), delay);
+  {
+    const std::lock_guard lock(mutex_);
+    added_.push_back(std::move(connection));
+  }
+  doorbell().ring();
+  return near;
+}
+
+void DelayThread::takeOver() {
+  const std::lock_guard lock(mutex_);
+  std::move(added_.begin(), added_.end(), std::back_inserter(carried_));
+  added_.clear();
+}
+
+bool DelayThread::awaitCycle() {
+  const Time begin = now();
+  Time due = begin + std::chrono::seconds(1);
+  for (const auto& one : carried_) {
+    due = std::min(due, one->due());
+    if (one->awaitsCredits()) due = std::min<Time>(due, begin + std::chrono::milliseconds(1));
+  }
+  if (!ending() && now() < due) doorbell().waitUntil(due);
+  return !ending();
+}
+
+void DelayThread::run() {
+  takeOver();
+  for (const auto& one : carried_) one->pump(now());
+  std::erase_if(carried_, [](const auto& one) {
+    const bool over = one->over();
+    if (over) one->end();
+    return over;
+  });
+}
+
+}  // namespace suture

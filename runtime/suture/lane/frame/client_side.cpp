@@ -1,0 +1,168 @@
+#include <suture/lane/frame/client_side.h>
+#include <suture/rt/counter.h>
+
+#include <cstring>
+
+namespace suture::frame {
+// The provider's channel was made with what is subscribed to; the first frame says so once more, so
+// that the provider's side hears of this one.
+ClientSide::ClientSide(std::shared_ptr<Channel> channel, std::uint32_t number)
+    : Connection(std::move(channel), number),
+      events_(channel_->subscribed()),
+      since_(channel_->info.events.size()),
+      lent_(channel_->info.commands.size()) {
+  for (const CommandInfo& one : channel_->info.commands) {
+    if (one.column >= 0) reads_.push_back(&one);
+  }
+  channel_->takeJoining();
+}
+
+// ---- from the provider
+
+bool ClientSide::take(const Header& header, std::span<std::byte> payload) {
+  switch (header.kind) {
+    case Kind::Reply: return takeReply(header, payload);
+    case Kind::Event: return takeEvent(header, payload);
+    case Kind::Row: return takeRow(header, payload);
+    case Kind::Taken: return takeCredits(header);
+    case Kind::Tally: return takeTally(payload);
+    default: return false;
+  }
+}
+
+void ClientSide::taken() {
+  if (news_) {
+    channel_->ends.client->ring();
+  } else if (arrival_) {
+    channel_->ends.client->ring(rt::RungFor::Arrival);
+  }
+  arrival_ = news_ = false;
+}
+
+// An answer to a call that is no longer known comes too late for anybody.
+bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
+  const Sent& sent = calls_[header.call % calls_.size()];
+  if (header.call == 0 || sent.call != header.call) return true;
+  const auto error = static_cast<Errc>(header.error);
+  const std::uint32_t size = error == Errc{} ? sent.command->resultSize : 0;
+  if (payload.size() != size) return false;
+  if (size > 0) bringHere(sent.command->shiftResult, payload.data());
+  const auto copy = [&](std::byte* result) {
+    if (size > 0) std::memcpy(result, payload.data(), size);
+    return error;
+  };
+  channel_->reply(header.call, {.size = size}, copy, here(header.stamp));
+  arrival_ = true;
+  return true;
+}
+
+// Drops an event that was emitted for an earlier subscription than the present one.
+bool ClientSide::takeEvent(const Header& header, std::span<std::byte> payload) {
+  if (header.number >= since_.size()) return false;
+  const EventInfo& event = channel_->info.events[header.number];
+  if (payload.size() != event.payloadSize) return false;
+  if (header.call < since_[header.number]) return true;
+  bringHere(event.shiftPayload, payload.data());
+  if (!channel_->admits(event, payload.data())) {
+    channel_->events.countDropped();
+    return true;
+  }
+  channel_->events.push(header.number, here(header.stamp), payload);
+  arrival_ = true;
+  return true;
+}
+
+bool ClientSide::takeRow(const Header& header, std::span<std::byte> payload) {
+  rt::RowColumns columns;
+  if (payload.size() < sizeof(columns)) return false;
+  std::memcpy(&columns, payload.data(), sizeof(columns));
+  payload = payload.subspan(sizeof(columns));
+  rt::StateTable& mirror = *channel_->state;
+  for (unsigned i = 0; i < mirror.columns(); ++i) {
+    if (!columns.hasValue(i)) continue;
+    const std::size_t size = mirror.columnSize(i);
+    if (payload.size() < wordBytes(size)) return false;
+    bringHere(reads_[i]->shiftResult, payload.data());
+    std::memcpy(mirror.draft(i), payload.data(), size);
+    payload = payload.subspan(wordBytes(size));
+  }
+  if (!payload.empty()) return false;
+  columns.keep(columns_);
+  mirror.publish(here(header.stamp), columns);
+  news_ = news_ || channel_->wantsRows.isUp(std::memory_order_relaxed);
+  return true;
+}
+
+bool ClientSide::takeCredits(const Header& header) {
+  if (header.number >= lent_.size() || header.call > lent_[header.number]) return false;
+  lent_[header.number] -= header.call;
+  for (std::uint32_t i = 0; i < header.call; ++i) channel_->commands.returnCredit(header.number);
+  return true;
+}
+
+bool ClientSide::takeTally(std::span<const std::byte> payload) {
+  Tally tally;
+  if (payload.size() != sizeof(tally)) return false;
+  std::memcpy(&tally, payload.data(), sizeof(tally));
+  channel_->counts->told.store(tally);
+  return true;
+}
+
+// ---- to the provider
+
+void ClientSide::give() {
+  giveSubscription();
+  giveCommands();
+}
+
+void ClientSide::giveSubscription() {
+  const rt::ColumnSet columns = channel_->state->demand();
+  const bool known = subscription_ != 0 && columns == columns_ && channel_->subscribed() == events_;
+  if ((known && !channel_->joining()) || !hasRoom()) return;
+  ++subscription_;
+  const EventSet joining = channel_->takeJoining();
+  const EventSet events = channel_->subscribed();  // after it: has all that join
+  for (std::size_t i = 0; i < since_.size(); ++i) {
+    if (joining >> i & 1) since_[i] = subscription_;
+  }
+  events_ = events;
+  columns_ = columns;
+  const Subscription content{events, joining, columns};
+  send({.kind = Kind::Subscribe, .call = subscription_}, std::as_bytes(std::span(&content, 1)));
+}
+
+// Without room, commands stay with the client, where its credits bound them or newer ones replace
+// them.
+void ClientSide::giveCommands() {
+  rt::Mailbox& commands = channel_->commands;
+  if (!hasRoom() || !commands.pending()) return;
+  commands.fixCut();
+  giveSubscription();  // ahead of commands that were sent later
+  while (hasRoom()) {
+    const rt::CommandRecord* const record = commands.next();
+    if (record == nullptr) return;
+    giveCommand(*record);
+    commands.pop();
+  }
+}
+
+void ClientSide::giveCommand(const rt::CommandRecord& record) {
+  const CommandInfo& command = channel_->info.commands[record.command];
+  if (record.call != 0 && !channel_->claimCall(record.call)) {
+    channel_->replyError(record.call, Errc::Cancelled);
+    channel_->ends.client->ring(rt::RungFor::Arrival);
+    channel_->commands.returnCredit(record.command);
+    rt::increment(channel_->commands.counters.cancelled);
+    return;
+  }
+  send({.kind = Kind::Command,
+        .number = record.command,
+        .call = record.call,
+        .stamp = toNanoseconds(record.stamp)},
+       {record.arguments(), command.argumentsSize});
+  if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, &command};
+  // A newest-wins command without an answer uses no credit.
+  if (!command.latest || record.call != 0) ++lent_[record.command];
+}
+
+}  // namespace suture::frame

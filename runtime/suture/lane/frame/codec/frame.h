@@ -1,0 +1,64 @@
+#pragma once
+// What goes over the wire of a frame link: headers, each with a payload behind it.
+
+#include <suture/rt/state/row_columns.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace suture::frame {
+
+enum class Kind : std::uint8_t {
+  // client to provider
+  Command,    ///< number: which; payload: its arguments' slot
+  Subscribe,  ///< payload: Subscription
+  // provider to client
+  Reply,  ///< call, error; payload: the result's slot, if there is no error
+  Event,  ///< number: which; call: of which subscription; payload: its slot
+  Row,    ///< payload: RowColumns, and the slots of those that are valid, each filled up to words
+  Taken,  ///< number: a command; call: how many more of it may be sent
+  Tally,  ///< payload: suture::Tally, what has become of all commands so far
+  // both
+  Acknowledge,  ///< nothing but `acknowledged`
+};
+inline constexpr unsigned kKinds = 8;
+
+/// Little-endian, as every machine that this runs on.
+struct Header {
+  std::uint32_t checksum = 0;      ///< CRC-32C of the rest of the header and of the payload
+  std::uint32_t size = 0;          ///< of the payload, without what fills it up to words
+  std::uint32_t epoch = 0;         ///< of the link
+  std::uint32_t sequence = 0;      ///< 1, 2, ... in each direction
+  std::uint32_t acknowledged = 0;  ///< how many of the connection its sender has taken, but for
+                                   ///< Acknowledge
+  Kind kind{};
+  std::uint8_t error = 0;  ///< an Errc
+  std::uint16_t number = 0;
+  std::uint32_t call = 0;
+  std::uint32_t connection = 0;  ///< which of the link's
+  std::int64_t stamp = 0;        ///< the sender's steady clock, ns
+};
+static_assert(sizeof(Header) == 40 && std::is_trivially_copyable_v<Header>);
+static_assert(sizeof(rt::RowColumns) == 24 && std::is_trivially_copyable_v<rt::RowColumns>);
+static_assert(std::endian::native == std::endian::little);
+
+struct Subscription {
+  std::uint64_t events;   ///< a bit each
+  std::uint64_t joining;  ///< of these the last value first, if they are latched
+  std::uint64_t columns;  ///< of the state that the client reads
+};
+
+/// What one send or one receive may take of small frames, bytes.
+inline constexpr std::size_t kLeastRoom = std::size_t{64} << 10;
+
+constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
+
+/// Why a peer is not listened to any more.
+enum class Fault : std::uint8_t { None, Checksum, Size, Epoch, Sequence, Kind };
+
+/// "a frame is damaged", ...
+const char* toString(Fault fault);
+
+}  // namespace suture::frame

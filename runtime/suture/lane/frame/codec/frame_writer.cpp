@@ -1,0 +1,48 @@
+#include <suture/lane/frame/codec/crc32c.h>
+#include <suture/lane/frame/codec/frame_writer.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace suture::frame {
+
+FrameWriter::FrameWriter(std::uint32_t epoch, std::size_t mostPayload) : epoch_(epoch) {
+  makeRoom(mostPayload);
+}
+
+void FrameWriter::makeRoom(std::size_t mostPayload) {
+  frameBytes_ = std::max(frameBytes_, sizeof(Header) + wordBytes(mostPayload));
+  bytes_.reserve(std::max(kLeastRoom, 2 * frameBytes_) + sizeof(Header));
+}
+
+bool FrameWriter::hasRoom() const {
+  return bytes_.capacity() - bytes_.size() >= frameBytes_ + sizeof(Header);
+}
+
+std::byte* FrameWriter::begin(Header header, std::size_t size) {
+  header.size = static_cast<std::uint32_t>(size);
+  header.epoch = epoch_;
+  header.sequence = ++sequence_;
+  open_ = bytes_.size();
+  bytes_.resize(open_ + sizeof(Header) + wordBytes(size));
+  std::memcpy(bytes_.data() + open_, &header, sizeof(header));
+  return bytes_.data() + open_ + sizeof(Header);
+}
+
+void FrameWriter::finish() {
+  std::byte* const frame = bytes_.data() + open_;
+  Header header;
+  std::memcpy(&header, frame, sizeof(header));
+  const std::size_t size = sizeof(Header) - sizeof(header.checksum) + header.size;
+  header.checksum = crc32c({frame + sizeof(header.checksum), size});
+  std::memcpy(frame, &header.checksum, sizeof(header.checksum));
+}
+
+void FrameWriter::sent(std::size_t count) {
+  sent_ += count;
+  if (sent_ < bytes_.size()) return;
+  bytes_.clear();
+  sent_ = 0;
+}
+
+}  // namespace suture::frame

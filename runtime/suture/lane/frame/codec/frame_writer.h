@@ -1,0 +1,42 @@
+#pragma once
+// Frames on their way to the socket.
+
+#include <suture/lane/frame/codec/frame.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace suture::frame {
+
+/// Collects frames until they are sent: many leave in one send. No allocation but for makeRoom() as
+/// long as hasRoom() is asked. One thread.
+class FrameWriter {
+ public:
+  FrameWriter(std::uint32_t epoch, std::size_t mostPayload);
+
+  /// From now on there may be larger ones.
+  void makeRoom(std::size_t mostPayload);
+
+  /// True if the largest frame, and an Acknowledge behind it, have room.
+  bool hasRoom() const;
+  /// Memory for the payload of a new frame with `size` bytes of it, all zero; finish() ends it.
+  std::byte* begin(Header header, std::size_t size);
+  void finish();
+
+  /// What has been finished and not yet been sent.
+  std::span<const std::byte> unsent() const {
+    return {bytes_.data() + sent_, bytes_.size() - sent_};
+  }
+  void sent(std::size_t count);
+
+ private:
+  const std::uint32_t epoch_;
+  std::size_t frameBytes_ = 0;  // of the largest frame
+  std::vector<std::byte> bytes_;
+  std::size_t sent_ = 0, open_ = 0;
+  std::uint32_t sequence_ = 0;
+};
+
+}  // namespace suture::frame

@@ -1,0 +1,81 @@
+#include <suture/base/sanitizers.h>
+#include <suture/lane/frame/frame_socket.h>
+
+#include <cerrno>
+
+#ifdef SUTURE_THREAD_SANITIZER
+#include <sanitizer/tsan_interface.h>
+#endif
+
+namespace suture::frame {
+namespace {
+
+#ifdef SUTURE_THREAD_SANITIZER
+// ThreadSanitizer loses sight of a socket that is handed over: where both ends are in one process,
+// it has to be told that what was done before a send was done before its receipt.
+void* placeOf(std::uint32_t epoch) {
+  static char places[4096];
+  return &places[epoch % sizeof(places)];
+}
+void tellSent(std::uint32_t epoch) { __tsan_release(placeOf(epoch)); }
+void tellReceived(std::uint32_t epoch) { __tsan_acquire(placeOf(epoch)); }
+#else
+void tellSent(std::uint32_t) {}
+void tellReceived(std::uint32_t) {}
+#endif
+
+}  // namespace
+
+FrameSocket::FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch, std::size_t mostPayload)
+    : epoch_(epoch),
+      bytes_(std::move(bytes)),
+      reader_(epoch, mostPayload),
+      writer_(epoch, mostPayload) {}
+
+void FrameSocket::makeRoom(std::size_t mostPayload) {
+  reader_.makeRoom(mostPayload);
+  writer_.makeRoom(mostPayload);
+}
+
+const Header* FrameSocket::next() {
+  if (broken()) return nullptr;
+  const Header* const header = reader_.next();
+  if (reader_.fault() != Fault::None) breakOff(toString(reader_.fault()));
+  return header;
+}
+
+bool FrameSocket::receive() {
+  while (!broken() && !empty_) {
+    rpc::Descriptors none;
+    const auto space = reader_.space();
+    const ssize_t count = bytes_.receive(space, none);
+    if (count > 0) {
+      tellReceived(epoch_);
+      reader_.arrived(static_cast<std::size_t>(count));
+      empty_ = static_cast<std::size_t>(count) < space.size() && bytes_.shortMeansEmpty();
+      return true;
+    }
+    if (count == 0) {
+      breakOff("the other end has closed it");
+    } else if (errno == EAGAIN) {
+      empty_ = true;
+    } else if (errno != EINTR) {
+      breakOff(bytes_.lost(errno).getDescription().cStr());
+    }
+  }
+  return false;
+}
+
+void FrameSocket::flush() {
+  if (broken()) return;
+  if (!writer_.unsent().empty()) tellSent(epoch_);
+  while (!writer_.unsent().empty()) {
+    const ssize_t count = bytes_.send(writer_.unsent(), {});
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && errno == EAGAIN) return;
+    if (count < 0) return breakOff(bytes_.lost(errno).getDescription().cStr());
+    writer_.sent(static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace suture::frame

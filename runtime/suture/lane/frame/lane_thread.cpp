@@ -1,0 +1,138 @@
+#include <suture/base/errors.h>
+#include <suture/lane/frame/lane_thread.h>
+#include <suture/rt/scheduling.h>
+
+#include <poll.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+
+namespace suture::frame {
+namespace {
+
+// One look brings at most so many; the rest comes with the next.
+constexpr int kArrivals = 64;
+
+kj::AutoCloseFd opened(int descriptor, const char* what) {
+  if (descriptor >= 0) return kj::AutoCloseFd(descriptor);
+  throw SetupError(std::string("make ") + what + " for the thread of frames", std::strerror(errno),
+                   "Raise the limit of descriptors (ulimit -n)");
+}
+
+}  // namespace
+
+std::shared_ptr<LaneThread::Bell> LaneThread::makeBell() {
+  auto descriptor = opened(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "an eventfd");
+  const int number = descriptor;
+  return std::shared_ptr<Bell>(new Bell{kj::mv(descriptor), rt::Doorbell(number)});
+}
+
+LaneThread::LaneThread() : poll_(opened(epoll_create1(EPOLL_CLOEXEC), "an epoll")) {
+  // The edge of the eventfd ends the sleep; it is never read.
+  epoll_event event{.events = EPOLLIN | EPOLLET, .data = {.ptr = nullptr}};
+  epoll_ctl(poll_, EPOLL_CTL_ADD, bell_->eventDescriptor, &event);
+}
+
+void LaneThread::stop() {
+  stopping_ = true;
+  bell_->doorbell.ring();
+  if (thread_.joinable()) thread_.join();
+  carried_.clear();
+}
+
+void LaneThread::add(std::shared_ptr<Link> link) {
+  {
+    const std::lock_guard lock(mutex_);
+    added_.push_back(std::move(link));
+    anyAdded_ = true;
+    if (!thread_.joinable()) {
+      thread_.start(
+          "lane", [this] { loop(); }, rt::Thread::Signals::None);
+    }
+  }
+  bell_->doorbell.ring();
+}
+
+void LaneThread::loop() {
+  pthread_setname_np(pthread_self(), "suture-lane");
+  rt::askForSlice(rt::kServiceSlice);
+  // Take a ring before looking for a stop: the ring of a later stop() then ends the sleep.
+  for (;;) {
+    bell_->doorbell.takeRing();
+    if (stopping_) break;
+    takeOver();
+    turnAll();
+    sleep();
+  }
+  for (const Carried& one : carried_) one.link->end();
+}
+
+void LaneThread::takeOver() {
+  if (!anyAdded_.exchange(false)) return;
+  const std::lock_guard lock(mutex_);
+  for (auto& one : added_) {
+    carried_.push_back({std::move(one)});
+    watch(carried_.back(), EPOLL_CTL_ADD);
+  }
+  added_.clear();
+}
+
+void LaneThread::watch(const Carried& carried, int operation) {
+  const std::uint32_t room = carried.full ? std::uint32_t{EPOLLOUT} : 0;
+  epoll_event event{.events = EPOLLIN | room, .data = {.ptr = carried.link.get()}};
+  epoll_ctl(poll_, operation, carried.link->descriptor(), &event);
+}
+
+void LaneThread::turnAll() {
+  for (Carried& one : carried_) {
+    one.link->turn();
+    if (one.link->hasMore()) bell_->doorbell.ring();
+    if (one.link->isFull() == one.full) continue;
+    one.full = !one.full;
+    watch(one, EPOLL_CTL_MOD);
+  }
+  std::erase_if(carried_, [this](const Carried& one) { return isDone(one); });
+}
+
+// Somebody who holds an empty link is about to let a connection join. Take a link out of the poll
+// before its end: to close the socket is not enough while another descriptor of it is open.
+bool LaneThread::isDone(const Carried& carried) {
+  const bool unused = carried.link.use_count() == 1 && carried.link->endIfEmpty();
+  if (!unused && !carried.link->broken()) return false;
+  watch(carried, EPOLL_CTL_DEL);
+  carried.link->end();
+  return true;
+}
+
+void LaneThread::sleep() {
+  if (virtualTime() != nullptr) {
+    bell_->doorbell.sleepAt(*this, Time::max());
+    takeArrivals(0);
+    return;
+  }
+  const bool lies = bell_->doorbell.lieDown();
+  takeArrivals(lies ? -1 : 0);
+}
+
+bool LaneThread::look() { return takeArrivals(0) > 0; }
+
+bool LaneThread::mayFind() {
+  pollfd arrivals{.fd = poll_, .events = POLLIN, .revents = 0};
+  return poll(&arrivals, 1, 0) != 0;
+}
+
+int LaneThread::takeArrivals(int timeout) {
+  epoll_event events[kArrivals];
+  const int count = epoll_wait(poll_, events, kArrivals, timeout);
+  bell_->doorbell.standUp();
+  for (int i = 0; i < count; ++i) {
+    auto* const link = static_cast<Link*>(events[i].data.ptr);
+    if (link != nullptr && (events[i].events & ~std::uint32_t{EPOLLOUT}) != 0) link->arrived();
+  }
+  return count;
+}
+
+}  // namespace suture::frame

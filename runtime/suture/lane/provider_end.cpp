@@ -1,0 +1,68 @@
+#include <suture/lane/provider_end.h>
+
+namespace suture::rpc {
+
+void ProviderEnd::grant(Duration silence) {
+  silence_ = silence;
+  hear(BootClock::now());
+}
+
+// Ends earlier by as much as the two clocks may drift apart, so that the provider stops first.
+void ProviderEnd::hear(BootTime sent) {
+  constexpr int kDrift = 1000;
+  if (silence_ > Duration{0}) channel_->lease.renew(sent + silence_ - silence_ / kDrift);
+}
+
+Earlier ProviderEnd::earlier() {
+  const Earlier earlier = channel_->ledger->before(*channel_);
+  earlierTold_ = earlier.ended;
+  return earlier;
+}
+
+void ProviderEnd::tellEarlier() {
+  if (earlierTold_ || closed_ || channel_->ledger == nullptr) return;
+  const Earlier last = earlier();
+  if (!last.ended) return;
+  KJ_IF_MAYBE (listener, listener_) (*listener)->tells(last);
+}
+
+BootTime ProviderEnd::endOfLease() const {
+  return isOver(channel_->status.load()) ? BootTime::max() : channel_->lease.end();
+}
+
+void ProviderEnd::lapse() {
+  channel_->tell(ChannelStatus::Lapsed);
+  channel_->ends.provider->ring();  // its component is to be told
+}
+
+void ProviderEnd::close() {
+  if (closed_) return;
+  closed_ = true;
+  ending();
+  channel_->status = ChannelStatus::Closed;
+  channel_->ends.provider->ring();
+  channel_->ends.client->ring();  // whoever carries it lets go
+}
+
+void ProviderEnd::end() {
+  if (closed_) return;
+  passOn(ChannelStatus::Closed);
+  close();
+}
+
+void ProviderEnd::pumpStatus() {
+  const std::uint32_t faults = channel_->faults.load(std::memory_order_acquire);
+  const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
+  // Tell the client of a fault, even if the provider was restarted before anybody looked.
+  if (faults != faultsTold_ && told_ != ChannelStatus::Faulted) passOn(ChannelStatus::Faulted);
+  faultsTold_ = faults;
+  if (status != told_) passOn(status);
+}
+
+void ProviderEnd::passOn(ChannelStatus status) {
+  told_ = status;
+  changed(status);
+  KJ_IF_MAYBE (listener, listener_) (*listener)->told(status);
+}
+
+}  // namespace suture::rpc

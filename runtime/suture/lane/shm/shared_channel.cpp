@@ -1,0 +1,82 @@
+#include <suture/base/errors.h>
+#include <suture/lane/shm/shared_channel.h>
+
+#include <algorithm>
+
+namespace suture::shm {
+namespace {
+
+using Asked = std::atomic<rt::ColumnSet>;
+constexpr auto kElsewhere = rt::Doorbell::Sleeper::Elsewhere;
+
+std::vector<std::uint32_t> columnSizes(const rt::StateTable& table) {
+  std::vector<std::uint32_t> sizes;
+  for (unsigned i = 0; i < table.columns(); ++i) sizes.push_back(table.columnSize(i));
+  return sizes;
+}
+
+/// Throws SetupError unless the columns begin with those of the contract.
+void requireColumns(const InterfaceInfo& contract, const std::string& name,
+                    const std::vector<std::uint32_t>& sizes) {
+  for (const CommandInfo& command : contract.commands) {
+    if (command.column < 0) continue;
+    const auto column = static_cast<std::size_t>(command.column);
+    if (column < sizes.size() && sizes[column] == command.resultSize) continue;
+    throw SetupError("connecting " + name + " by shared memory",
+                     std::string("the provider's rows have no column for '") + command.name + "'",
+                     "Build both processes from the same release");
+  }
+}
+
+}  // namespace
+
+std::size_t channelBytes(const InterfaceInfo& contract) {
+  Arena asked = Arena::measuring();
+  asked.take(sizeof(Asked));
+  return asked.used() + Channel::bytesFor(contract);
+}
+
+std::size_t stateBytes(const SharedParts& parts) {
+  return rt::StateTable::bytesFor(parts.columns, parts.rows);
+}
+
+SharedOffer offerShared(ProvidedBase& provided, const InterfaceInfo& contract,
+                        const std::string& name, EventSet events, rt::Doorbell& provider,
+                        std::shared_ptr<MemoryBlock> client, rt::Doorbell& watcher) {
+  SharedOffer offer;
+  offer.parts.channel = std::make_shared<MemoryBlock>("suture-channel", channelBytes(contract));
+  offer.parts.state = provided.state()->memory();
+  offer.parts.bell = provider.share();
+  offer.parts.columns = columnSizes(*provided.state());
+  offer.parts.rows = static_cast<std::uint32_t>(provided.state()->capacity());
+  const auto clientsBell = std::make_shared<rt::Doorbell>(std::move(client), kElsewhere);
+  Arena arena(offer.parts.channel, Arena::Content::Zeros);
+  const auto asked = arena.make<Asked>();
+  offer.channel = std::make_shared<Channel>(contract, name, "shm",
+                                            Channel::Ends{.client = clientsBell.get(),
+                                                          .provider = &provider,
+                                                          .here = &provided,
+                                                          .watcher = &watcher},
+                                            provided.state(), events, arena);
+  offer.channel->clientsBell = clientsBell;
+  offer.channel->asked = asked;
+  return offer;
+}
+
+std::shared_ptr<Channel> takeShared(const InterfaceInfo& contract, const std::string& name,
+                                    std::shared_ptr<rt::Doorbell> client,
+                                    const SharedParts& parts) {
+  requireColumns(contract, name, parts.columns);
+  Arena arena(parts.channel, Arena::Content::Made);
+  auto state =
+      std::make_shared<rt::StateTable>(parts.columns, parts.rows, parts.state, arena.make<Asked>());
+  const auto providersBell = std::make_shared<rt::Doorbell>(parts.bell, kElsewhere);
+  auto channel = std::make_shared<Channel>(
+      contract, name, "shm", Channel::Ends{.client = client.get(), .provider = providersBell.get()},
+      std::move(state), EventSet{0}, arena);
+  channel->clientsBell = std::move(client);
+  channel->providersBell = providersBell;
+  return channel;
+}
+
+}  // namespace suture::shm

@@ -1,0 +1,44 @@
+#pragma once
+// The two ends of a connection between two processes that share memory.
+
+#include <suture/component/channel/channel.h>
+#include <suture/component/provided.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture::shm {
+
+/// What a provider's process hands over, and how it is laid out.
+struct SharedParts {
+  std::shared_ptr<MemoryBlock> channel;  ///< the queues; both write
+  std::shared_ptr<MemoryBlock> state;    ///< the provider's table; it alone writes
+  std::shared_ptr<MemoryBlock> bell;     ///< wakes the provider's thread
+  std::vector<std::uint32_t> columns;  ///< sizes: the contract's own first, a derived one's behind
+  std::uint32_t rows = 0;
+};
+
+/// A provider's end, before it is attached, and what the client needs for its own.
+struct SharedOffer {
+  std::shared_ptr<Channel> channel;
+  SharedParts parts;
+};
+
+/// `contract`: that of the client, the provider's or one that it derives from. `provider`: the
+/// doorbell of the thread that serves it, in shared memory; `client`: the memory of the client's.
+/// `watcher` is rung when the status changes. Throws SetupError if there is no memory.
+SharedOffer offerShared(ProvidedBase& provided, const InterfaceInfo& contract,
+                        const std::string& name, EventSet events, rt::Doorbell& provider,
+                        std::shared_ptr<MemoryBlock> client, rt::Doorbell& watcher);
+
+/// How many bytes the blocks of `parts` must have.
+std::size_t channelBytes(const InterfaceInfo& contract);
+std::size_t stateBytes(const SharedParts& parts);
+
+/// Makes the client's end. Throws SetupError if `parts` are not what the contract needs.
+std::shared_ptr<Channel> takeShared(const InterfaceInfo& contract, const std::string& name,
+                                    std::shared_ptr<rt::Doorbell> client, const SharedParts& parts);
+
+}  // namespace suture::shm

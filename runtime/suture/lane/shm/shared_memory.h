@@ -1,0 +1,27 @@
+#pragma once
+// Memory blocks as capabilities: what the shm lane needs of the control connection.
+
+#include <suture/loop/kj_comparisons.h>  // first
+
+#include <suture/base/memory_block.h>
+#include <suture/lane/shm/shared_channel.h>
+#include <suture/peer.capnp.h>
+
+#include <memory>
+
+namespace suture {
+
+/// Hands out the descriptor of `block`, and keeps it for as long as anybody has the capability.
+wire::SharedMemory::Client handOut(std::shared_ptr<MemoryBlock> block);
+
+/// The block behind a capability. Rejects: it has none, as over TCP, or is not as MemoryBlock
+/// demands.
+kj::Promise<std::shared_ptr<MemoryBlock>> receive(wire::SharedMemory::Client memory,
+                                                  std::size_t size, MemoryBlock::Others others);
+
+void toWire(const shm::SharedParts& parts, wire::SharedChannel::Builder out);
+/// Rejects as receive() does, or if it would take too much memory.
+kj::Promise<shm::SharedParts> receive(wire::SharedChannel::Reader in,
+                                      const InterfaceInfo& contract);
+
+}  // namespace suture

@@ -1,0 +1,27 @@
+#pragma once
+// The provider's end of a connection whose data do not pass the control thread.
+
+#include <suture/loop/kj_comparisons.h>  // first
+
+#include <suture/lane/provider_end.h>
+#include <suture/loop/control_thread.h>
+
+#include <memory>
+
+namespace suture {
+
+/// Belongs to the control thread. Passes on the status of a connection by shm or frame.
+class StatusPort final : public rpc::ProviderEnd, private rpc::Pump {
+ public:
+  /// `channel` is about to be attached to the provider; its watcher is the control thread.
+  StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel);
+  ~StatusPort() noexcept(false) { close(); }
+
+ private:
+  void ending() override { control_.remove(*this); }
+  void pump() override { pumpStatus(); }
+
+  rpc::ControlThread& control_;
+};
+
+}  // namespace suture

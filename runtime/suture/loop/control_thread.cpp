@@ -1,0 +1,108 @@
+#include <suture/base/errors.h>
+#include <suture/loop/control_thread.h>
+#include <suture/rt/scheduling.h>
+#include <sys/eventfd.h>
+
+#include <pthread.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+namespace suture::rpc {
+
+kj::AutoCloseFd ControlThread::makeEventDescriptor() {
+  const int descriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+  if (descriptor < 0) {
+    throw SetupError("start the control thread", std::string("eventfd: ") + std::strerror(errno),
+                     "Raise the limit of open files (ulimit -n).");
+  }
+  return kj::AutoCloseFd(descriptor);
+}
+
+ControlThread::Loop::Loop(ControlThread& thread)
+    : EventPort(&thread.doorbell()),
+      owner(thread),
+      rung(*this, thread.bell_->eventDescriptor, FdObserver::OBSERVE_READ),
+      tasks(*this) {}
+
+void ControlThread::Loop::runUntilStopped() {
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  stop = kj::mv(pair.fulfiller);
+  pair.promise.wait(scope());
+}
+
+void ControlThread::Loop::takeWork() {
+  if (owner.doorbell().takeRing() == rt::RungFor::Nothing) return;
+  owner.runPosted();
+  owner.runPumps();
+}
+
+void ControlThread::Loop::report(const kj::Exception& exception) {
+  std::fprintf(stderr, "suture: a background task failed: %s\n", describe(exception).c_str());
+}
+
+ControlThread::ControlThread() {
+  thread_.start(
+      "control", [this] { serve(); }, rt::Thread::Signals::None);
+  started_.wait();
+}
+
+void ControlThread::serve() {
+  pthread_setname_np(pthread_self(), "suture-control");
+  rt::askForSlice(rt::kServiceSlice);
+  Loop loop(*this);
+  loop_ = &loop;
+  started_.ring();
+  loop.runUntilStopped();
+  std::lock_guard lock(mutex_);
+  posted_.clear();
+}
+
+ControlThread::~ControlThread() noexcept {
+  post([this] { loop_->stop->fulfill(); });
+  thread_.join();
+}
+
+void ControlThread::post(kj::Function<void()> work) {
+  // Ring under the lock, so that the destructor's own post comes after every other one has let go.
+  std::lock_guard lock(mutex_);
+  posted_.push_back(kj::mv(work));
+  anyPosted_.store(true, std::memory_order_release);
+  doorbell().ring();
+}
+
+void ControlThread::requireOther() const {
+  if (isCurrent()) throw std::logic_error("ControlThread::run() would wait for itself");
+}
+
+void ControlThread::add(Pump& pump) { pumps_.push_back(&pump); }
+
+void ControlThread::remove(Pump& pump) {
+  // Leave a hole instead of erasing: the caller may be in the middle of runPumps().
+  std::replace(pumps_.begin(), pumps_.end(), &pump, static_cast<Pump*>(nullptr));
+}
+
+void ControlThread::runPosted() {
+  if (!anyPosted_.load(std::memory_order_acquire)) return;
+  std::vector<kj::Function<void()>> work;
+  {
+    std::lock_guard lock(mutex_);
+    work.swap(posted_);
+    anyPosted_.store(false, std::memory_order_relaxed);
+  }
+  for (auto& item : work) {
+    KJ_IF_MAYBE (exception, kj::runCatchingExceptions([&] { item(); })) {
+      loop_->report(*exception);
+    }
+  }
+}
+
+void ControlThread::runPumps() {
+  for (std::size_t i = 0; i < pumps_.size(); ++i) {
+    if (pumps_[i] != nullptr) pumps_[i]->pump();
+  }
+  std::erase(pumps_, nullptr);
+}
+
+}  // namespace suture::rpc

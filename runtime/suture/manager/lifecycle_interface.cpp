@@ -1,0 +1,60 @@
+#include <suture/base/errors.h>
+#include <suture/component/required.h>
+#include <suture/manager/lifecycle_interface.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace suture {
+namespace {
+
+/// Returns `component`. Throws SetupError if it has such an interface already.
+Component& withoutFace(Component& component) {
+  const auto& all = component.provided();
+  const bool taken = std::any_of(all.begin(), all.end(), [](const ProvidedBase* one) {
+    return one->name() == LifecycleInterface::kName;
+  });
+  if (!taken) return component;
+  throw SetupError(
+      "adding component '" + component.name() + "'",
+      "it provides an interface '" + std::string(LifecycleInterface::kName) + "' of its own",
+      "Rename it: every component has one of that name, which tells of its life");
+}
+
+constexpr std::size_t kLongestFault = 255;  // as StateChange declares
+
+}  // namespace
+
+LifecycleInterface::LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed)
+    : component_(withoutFace(component)),
+      provided_(component, kName, *this),
+      changed_(std::move(changed)) {
+  provided_.serveInEveryState();
+  stateChanged(component.state());
+}
+
+void LifecycleInterface::stateChanged(ComponentState state) {
+  StateChange change{.state = state, .fault = {}, .stamp = now()};
+  if (state == ComponentState::Faulted) change.fault = component_.fault().substr(0, kLongestFault);
+  (void)provided_.emit().state_changed(change);  // it fits
+  changed_->ring();
+}
+
+ResumeOutcome LifecycleInterface::resume_connection(const std::string& required) {
+  const auto& all = component_.required();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const RequiredBase* one) { return one->name() == required; });
+  return found == all.end() ? ResumeOutcome::NoSuchInterface : (*found)->resume();
+}
+
+bool LifecycleInterface::request(Transition transition) {
+  if (!after(component_.state(), transition)) return false;
+  try {
+    component_.request(transition);
+    return true;
+  } catch (const SetupError&) {  // a device that another thread has changed meanwhile
+    return false;
+  }
+}
+
+}  // namespace suture

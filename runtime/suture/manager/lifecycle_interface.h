@@ -1,0 +1,37 @@
+#pragma once
+// The provided interface "component" that a manager gives each of its components.
+
+#include <suture/component/component.h>
+#include <suture/rt/doorbell.h>
+#include <suture/standard/lifecycle.suture.h>
+
+#include <memory>
+
+namespace suture {
+
+/// Tells a component's changes of state as events, and takes requests to suspend and resume it.
+/// Its commands run in the component's thread, as those of any provided interface.
+class LifecycleInterface final : public Lifecycle, public StateListener {
+ public:
+  static constexpr const char* kName = "component";
+
+  /// Before the component starts, in the manager's thread. `changed` is rung at each change. Throws
+  /// SetupError if the component has another interface of that name.
+  LifecycleInterface(Component& component, std::shared_ptr<rt::Doorbell> changed);
+
+  bool suspend() override { return request(Transition::Suspend); }
+  bool resume() override { return request(Transition::Resume); }
+  ComponentState component_state() const override { return component_.state(); }
+  ResumeOutcome resume_connection(const std::string& required) override;
+
+  void stateChanged(ComponentState state) override;
+
+ private:
+  bool request(Transition transition);
+
+  Component& component_;
+  Provided<Lifecycle> provided_;
+  const std::shared_ptr<rt::Doorbell> changed_;
+};
+
+}  // namespace suture

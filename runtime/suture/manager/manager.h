@@ -1,0 +1,168 @@
+#pragma once
+// The local manager: the components of one process and their connections.
+
+#include <suture/component/component.h>
+#include <suture/component/contract/connection_contract.h>
+#include <suture/lane/delay/connection_delay.h>
+#include <suture/lane/lane.h>
+#include <suture/net/refusals.h>
+#include <suture/rt/scheduling.h>
+#include <suture/wiring/directory.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace suture {
+
+class DelayThread;
+class DeviceExecutor;
+class HandleBase;
+class Network;
+class Task;
+struct Security;
+
+/// Adds components, connects their interfaces and leads them through their lives. Used by one
+/// thread, which is none of the tasks'. Does not own the components; they outlive it or stop()
+/// comes first.
+///
+///   suture::Manager manager{"console", "unix:/tmp/suture.sock"};
+///   manager.add("Teleop", teleop);
+///   manager.start();
+///   manager.connect("Teleop/Slave", "psm-host:PSM/Arm");
+class Manager {
+ public:
+  /// How long connect() waits for another process to appear.
+  static constexpr Duration kDefaultPatience = std::chrono::seconds(10);
+
+  /// A process on its own.
+  explicit Manager(std::string process);
+  /// A process that is known at the global manager at `address` ("unix:/path", "tls://host:port" or
+  /// "tcp://host:port"), or at several ("tls://10.0.0.1:7700,tls://10.0.0.2:7700"), of which one
+  /// that lives is enough. Throws SetupError if nobody answers there within `patience`, or if the
+  /// name is taken.
+  Manager(std::string process, const std::string& address, Duration patience = kDefaultPatience);
+  /// The same with keys, which tls:// needs, or with a policy (suture/names/security.h).
+  Manager(std::string process, const std::string& address, const Security& security,
+          Duration patience = kDefaultPatience);
+  ~Manager();
+  Manager(const Manager&) = delete;
+  Manager& operator=(const Manager&) = delete;
+
+  const std::string& process() const { return directory_.process(); }
+
+  /// `name` is unique in this process. Gives the component its provided interface "component"
+  /// (suture/standard/lifecycle.h). Throws SetupError.
+  void add(const std::string& name, Component& component);
+
+  /// Before start() and the first connection: schedules so the threads that carry connections and
+  /// serve devices. Throws SetupError if the kernel refuses.
+  void scheduleService(const rt::Scheduling& scheduling);
+
+  /// Configures the components that have not been. One whose onConfigure() throws is parked.
+  void configure();
+  /// Configures, starts all components that do not run, and makes the provided interfaces known.
+  /// Throws SetupError if a thread cannot have the scheduling it asks for.
+  void start();
+  /// Waits until every component runs and every required interface that is not optional can reach
+  /// its provider. Throws SetupError that names each that does not, and why, after `patience`, or
+  /// as soon as a component has faulted.
+  void awaitStart(Duration patience = kDefaultPatience) const;
+  /// Waits until that component is suspended or running again. `component`: its name. Throws
+  /// SetupError if there is none, if it is not running or not suspended, or if it has not got there
+  /// within `patience`: its run() does not return, or nobody calls trigger().
+  void suspend(const std::string& component, Duration patience = kDefaultPatience);
+  void resume(const std::string& component, Duration patience = kDefaultPatience);
+  /// Any thread: a connect() that waits for another process throws now, and so do later ones. For
+  /// a process that is told to end while it starts.
+  void giveUp();
+  /// Ends all connections and components; those that provide Collecting (suture/standard) end last,
+  /// and keep what the others did to their end. Also done by the destructor.
+  void stop();
+
+  /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm",
+  /// or "psm-host:PSM/Arm" of another process, for which it waits at most `patience`). Before or
+  /// after start(). Works or throws a SetupError that says why not. `delay` is added to whatever
+  /// the lane takes, by a thread of its own. `contract`: docs/safety.md; without a max_age, that of
+  /// the required interface holds.
+  void connect(std::string_view required, std::string_view provided, Lane lane = Lane::Auto,
+               Duration patience = kDefaultPatience, const ConnectionDelay& delay = {},
+               const ConnectionContract& contract = {});
+  /// The same between the interfaces of two components that have been added here. Does not compile
+  /// if the provider's contract neither is nor derives from the client's.
+  ///   manager.connect(teleop.slave, psm.arm);
+  template <class Client, class Contract>
+  requires std::is_base_of_v<Client, Contract>
+  void connect(Required<Client>& required, Provided<Contract>& provided, Lane lane = Lane::Auto,
+               const ConnectionDelay& delay = {}, const ConnectionContract& contract = {}) {
+    connect(placeOf(required.owner(), required.name()), placeOf(provided.owner(), provided.name()),
+            lane, kDefaultPatience, delay, contract);
+  }
+  /// Takes down the connection of a required interface of this process ("Teleop/Slave"), which may
+  /// then be connected anew, while tasks run. Takes effect between two cycles of the client: calls
+  /// under way end with Errc::OutcomeUnknown, and commands that the provider has not executed yet
+  /// are dropped. Throws SetupError if it is not connected.
+  void disconnect(std::string_view required);
+  /// Lets commands of a connection that awaits its operator through again. Throws SetupError if it
+  /// is not connected, still lost, or awaits nobody.
+  void resumeConnection(std::string_view required);
+
+  const Directory& directory() const { return directory_; }
+  /// The address of the global manager while it does not answer, else ""; of several, those that do
+  /// not, separated by commas. Connections live on without it, and it is asked again until it
+  /// answers; only new ones have to wait, if no other answers.
+  std::string missingGlobalManager() const;
+  /// Every connection that has an end in this process, as it is now: one that has been lost and
+  /// made anew is a channel of its own.
+  std::vector<std::shared_ptr<Channel>> channels() const;
+  /// Why the provider in another process was lost last, in words, by the name of the connection:
+  /// whether it closed the connection, fell silent or hung. Kept when it is back.
+  std::map<std::string, std::string> whyLost() const;
+  /// Tells this start of the process from all others; 0 without a global manager.
+  std::uint64_t incarnation() const;
+  /// Counts the peers and the requests of peers that this process has turned away, and has the
+  /// latest in words. It has told of each on standard error.
+  rpc::Refusals::Summary refusals() const;
+
+ private:
+  friend class HandleBase;
+
+  void connect(HandleBase& handle, RequiredBase& required, std::string_view provided, Lane lane,
+               Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
+  void disconnect(HandleBase& handle);
+  void connect(RequiredBase& required, const Endpoint& from, std::string_view provided, Lane lane,
+               Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
+  void change(const std::string& component, Transition transition, Duration patience);
+  std::string placeOf(const Component& component, const std::string& interface) const;
+  std::shared_ptr<Channel> connectionOf(const std::string& required) const;
+  std::string missingFor(const RequiredBase& required) const;
+  std::vector<std::string> missing() const;
+  rt::Doorbell& serverOf(ProvidedBase& provided);
+  const Task* taskServing(const Component& component);
+  DelayThread* delaysFor(const ConnectionDelay& delay);
+  std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,
+                                       const std::string& connection, const ConnectionDelay& delay,
+                                       std::shared_ptr<ConnectionWatch> watch);
+
+  void stopComponents();
+
+  Directory directory_;
+  bool started_ = false;
+  // Rung when a component's state has changed; also by components that outlive this.
+  const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
+  std::mutex executorMutex_;  // never taken by a task thread
+  rt::Scheduling service_;
+  std::unique_ptr<DeviceExecutor> executor_;
+  std::unique_ptr<DelayThread> delays_;
+  std::unique_ptr<Network> network_;
+  std::map<std::string, std::shared_ptr<Channel>> local_;  // by required interface
+  std::vector<std::shared_ptr<Channel>> offered_;          // the provider ends of delayed ones
+  std::vector<HandleBase*> handles_;
+};
+
+}  // namespace suture

@@ -1,0 +1,167 @@
+#include <suture/base/plain.h>
+#include <suture/loop/deadline.h>
+#include <suture/loop/failure.h>
+#include <suture/names/listing.h>
+#include <suture/names/manager_lease.h>
+#include <suture/net/tls/keys.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace suture {
+namespace {
+
+using rpc::Link;
+using Type = kj::Exception::Type;
+
+constexpr Duration kAnswerLimit = std::chrono::seconds(2);
+constexpr Duration kRenewal = std::chrono::milliseconds(wire::RENEWAL_MILLISECONDS);
+constexpr Duration kFirstPause = std::chrono::milliseconds(50);
+constexpr Duration kLongestPause = std::chrono::milliseconds(250);
+
+}  // namespace
+
+ManagerLease::ManagerLease(rpc::ControlThread& control, const rpc::Address& manager,
+                           std::string program, rpc::Trust trust)
+    : control_(control),
+      manager_(manager),
+      program_(std::move(program)),
+      trust_(std::move(trust)),
+      lookup_(control.port(), manager),
+      here_(manager) {}
+
+kj::Promise<void> ManagerLease::open() {
+  auto reached = lookup_.places(kAnswerLimit).then([this](std::vector<rpc::Address> places) {
+    return rpc::reachFirst(control_.port(), std::move(places), trust_, tls::kManagerName,
+                           kAnswerLimit);
+  });
+  return reached.then([this](rpc::ByteStream bytes) {
+    here_ = rpc::localAddress(manager_, bytes.socket());
+    auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
+    auto link = kj::heap<Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
+    auto request = link->bootstrap<wire::GlobalManager>().helloRequest();
+    request.setVersion(wire::PROTOCOL_VERSION);
+    request.setProgram(textOf(program_));
+    auto hello = request.send().then([this](auto&& results) -> kj::Promise<void> {
+      if (results.isRefused()) return refused(results.getRefused());
+      session_ = results.getSession();
+      return kj::READY_NOW;
+    });
+    link_ = kj::mv(link);
+    return rpc::within(control_.timer(), kAnswerLimit, kj::mv(hello),
+                       "talk to " + manager_.text() +
+                           ": what listens there does not answer as a global "
+                           "manager. Check the address; if it is right, restart the manager.");
+  });
+}
+
+// Rejects only if the manager refuses, which somebody has to be told; else it tries again.
+kj::Promise<void> ManagerLease::enrol(ProcessRecord process) {
+  process_ = std::move(process);
+  auto enrolled = isOpen() ? enrolNow() : kj::Promise<void>(gone());
+  return enrolled.then([this] { stay(kj::READY_NOW); },
+                       [this](kj::Exception&& failure) {
+                         if (failure.getType() == Type::FAILED)
+                           kj::throwFatalException(kj::mv(failure));
+                         stay(comeBack(kFirstPause));
+                       });
+}
+
+void ManagerLease::stay(kj::Promise<void> enrolled) {
+  keeping_ = enrolled.then([this] { return keep(); }).eagerlyEvaluate(nullptr);
+}
+
+kj::Promise<void> ManagerLease::enrolNow() {
+  auto request = KJ_REQUIRE_NONNULL(session_).registerRequest();
+  toWire(process_, request.initProcess());
+  auto registered = request.send().then([this](auto&& results) -> kj::Promise<void> {
+    if (results.isRefused()) return refused(results.getRefused());
+    process_.generation = results.getGeneration();
+    lease_ = results.getLease();
+    enrolled_ = true;
+    return kj::READY_NOW;
+  });
+  return rpc::within(control_.timer(), kAnswerLimit, kj::mv(registered),
+                     "register at " + manager_.text() + ": no answer. Restart the manager.");
+}
+
+kj::Promise<void> ManagerLease::keep() {
+  return KJ_REQUIRE_NONNULL(link_)
+      ->onDisconnect()
+      .exclusiveJoin(renew())
+      .then([this] { return comeBack(kFirstPause); })
+      .then([this] { return keep(); });
+}
+
+// Ends when the manager says nothing, since it is stopped or a cable was pulled; or when it has not
+// heard of this process for as long, and may have given its name to another.
+kj::Promise<void> ManagerLease::renew() {
+  auto held = KJ_REQUIRE_NONNULL(lease_).renewRequest().send().then(
+      [](auto&& results) { return results.getHeld(); },
+      [](kj::Exception&&) { return true; });  // a broken link ends by itself
+  auto silent = control_.timer().afterDelay(rpc::toKj(kAnswerLimit)).then([] { return false; });
+  return held.exclusiveJoin(kj::mv(silent)).then([this](bool goesOn) -> kj::Promise<void> {
+    if (!goesOn) return kj::READY_NOW;
+    return control_.timer().afterDelay(rpc::toKj(kRenewal)).then([this] { return renew(); });
+  });
+}
+
+kj::Promise<void> ManagerLease::comeBack(Duration pause) {
+  drop();
+  return control_.timer()
+      .afterDelay(rpc::toKj(pause))
+      .then([this] { return open(); })
+      .then([this] { return enrolNow(); })
+      .catch_(
+          [this, pause](kj::Exception&&) { return comeBack(std::min(2 * pause, kLongestPause)); });
+}
+
+// The name is free for the next attempt as soon as the manager has seen the end of this one.
+void ManagerLease::drop() {
+  enrolled_ = false;
+  lease_ = nullptr;
+  session_ = nullptr;
+  link_ = nullptr;
+}
+
+void ManagerLease::update(std::vector<ComponentRecord> components) {
+  process_.components = std::move(components);
+  KJ_IF_MAYBE (lease, lease_) {
+    auto request = lease->updateRequest();
+    toWire(process_.components,
+           request.initComponents(static_cast<unsigned>(process_.components.size())));
+    // If the link breaks, coming back tells the manager everything again.
+    control_.spawn(request.send().ignoreResult().catch_([program = program_](kj::Exception&& e) {
+      if (e.getType() != Type::FAILED) return;
+      std::fprintf(stderr, "%s: %s\n", program.c_str(), plain(rpc::describe(e)).c_str());
+    }));
+  }
+}
+
+kj::Promise<ProcessRecord> ManagerLease::resolve(const std::string& process, Duration wait) {
+  KJ_IF_MAYBE (session, session_) {
+    auto request = session->resolveRequest();
+    request.setProcess(textOf(process));
+    const auto milliseconds = std::chrono::ceil<std::chrono::milliseconds>(wait).count();
+    request.setWaitMilliseconds(
+        static_cast<std::uint32_t>(std::clamp<std::int64_t>(milliseconds, 0, 60'000)));
+    return request.send().then([](auto&& results) -> kj::Promise<ProcessRecord> {
+      if (results.isRefused()) return refused(results.getRefused());
+      return fromWire(results.getFound());
+    });
+  }
+  return gone();
+}
+
+kj::Promise<std::vector<ProcessRecord>> ManagerLease::list() {
+  KJ_IF_MAYBE (session, session_) {
+    return listAll(*session);
+  }
+  return gone();
+}
+
+kj::Exception ManagerLease::gone() const {
+  return rpc::disconnected("the global manager at " + manager_.text() + " is gone");
+}
+
+}  // namespace suture

@@ -1,0 +1,70 @@
+#pragma once
+// A process's place at one of the global managers.
+
+#include <suture/framing/link.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/records.h>
+#include <suture/net/address.h>
+#include <suture/net/host_lookup.h>
+#include <suture/net/secure.h>
+
+#include <atomic>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Talks to a global manager and, once enrolled, keeps the process known there: it renews its
+/// lease, and comes back to a manager that was gone or silent, or to its successor, as often as
+/// needed. Belongs to the control thread; outlives its promises.
+class ManagerLease {
+ public:
+  ManagerLease(rpc::ControlThread& control, const rpc::Address& manager, std::string program,
+               rpc::Trust trust);
+
+  const rpc::Address& address() const { return manager_; }
+  /// Once open: where peers of the network of the manager reach this machine; port 0.
+  const rpc::Address& here() const { return here_; }
+
+  /// Reaches the manager. Rejects with what was found and what to do, as DISCONNECTED where trying
+  /// again may help.
+  kj::Promise<void> open();
+  /// True while the manager answers.
+  bool isOpen() const { return session_ != nullptr; }
+  /// Registers the process: now if it is open, else as soon as it is. Rejects if the manager
+  /// refuses now.
+  kj::Promise<void> enrol(ProcessRecord process);
+  /// Tells what the process offers and needs now.
+  void update(std::vector<ComponentRecord> components);
+  /// Any thread: the manager answers and knows this process.
+  bool enrolled() const { return enrolled_.load(std::memory_order_relaxed); }
+
+  /// Where a process is, waiting for it at most `wait`. Rejects with what the manager knows; as
+  /// DISCONNECTED if it is not open, or no longer.
+  kj::Promise<ProcessRecord> resolve(const std::string& process, Duration wait);
+  kj::Promise<std::vector<ProcessRecord>> list();
+
+ private:
+  kj::Promise<void> enrolNow();
+  void stay(kj::Promise<void> enrolled);
+  kj::Promise<void> keep();
+  kj::Promise<void> renew();
+  kj::Promise<void> comeBack(Duration pause);
+  void drop();
+  kj::Exception gone() const;
+
+  rpc::ControlThread& control_;
+  const rpc::Address manager_;
+  const std::string program_;
+  const rpc::Trust trust_;
+  rpc::HostLookup lookup_;
+  rpc::Address here_;
+  kj::Maybe<kj::Own<rpc::Link>> link_;
+  kj::Maybe<wire::Session::Client> session_;
+  kj::Maybe<wire::Lease::Client> lease_;
+  ProcessRecord process_;
+  std::atomic<bool> enrolled_{false};
+  kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
+};
+
+}  // namespace suture

@@ -1,0 +1,169 @@
+#include <suture/loop/deadline.h>
+#include <suture/names/manager_link.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace suture {
+namespace {
+
+using Type = kj::Exception::Type;
+
+// The pause between two attempts while no manager answers.
+constexpr Duration kPause = std::chrono::milliseconds(50);
+
+const char* keysFor(const rpc::Address& address) {
+  return address.kind == rpc::Address::Kind::Tls ? " --keys FOLDER" : "";
+}
+
+}  // namespace
+
+/// The failures of several attempts, in their order.
+struct ManagerLink::Failures {
+  explicit Failures(std::size_t attempts) : all(attempts) {}
+
+  bool complete() const {
+    return std::all_of(all.begin(), all.end(), [](const auto& one) { return one.has_value(); });
+  }
+  /// Once complete. The first of that type, if any is.
+  const kj::Exception* first(Type type) const {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const auto& one) { return one->getType() == type; });
+    return found == all.end() ? nullptr : &**found;
+  }
+
+  std::vector<std::optional<kj::Exception>> all;
+};
+
+ManagerLink::ManagerLink(rpc::ControlThread& control, const std::vector<rpc::Address>& managers,
+                         const std::string& program, const rpc::Trust& trust)
+    : control_(control), trust_(trust) {
+  for (const rpc::Address& manager : managers) {
+    leases_.push_back(std::make_unique<ManagerLease>(control, manager, program, trust));
+  }
+}
+
+ManagerLease& ManagerLink::nearest() const {
+  const auto open = std::find_if(leases_.begin(), leases_.end(),
+                                 [](const auto& lease) { return lease->isOpen(); });
+  return open == leases_.end() ? *leases_.front() : **open;
+}
+
+// Awaits the slow ones too: a process whose name is taken at one of them is to hear of it.
+kj::Promise<void> ManagerLink::open(Duration patience) {
+  const Time deadline = now() + patience;
+  auto failures = std::make_shared<Failures>(leases_.size());
+  kj::Vector<kj::Promise<void>> attempts;
+  for (std::size_t i = 0; i < leases_.size(); ++i) {
+    attempts.add(leases_[i]->open().catch_(
+        [failures, i](kj::Exception&& failure) { failures->all[i].emplace(kj::mv(failure)); }));
+  }
+  return kj::joinPromises(attempts.releaseAsArray())
+      .then([this, deadline, failures]() -> kj::Promise<void> {
+        if (!failures->complete()) return kj::READY_NOW;
+        const Duration left = deadline - now();
+        const bool mayHelp = failures->first(Type::DISCONNECTED) != nullptr;
+        if (!mayHelp || left <= Duration{0}) return notOpen(*failures);
+        return control_.timer()
+            .afterDelay(rpc::toKj(std::min(left, kPause)))
+            .then([this, deadline] { return open(deadline - now()); });
+      });
+}
+
+kj::Exception ManagerLink::notOpen(const Failures& failures) const {
+  const kj::Exception& first = *failures.all.front();
+  if (first.getType() != Type::DISCONNECTED) return kj::cp(first);
+  const rpc::Address& address = leases_.front()->address();
+  std::string text = "reach the global manager: " + rpc::describe(first) +
+                     " Start it with: suture-manager --listen " + address.text() + keysFor(address);
+  if (leases_.size() > 1) text += ". None of " + missing() + " answers";
+  return rpc::failure(Type::FAILED, text);
+}
+
+kj::Promise<void> ManagerLink::enrol(const ProcessRecord& process) {
+  return enrolFrom(leases_.begin(), process).then([this] {
+    const bool enrolled = std::any_of(leases_.begin(), leases_.end(),
+                                      [](const auto& lease) { return lease->enrolled(); });
+    if (!enrolled) kj::throwFatalException(gone("register this process"));
+  });
+}
+
+// Goes one by one, so that of two processes of one name the same is refused everywhere.
+kj::Promise<void> ManagerLink::enrolFrom(Leases::const_iterator first,
+                                         const ProcessRecord& process) {
+  if (first == leases_.end()) return kj::READY_NOW;
+  return (*first)->enrol(process).then(
+      [this, first, process] { return enrolFrom(first + 1, process); });
+}
+
+void ManagerLink::update(const std::vector<ComponentRecord>& components) {
+  for (const auto& lease : leases_) lease->update(components);
+}
+
+kj::Promise<ProcessRecord> ManagerLink::resolve(const std::string& process, Duration wait) {
+  const Time deadline = now() + wait;
+  return askAll(process, wait)
+      .catch_([this, process, deadline](kj::Exception&& failure) -> kj::Promise<ProcessRecord> {
+        if (failure.getType() != Type::DISCONNECTED) return kj::mv(failure);
+        const Duration left = deadline - now();
+        if (left <= Duration{0}) return gone("find process '" + process + "'");
+        return control_.timer()
+            .afterDelay(rpc::toKj(std::min(left, kPause)))
+            .then([this, process, deadline] { return resolve(process, deadline - now()); });
+      });
+}
+
+// Resolves to the first that is found; else rejects with what a manager says that could be asked.
+kj::Promise<ProcessRecord> ManagerLink::askAll(const std::string& process, Duration wait) {
+  auto failures = std::make_shared<Failures>(leases_.size());
+  kj::Promise<ProcessRecord> first = kj::NEVER_DONE;
+  for (std::size_t i = 0; i < leases_.size(); ++i) {
+    first = first.exclusiveJoin(
+        leases_[i]
+            ->resolve(process, wait)
+            .catch_([failures, i](kj::Exception&& failure) -> kj::Promise<ProcessRecord> {
+              failures->all[i].emplace(kj::mv(failure));
+              if (!failures->complete()) return kj::NEVER_DONE;
+              const kj::Exception* const refusal = failures->first(Type::FAILED);
+              return kj::cp(refusal != nullptr ? *refusal : *failures->all.front());
+            }));
+  }
+  return first;
+}
+
+kj::Promise<rpc::ByteStream> ManagerLink::reach(const ProcessRecord& process, Duration deadline) {
+  if (process.addresses.empty()) {
+    return rpc::failure(Type::FAILED, "process '" + process.name + "' has no address. Restart it.");
+  }
+  const rpc::Address& manager = nearest().address();  // all are of one kind
+  const auto address = rpc::Address::parse(process.addresses.front());
+  const bool leavesTls = manager.kind == rpc::Address::Kind::Tls && address.kind != manager.kind;
+  if (leavesTls || (address.insecure && !manager.insecure)) {
+    return rpc::failure(
+        Type::FAILED, "connect to process '" + process.name + "': it listens at " + address.text() +
+                          ", and the global manager is reached at " + manager.text() +
+                          ". Start that process with the same address.");
+  }
+  return rpc::reach(control_.port(), address, trust_, process.name, deadline);
+}
+
+kj::Promise<std::vector<ProcessRecord>> ManagerLink::list() {
+  if (!nearest().isOpen()) return gone("list processes");
+  return nearest().list();
+}
+
+std::string ManagerLink::missing() const {
+  std::string text;
+  for (const auto& lease : leases_) {
+    if (lease->enrolled()) continue;
+    text += (text.empty() ? "" : ",") + lease->address().text();
+  }
+  return text;
+}
+
+kj::Exception ManagerLink::gone(const std::string& asked) const {
+  return rpc::disconnected(asked + ": the global manager at " + missing() +
+                           " is gone. Start it again.");
+}
+
+}  // namespace suture

@@ -1,0 +1,61 @@
+#pragma once
+// A process's connection to those who know names: the global manager, or each of several.
+
+#include <suture/names/manager_lease.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Registers a process at every global manager that is listed, and asks all of them, so that it
+/// does not matter which of them live; there is nothing to hand over when one dies. Belongs to the
+/// control thread; outlives its promises.
+class ManagerLink {
+ public:
+  /// `managers`: at least one, in the order in which names are asked for.
+  ManagerLink(rpc::ControlThread& control, const std::vector<rpc::Address>& managers,
+              const std::string& program, const rpc::Trust& trust = {});
+
+  /// Resolves as soon as one manager answers and the others have answered or failed, trying again
+  /// for `patience`. Rejects with what was found and what to do.
+  kj::Promise<void> open(Duration patience);
+  /// Registers this process at each manager that answers, and at the others when they do. Rejects
+  /// if one says that the name is taken.
+  kj::Promise<void> enrol(const ProcessRecord& process);
+  /// Tells what the process offers and needs now.
+  void update(const std::vector<ComponentRecord>& components);
+
+  /// Where a process is: what the first manager says that knows it. Waits for the process, and for
+  /// a manager that answers, at most `wait`. Rejects with what the managers know.
+  kj::Promise<ProcessRecord> resolve(const std::string& process, Duration wait);
+  /// What the first manager knows that answers.
+  kj::Promise<std::vector<ProcessRecord>> list();
+
+  /// The address of the first manager that answers.
+  const rpc::Address& address() const { return nearest().address(); }
+  /// Once open: where peers of the network of that manager reach this machine; port 0.
+  const rpc::Address& here() const { return nearest().here(); }
+  /// A stream to a process that the managers know, no less safe than the links to them: what they
+  /// were told by others does not lead out of TLS.
+  kj::Promise<rpc::ByteStream> reach(const ProcessRecord& process, Duration deadline);
+  /// Any thread: the addresses of the managers that do not answer or do not know this process.
+  std::string missing() const;
+
+ private:
+  using Leases = std::vector<std::unique_ptr<ManagerLease>>;
+  struct Failures;
+
+  ManagerLease& nearest() const;
+  kj::Promise<void> enrolFrom(Leases::const_iterator first, const ProcessRecord& process);
+  kj::Promise<ProcessRecord> askAll(const std::string& process, Duration wait);
+  kj::Exception notOpen(const Failures& failures) const;
+  kj::Exception gone(const std::string& asked) const;
+
+  rpc::ControlThread& control_;
+  const rpc::Trust trust_;
+  Leases leases_;
+};
+
+}  // namespace suture

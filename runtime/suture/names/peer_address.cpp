@@ -1,0 +1,63 @@
+#include <suture/names/peer_address.h>
+#include <suture/net/listener.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
+namespace suture {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEnd = ".sock";
+
+rpc::Address socketAt(const fs::path& path) {
+  rpc::Address address;
+  address.path = path.string();
+  return address;
+}
+
+/// The process that a socket named `name` belongs to; 0 if that is none of ours.
+pid_t ownerOf(std::string_view name, std::string_view process) {
+  if (!name.starts_with(process) || !name.ends_with(kEnd)) return 0;
+  name.remove_prefix(process.size());
+  name.remove_suffix(kEnd.size());
+  if (!name.starts_with('.')) return 0;
+  name.remove_prefix(1);
+  pid_t owner = 0;
+  const auto [stop, error] = std::from_chars(name.data(), name.data() + name.size(), owner);
+  return error == std::errc{} && stop == name.data() + name.size() ? owner : 0;
+}
+
+// A process that this one cannot see may have that number and live: then its socket answers.
+bool isLeftOver(const fs::path& file, const std::string& process) {
+  const std::string name = file.filename().string();
+  if (name.size() < process.size() + kEnd.size()) return false;
+  const pid_t owner = ownerOf(name, process);
+  if (owner <= 0 || kill(owner, 0) == 0 || errno != ESRCH) return false;
+  return rpc::Listener::isStale(socketAt(file));
+}
+
+void removeLeftovers(const fs::path& directory, const std::string& process) {
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, ignored)) {
+    if (isLeftOver(entry.path(), process)) fs::remove(entry.path(), ignored);
+  }
+}
+
+}  // namespace
+
+rpc::Address peerAddress(const ManagerLink& link, const std::string& process) {
+  const rpc::Address& manager = link.address();
+  if (manager.kind != rpc::Address::Kind::Unix) return link.here();
+  const fs::path directory = fs::path(manager.path).parent_path();
+  removeLeftovers(directory, process);
+  return socketAt(directory / (process + "." + std::to_string(getpid()) + std::string(kEnd)));
+}
+
+}  // namespace suture

@@ -1,0 +1,16 @@
+#pragma once
+// Where a process listens for its peers.
+
+#include <suture/names/manager_link.h>
+#include <suture/net/address.h>
+
+#include <string>
+
+namespace suture {
+
+/// Next to the manager: a socket in the same directory, or a free port at the address by which this
+/// machine reaches it. Removes what dead processes of this name have left in that directory, since
+/// a process that was killed cannot.
+rpc::Address peerAddress(const ManagerLink& link, const std::string& process);
+
+}  // namespace suture

@@ -1,0 +1,79 @@
+// suture-manager: the global manager as a process of its own.
+
+#include <suture/base/errors.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/global_manager.h>
+#include <suture/net/tls/keys.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+
+/// Blocks the signals that end the program, in this thread and those it starts.
+sigset_t blockEndSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  return signals;
+}
+
+struct Options {
+  std::string address = suture::GlobalManager::defaultAddress();
+  std::string keys;
+  std::vector<unsigned> users;
+};
+
+suture::Security securityOf(const Options& options) {
+  suture::Security security;
+  if (!options.keys.empty()) {
+    security.keys =
+        std::make_shared<const suture::tls::Keys>(options.keys, suture::tls::kManagerName);
+  }
+  if (options.users.empty()) return security;
+  std::vector<suture::Rule> rules{{"user:same", {}}, {"process:*", {}}, {"tcp", {}}};
+  for (const unsigned user : options.users) rules.push_back({"user:" + std::to_string(user), {}});
+  security.policy = suture::Policy(rules);
+  return security;
+}
+
+void serve(const Options& options) {
+  const sigset_t signals = blockEndSignals();
+  suture::GlobalManager::makeDirectory(options.address);
+  suture::rpc::ControlThread control;
+  const suture::GlobalManager manager(control, options.address, securityOf(options));
+  std::printf("suture-manager: ready on %s\n", manager.address().c_str());
+  std::fflush(stdout);
+  int received = 0;
+  sigwait(&signals, &received);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{
+      "Knows the names of the processes of a Suture system, so that they find each other."};
+  Options options;
+  app.add_option("--listen", options.address,
+                 "unix:/path, tls://host:port or tcp://127.0.0.1:port; port 0 picks one")
+      ->capture_default_str();
+  app.add_option(
+      "--keys", options.keys,
+      "The folder of keys that tls:// needs: that of 'suture-manager', from suture keys");
+  app.add_option("--user", options.users,
+                 "unix: a user (by number) whose processes may come too; more than once for more");
+  CLI11_PARSE(app, argc, argv);
+  try {
+    serve(options);
+  } catch (const suture::SetupError& error) {
+    std::fprintf(stderr, "suture-manager: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,15 @@
+#pragma once
+// Makes connections.
+
+#include <kj/io.h>
+#include <suture/base/time.h>
+#include <suture/loop/event_port.h>
+#include <suture/net/address.h>
+
+namespace suture::rpc {
+
+/// Control thread: a connected, non-blocking socket (TCP without delay), or a rejection that says
+/// what was asked, what was found and what to do. Gives up at `deadline` from now.
+kj::Promise<kj::AutoCloseFd> dial(EventPort& port, const Address& address, Duration deadline);
+
+}  // namespace suture::rpc

@@ -1,0 +1,145 @@
+#include <netdb.h>
+#include <sched.h>
+#include <suture/loop/deadline.h>
+#include <suture/net/host_lookup.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <system_error>
+#include <thread>
+
+namespace suture::rpc {
+namespace {
+
+// If we know where the host was, we do not wait long to hear whether it has moved.
+constexpr Duration kToHearAgain = std::chrono::milliseconds(250);
+
+std::string asked(const Address& address) { return "look up the host '" + address.host + "'"; }
+
+constexpr const char* kRemedy =
+    "Correct the name, make it known to this machine, or use the host's number.";
+
+std::string errorText(int error) {
+  return error == EAI_SYSTEM ? std::strerror(errno) : gai_strerror(error);
+}
+
+Address at(const Address& address, const addrinfo& place) {
+  Address found = address;
+  char host[NI_MAXHOST] = "";
+  getnameinfo(place.ai_addr, place.ai_addrlen, host, sizeof host, nullptr, 0, NI_NUMERICHOST);
+  found.host = host;
+  return found;
+}
+
+/// Takes from the calling thread what it has of the control thread: no signal interrupts it, and it
+/// goes before nobody, whatever a library does to find a name.
+void standBack() {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  const sched_param none{};
+  sched_setscheduler(0, SCHED_OTHER, &none);
+}
+
+}  // namespace
+
+std::vector<Address> lookUp(const Address& address) {
+  if (address.isNumeric()) return {address};
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  hints.ai_flags = AI_ADDRCONFIG;
+  addrinfo* all = nullptr;
+  const int error = getaddrinfo(address.host.c_str(), nullptr, &hints, &all);
+  if (error != 0) throw SetupError(asked(address), errorText(error), kRemedy);
+  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(all, &freeaddrinfo);
+  std::vector<Address> places;
+  for (const addrinfo* one = all; one != nullptr; one = one->ai_next) {
+    places.push_back(at(address, *one));
+  }
+  // fe80::1%eth0 is a place for this machine alone, and not one that an Address can name.
+  std::erase_if(places, [](const Address& place) { return !place.isNumeric(); });
+  if (places.empty()) throw SetupError(asked(address), "it has link-local numbers only", kRemedy);
+  return places;
+}
+
+/// A question to the name service; it outlives whoever asked.
+struct HostLookup::Question {
+  explicit Question(const Address& of) : address(of) {}
+
+  void ask() {
+    try {
+      places = lookUp(address);
+    } catch (const SetupError& error) {
+      why = error.what();
+    }
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const auto written = write(answered, &one, sizeof one);
+  }
+  /// To be called once `answered` can be read.
+  void take() const {
+    std::uint64_t count;
+    [[maybe_unused]] const auto taken = read(answered, &count, sizeof count);
+  }
+
+  const Address address;
+  const kj::AutoCloseFd answered{eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
+  std::vector<Address> places;
+  std::string why;
+};
+
+HostLookup::HostLookup(EventPort& port, const Address& address) : port_(port), address_(address) {}
+
+kj::Promise<std::vector<Address>> HostLookup::places(Duration limit) {
+  if (address_.isNumeric()) return std::vector<Address>{address_};
+  if (!std::exchange(asking_, true)) {
+    answer_ = kj::evalNow([this] { return ask(); })
+                  .catch_([this](kj::Exception&& failure) {
+                    asking_ = false;
+                    why_ = describe(failure);
+                  })
+                  .fork();
+  }
+  auto answered = answer_.addBranch().then([this] { return known(why_); });
+  auto late =
+      port_.getTimer()
+          .afterDelay(toKj(known_.empty() ? limit : std::min(limit, kToHearAgain)))
+          .then([this] {
+            return known(asked(address_) + ": the name service does not answer. " + kRemedy);
+          });
+  return answered.exclusiveJoin(kj::mv(late));
+}
+
+kj::Promise<std::vector<Address>> HostLookup::known(const std::string& why) const {
+  if (known_.empty()) return disconnected(why);
+  return known_;
+}
+
+kj::Promise<void> HostLookup::ask() {
+  auto question = std::make_shared<Question>(address_);
+  if (question->answered.get() < 0) {
+    return disconnected(asked(address_) + ": " + std::strerror(errno) +
+                        ". Raise the limit of descriptors (ulimit -n).");
+  }
+  auto observer = kj::heap<EventPort::FdObserver>(port_, question->answered,
+                                                  EventPort::FdObserver::OBSERVE_READ);
+  auto answered = observer->whenBecomesReadable();
+  try {
+    std::thread([question] {
+      standBack();
+      question->ask();
+    }).detach();
+  } catch (const std::system_error& error) {
+    return disconnected(asked(address_) + ": " + error.what() + ". Let this process have threads.");
+  }
+  return answered.attach(kj::mv(observer)).then([this, question] {
+    question->take();
+    asking_ = false;
+    why_ = question->why;
+    if (!question->places.empty()) known_ = question->places;
+  });
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,137 @@
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <suture/net/host_lookup.h>
+#include <suture/net/listener.h>
+#include <suture/net/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace suture::rpc {
+namespace {
+
+constexpr int kBacklog = 128;
+constexpr mode_t kEverybodys = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
+// A caller that says nothing for so long is gone: it has a shorter bound of its own, and is back.
+constexpr Duration kForgotten = std::chrono::seconds(60);
+
+bool isOtherThanASocket(const Address& address) {
+  struct stat status {};
+  return address.kind == Address::Kind::Unix && stat(address.path.c_str(), &status) == 0 &&
+         !S_ISSOCK(status.st_mode);
+}
+
+[[noreturn]] void cannotListen(const Address& address, int error) {
+  const std::string asked = "listen at " + address.text();
+  if (error == EADDRINUSE && isOtherThanASocket(address)) {
+    throw SetupError(asked, "there is a file that is no socket",
+                     "Remove it, or choose another address with --listen.");
+  }
+  if (error == EADDRINUSE) {
+    throw SetupError(asked, "another process listens there",
+                     "Stop it, or choose another address with --listen.");
+  }
+  throw SetupError(asked, std::strerror(error),
+                   address.kind == Address::Kind::Unix
+                       ? "Check that the directory exists and is yours."
+                       : "Choose another address or port.");
+}
+
+kj::AutoCloseFd bindTo(const Address& address, Listener::Opens opens) {
+  const Address place = lookUp(address).front();
+  kj::AutoCloseFd listening = openSocket(place);
+  const int on = 1;
+  if (address.kind != Address::Kind::Unix) {
+    setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
+  } else {
+    fchmod(listening, S_IRUSR | S_IWUSR);  // the file that bind() makes inherits it
+  }
+  const SocketAddress target(place);
+  if (bind(listening, target.get(), target.length) != 0) {
+    if (errno != EADDRINUSE || !Listener::isStale(address)) cannotListen(address, errno);
+    unlink(address.path.c_str());
+    if (bind(listening, target.get(), target.length) != 0) cannotListen(address, errno);
+  }
+  if (opens == Listener::Opens::ToOthers) chmod(address.path.c_str(), kEverybodys);
+  if (::listen(listening, kBacklog) != 0) cannotListen(address, errno);
+  return listening;
+}
+
+std::uint16_t boundPort(int socket, std::uint16_t asked) {
+  sockaddr_storage bound{};
+  socklen_t length = sizeof(bound);
+  if (getsockname(socket, reinterpret_cast<sockaddr*>(&bound), &length) != 0) return asked;
+  return ntohs(bound.ss_family == AF_INET6 ? reinterpret_cast<sockaddr_in6&>(bound).sin6_port
+                                           : reinterpret_cast<sockaddr_in&>(bound).sin_port);
+}
+
+ino_t inodeOf(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 ? status.st_ino : 0;
+}
+
+}  // namespace
+
+// Leaves errno as it was.
+bool Listener::isStale(const Address& address) {
+  struct stat status {};
+  if (address.kind != Address::Kind::Unix || stat(address.path.c_str(), &status) != 0) return false;
+  if (!S_ISSOCK(status.st_mode)) return false;
+  const int before = errno;
+  const kj::AutoCloseFd probe = openSocket(address);
+  const SocketAddress target(address);
+  const bool refused = connect(probe, target.get(), target.length) != 0 && errno == ECONNREFUSED;
+  errno = before;
+  return refused;
+}
+
+Listener::Listener(EventPort& port, const Address& address, Opens opens)
+    : port_(port),
+      address_(address),
+      socket_(bindTo(address, opens)),
+      observer_(port, socket_, EventPort::FdObserver::OBSERVE_READ) {
+  if (address_.kind != Address::Kind::Unix) {
+    address_.port = boundPort(socket_, address.port);
+  } else {
+    inode_ = inodeOf(address_.path);
+  }
+}
+
+Listener::~Listener() noexcept(false) {
+  const bool ours = address_.kind == Address::Kind::Unix && inodeOf(address_.path) == inode_;
+  if (ours) unlink(address_.path.c_str());
+}
+
+kj::Promise<void> Listener::listen(kj::Function<void(kj::AutoCloseFd)> accept,
+                                   kj::Function<void(int)> starved) {
+  accept_ = kj::mv(accept);
+  starved_ = kj::mv(starved);
+  return acceptAll();
+}
+
+kj::Promise<void> Listener::acceptAll() {
+  for (;;) {
+    const int accepted = accept4(socket_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    if (accepted >= 0) {
+      kj::AutoCloseFd connection(accepted);
+      if (address_.kind != Address::Kind::Unix) {
+        sendWithoutDelay(connection);
+        breakWhenUnanswered(connection, kForgotten);
+      }
+      accept_(kj::mv(connection));
+    } else if (errno == EAGAIN) {
+      return observer_.whenBecomesReadable().then([this] { return acceptAll(); });
+    } else if (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM) {
+      starved_(errno);
+      return port_.getTimer().afterDelay(100 * kj::MILLISECONDS).then([this] {
+        return acceptAll();
+      });
+    } else if (errno != EINTR && errno != ECONNABORTED) {
+      cannotListen(address_, errno);
+    }
+  }
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,47 @@
+#include <suture/base/plain.h>
+#include <suture/net/refusals.h>
+
+#include <cstdio>
+
+namespace suture::rpc {
+namespace {
+
+constexpr Duration kPause = std::chrono::minutes(1);
+constexpr std::size_t kMostLines = 20;
+constexpr std::size_t kLongest = 4096;
+
+// What a peer calls itself must neither steer a terminal, nor look like a line of another process,
+// nor fill a log.
+std::string fitToShow(const std::string& text) {
+  std::string shown;
+  for (const char one : plain(text.substr(0, kLongest))) {
+    shown += one;
+    if (one == '\n') shown += "  ";
+  }
+  return text.size() > kLongest ? shown + "..." : shown;
+}
+
+}  // namespace
+
+void Refusals::add(const std::string& peer, const std::string& text) {
+  const std::string line = fitToShow(peer + ": " + text);
+  {
+    const std::lock_guard lock(mutex_);
+    ++summary_.count;
+    summary_.latest = line;
+  }
+  if (isToBeTold(line)) std::fprintf(stderr, "%s: refused %s\n", owner_.c_str(), line.c_str());
+}
+
+bool Refusals::isToBeTold(const std::string& line) {
+  const Time present = now();
+  std::erase_if(told_, [present](const auto& one) { return present - one.second >= kPause; });
+  return told_.size() < kMostLines && told_.try_emplace(line, present).second;
+}
+
+Refusals::Summary Refusals::summary() const {
+  const std::lock_guard lock(mutex_);
+  return summary_;
+}
+
+}  // namespace suture::rpc

@@ -1,0 +1,38 @@
+#pragma once
+// From a connected socket to a stream whose far end is known.
+
+#include <suture/base/time.h>
+#include <suture/loop/event_port.h>
+#include <suture/net/address.h>
+#include <suture/net/byte_stream.h>
+#include <suture/net/tls/keys.h>
+#include <suture/net/tls/session.h>
+#include <suture/net/trust.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture::rpc {
+
+/// Control thread: does the TLS handshake on a connected, non-blocking socket. Rejects with what
+/// was found and what to do; gives up at `deadline` from now.
+kj::Promise<ByteStream> handshake(EventPort& port, kj::AutoCloseFd socket,
+                                  std::shared_ptr<const tls::Keys> keys, tls::Session::Side side,
+                                  Duration deadline);
+
+/// Control thread: a stream to the process `expected` at `address`: dialled and, for tls://, with
+/// proof that it is that process; on a Unix socket, with proof that it is run by a trusted user.
+/// Rejects with what was asked, what was found and what to do, as DISCONNECTED where trying again
+/// may help. Gives up at `deadline` from now.
+kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Trust& trust,
+                              const std::string& expected, Duration deadline);
+
+/// The same at the first of `places` that can be reached: those of one host. `deadline`: for each.
+kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places, const Trust& trust,
+                                   const std::string& expected, Duration deadline);
+
+/// Throws SetupError if `address` needs keys and there are none.
+void requireKeys(const Address& address, const Trust& trust);
+
+}  // namespace suture::rpc

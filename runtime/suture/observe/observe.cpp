@@ -1,0 +1,140 @@
+#include <suture/component/channel/ledger.h>
+#include <suture/component/task/task.h>
+#include <suture/observe/observe.h>
+#include <suture/rt/counter.h>
+#include <suture/rt/processor_clock.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+Distribution distribution(const rt::Histogram& histogram) {
+  return {histogram.count(), histogram.quantile(0.5), histogram.quantile(0.99), histogram.max()};
+}
+
+// A lane's own end of a channel is woken by a doorbell that is no component's.
+ConnectionEnd endOf(const Channel& channel, const std::vector<Component*>& components) {
+  const auto isComponents = [&](const rt::Doorbell* bell) {
+    return std::any_of(components.begin(), components.end(),
+                       [&](Component* one) { return &one->doorbell() == bell; });
+  };
+  if (!isComponents(channel.ends.client)) return ConnectionEnd::Provider;
+  return isComponents(channel.ends.provider) ? ConnectionEnd::Both : ConnectionEnd::Client;
+}
+
+// The two ends of a connection share its watch; the client's thread counts.
+std::optional<ContractReport> contractOf(const Channel& channel, ConnectionEnd end) {
+  if (channel.watch == nullptr || end == ConnectionEnd::Provider) return std::nullopt;
+  return ContractReport{
+      .staleReads = rt::count(channel.watch->staleReads),
+      .losses = rt::count(channel.watch->losses),
+      .awaitsOperator = channel.watch->awaitsOperator.load(std::memory_order_relaxed)};
+}
+
+// A connection within a process is one channel for as long as it stands.
+Sums sumsOf(const std::shared_ptr<Channel>& channel, ConnectionEnd end) {
+  if (channel->ledger != nullptr) return channel->ledger->sums();
+  Ledger ledger(end);
+  ledger.begin(channel, 0);
+  return ledger.sums();
+}
+
+void putSums(const Sums& sums, ConnectionReport& report) {
+  static_cast<Tally&>(report) = sums.tally;
+  report.heard = sums.heard;
+  report.sent = sums.accepted;
+  report.full = sums.turnedDown.full;
+  report.tooLarge = sums.turnedDown.tooLarge;
+  report.invalid = sums.turnedDown.invalid;
+  report.lost = sums.lost;
+  report.unknown = sums.unknown;
+  report.underWay = sums.underWay;
+  report.otherIncarnation = sums.otherProcess;
+  report.eventsDelivered = sums.eventsDelivered;
+}
+
+ConnectionReport reportOf(const std::shared_ptr<Channel>& shared, ConnectionEnd end) {
+  const Channel& channel = *shared;
+  ConnectionReport report;
+  report.name = channel.name;
+  report.lane = channel.lane;
+  report.laneReason = channel.laneReason;
+  report.clockShift = channel.clockShift;
+  report.clockError = channel.clockError;
+  report.end = end;
+  report.status = channel.status.load(std::memory_order_acquire);
+  report.bytesSent = rt::count(channel.bytesSent);
+  report.bytesReceived = rt::count(channel.bytesReceived);
+  report.contract = contractOf(channel, end);
+  putSums(sumsOf(shared, end), report);
+  report.lastInvalid = channel.lastInvalid.read().text();
+  report.messagesLost = rt::count(channel.delivery.lost);
+  report.messagesDuplicated = rt::count(channel.delivery.duplicated);
+  report.messagesOvertaken = rt::count(channel.delivery.overtaken);
+  report.readAge = distribution(channel.readAge);
+  report.commandAge = distribution(channel.commandAge);
+  return report;
+}
+
+WindowReport reportOf(const TaskWindow& window) {
+  return {.length = window.end - window.begin,
+          .cycles = window.cycles,
+          .skipped = window.skipped,
+          .period = window.period,
+          .compute = window.compute};
+}
+
+TaskReport reportOf(const Task& task) {
+  const TaskStatistics& statistics = task.statistics();
+  const std::optional<rt::Scheduling> scheduling = task.scheduling();
+  const ComponentState state = task.state();
+  return {.name = task.name(),
+          .state = state,
+          .fault = state == ComponentState::Faulted ? task.fault() : "",
+          .faults = task.faults(),
+          .scheduling = scheduling ? toString(*scheduling) : "",
+          .cycles = rt::count(statistics.cycles),
+          .skipped = rt::count(statistics.skipped),
+          .lateness = distribution(statistics.lateness),
+          .computeTime = distribution(statistics.computeTime),
+          .processorTime = task.processorTime(),
+          .window = reportOf(statistics.windows.last())};
+}
+
+DeviceReport reportOf(const Component& device) {
+  const ComponentState state = device.state();
+  return {.name = device.name(),
+          .state = state,
+          .fault = state == ComponentState::Faulted ? device.fault() : "",
+          .faults = device.faults()};
+}
+
+}  // namespace
+
+Report observe(const Manager& manager, Time began) {
+  Report report{manager.process(), now() - began, {}, {}, {}};
+  const std::vector<Component*> components = manager.directory().components();
+  report.incarnation = manager.incarnation();
+  report.refusals = manager.refusals();
+  const auto whyLost = manager.whyLost();
+  for (const auto& channel : manager.channels()) {
+    if (channel->ledger != nullptr && !channel->ledger->isLatest(*channel)) continue;
+    ConnectionReport& one =
+        report.connections.emplace_back(reportOf(channel, endOf(*channel, components)));
+    const auto why = whyLost.find(channel->name);
+    if (channel->ledger == nullptr) one.otherIncarnation = report.incarnation;  // both are here
+    if (one.end != ConnectionEnd::Provider && why != whyLost.end()) one.whyLost = why->second;
+  }
+  for (const Component* component : components) {
+    if (component->ownsThread()) {
+      report.tasks.push_back(reportOf(static_cast<const Task&>(*component)));
+    } else {
+      report.devices.push_back(reportOf(*component));
+    }
+  }
+  report.processorTime = rt::processorTimeOfProcess();
+  return report;
+}
+
+}  // namespace suture

@@ -1,0 +1,56 @@
+#pragma once
+// What both kinds of collector have in common.
+
+#include <suture/base/time.h>
+#include <suture/component/contract/interface_info.h>
+#include <suture/standard/collecting.h>
+
+#include <atomic>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Switches collecting on and off, chooses what is kept and counts.
+class Collection {
+ public:
+  /// Throws SetupError if there is no such interval.
+  Collection(const CollectingInterval& interval, bool on);
+
+  // --- any thread
+
+  void switchTo(bool on) { wanted_.store(on, std::memory_order_release); }
+  bool wanted() const { return wanted_.load(std::memory_order_acquire); }
+  /// True between the first and the last thing that may be collected.
+  bool active() const { return active_.load(std::memory_order_acquire); }
+  CollectedCounts counts() const;
+
+  // --- the collector's
+
+  const CollectingInterval& interval() const { return interval_; }
+  /// False, and nothing changes, if there is no such interval.
+  bool setInterval(const CollectingInterval& interval);
+  /// Begins, with all counts at zero, or ends.
+  void setActive(bool active);
+  /// True if what is stamped `stamp` is to be kept. Counts it.
+  bool keep(Time stamp);
+  void countMissed(std::uint64_t count);
+
+ private:
+  CollectingInterval interval_;
+  std::atomic<bool> wanted_, active_{false};
+  std::atomic<std::uint64_t> collected_{0}, passedOver_{0}, missed_{0};
+  unsigned untilNext_ = 0;
+  Time last_{};
+};
+
+/// The numbers of the reads of `contract` that are called `names`, of all if there are no names.
+/// Throws SetupError for a name that is not there.
+std::vector<std::uint16_t> readsOf(const InterfaceInfo& contract,
+                                   const std::vector<std::string>& names);
+/// The same of its events.
+std::vector<std::uint16_t> eventsOf(const InterfaceInfo& contract,
+                                    const std::vector<std::string>& names);
+
+}  // namespace suture

@@ -1,0 +1,94 @@
+#include <suture/component/channel/channel.h>
+#include <suture/record/event_collector.h>
+
+#include <utility>
+
+namespace suture {
+
+/// What the collector listens to, of whatever contract.
+class EventCollector::Source final : public RequiredBase {
+ public:
+  Source(Component& owner, const InterfaceInfo& contract)
+      : RequiredBase(owner, "Source", contract) {}
+
+  using RequiredBase::channel;
+  using RequiredBase::handle;
+};
+
+EventCollector::EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options,
+                               Sink& sink)
+    : EventTask({.scheduling = options.scheduling}),
+      collection_(options.interval, options.collecting),
+      sink_(sink),
+      source_(std::make_unique<Source>(*this, contract)),
+      from_{"", contract} {
+  for (const std::uint16_t event : eventsOf(contract, options.events)) {
+    source_->handle(
+        event, [this, event](const std::byte* slot, Time stamp) { collect(event, stamp, slot); });
+  }
+}
+
+EventCollector::EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options,
+                               std::shared_ptr<Sink> sink)
+    : EventCollector(contract, options, *sink) {
+  ownSink_ = std::move(sink);
+}
+
+EventCollector::~EventCollector() { stop(); }
+
+void EventCollector::startCollecting() {
+  collection_.switchTo(true);
+  doorbell().ring();
+}
+
+void EventCollector::stopCollecting() {
+  collection_.switchTo(false);
+  doorbell().ring();
+}
+
+void EventCollector::run() {
+  follow();
+  if (std::exchange(unsettled_, false)) sink_.settle();
+}
+
+// Takes what has arrived by the end, also while it was suspended.
+void EventCollector::onStop() {
+  source_->handleEvents();
+  run();
+}
+
+// Keeps up with the switch, the connection and what its queue dropped.
+void EventCollector::follow() {
+  const bool fresh = channel_ != source_->channel();
+  if (fresh) {
+    if (collection_.active()) noticeDropped();  // by the connection of before
+    channel_ = source_->channel();
+    droppedBefore_ = 0;
+  }
+  const bool wanted = collection_.wanted();
+  if (wanted != collection_.active()) {
+    from_.collector = name();
+    if (wanted && !fresh && channel_ != nullptr) droppedBefore_ = channel_->events.dropped();
+    collection_.setActive(wanted);
+  }
+  if (wanted) noticeDropped();
+}
+
+void EventCollector::collect(std::uint16_t event, Time stamp, const std::byte* slot) {
+  follow();
+  if (!collection_.active() || !collection_.keep(stamp)) return;
+  sink_.event(from_, event, stamp, slot);
+  unsettled_ = true;
+}
+
+void EventCollector::noticeDropped() {
+  if (channel_ == nullptr) return;
+  const std::uint64_t dropped = channel_->events.dropped();
+  if (dropped == droppedBefore_) return;
+  collection_.countMissed(dropped - droppedBefore_);
+  sink_.missed(from_, dropped - droppedBefore_);
+  unsettled_ = true;
+  droppedBefore_ = dropped;
+}
+
+}  // namespace suture

@@ -1,0 +1,66 @@
+#pragma once
+// Keeps the events of another component.
+
+#include <suture/component/required.h>
+#include <suture/component/task/event_task.h>
+#include <suture/record/collection.h>
+#include <suture/record/collector_port.h>
+#include <suture/record/sink.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+struct EventCollectorOptions {
+  std::vector<std::string> events = {};  ///< names of events; empty: all
+  CollectingInterval interval = {};      ///< of all its events together
+  bool collecting = true;                ///< from the start
+  rt::Scheduling scheduling = {};
+};
+
+/// A task whose required interface "Source" takes a provider of `contract`. In its own thread it
+/// hands each event to the sink. Events that the subscription's queue had no room for are counted
+/// as missed; of a latest() event only the newest is seen. What the sink throws parks the
+/// collector.
+class EventCollector final : public EventTask {
+ public:
+  /// `sink` outlives the last cycle. Throws SetupError for an event that the contract has not.
+  EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options, Sink& sink);
+  /// Keeps its sink alive.
+  EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options,
+                 std::shared_ptr<Sink> sink);
+  ~EventCollector() override;
+
+  // --- any thread
+
+  /// Events that it comes to from now on are kept; counts begin anew.
+  void startCollecting();
+  /// Events that it comes to from now on are let go, uncounted.
+  void stopCollecting();
+  bool collecting() const { return collection_.active(); }
+  CollectedCounts counts() const { return collection_.counts(); }
+
+ private:
+  class Source;
+
+  void run() override;
+  void onStop() override;
+  void follow();
+  void collect(std::uint16_t event, Time stamp, const std::byte* slot);
+  void noticeDropped();
+
+  std::shared_ptr<Sink> ownSink_;  // or null
+  Collection collection_;
+  CollectorPort port_{*this, collection_};
+  Sink& sink_;
+  std::unique_ptr<Source> source_;
+  CollectedInterface from_;
+  std::shared_ptr<Channel> channel_;
+  bool unsettled_ = false;           // the sink has been given something
+  std::uint64_t droppedBefore_ = 0;  // of channel_, as far as it has been counted
+};
+
+}  // namespace suture

@@ -1,0 +1,120 @@
+#include <suture/component/channel/channel.h>
+#include <suture/record/state_collector.h>
+#include <suture/rt/state/state_table.h>
+
+#include <algorithm>
+
+namespace suture {
+
+/// What the collector looks at, of whatever contract.
+class StateCollector::Source final : public RequiredBase {
+ public:
+  Source(Component& owner, const InterfaceInfo& contract)
+      : RequiredBase(owner, "Source", contract) {}
+
+  /// The provider's state; nullptr without a connection.
+  std::shared_ptr<rt::StateTable> state() {
+    return unusable() == Errc{} ? channel()->state : nullptr;
+  }
+  /// With a connection: its rows from now on hold `reads`.
+  void ask(const std::vector<std::uint16_t>& reads) {
+    rt::ColumnSet columns = 0;
+    for (const std::uint16_t read : reads) {
+      if (unusable(read) != Errc{}) continue;
+      columns |= rt::ColumnSet{1} << info().commands[read].column;
+    }
+    if (channel()->state->askAll(columns)) owner().ringLater(*channel()->ends.provider);
+  }
+};
+
+StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
+                               Sink& sink)
+    : PeriodicTask({.period = options.period, .scheduling = options.scheduling}),
+      reads_(readsOf(contract, options.reads)),
+      collection_(options.interval, options.collecting),
+      sink_(sink),
+      source_(std::make_unique<Source>(*this, contract)),
+      from_{"", contract} {
+  for (const CommandInfo& command : contract.commands) {
+    if (command.kind == CommandKind::Read) slots_.push_back(nullptr);
+  }
+  for (const std::uint16_t read : reads_) {
+    const CommandInfo& command = contract.commands[read];
+    memory_.emplace_back((command.resultSize + 7) / 8);
+    slots_[static_cast<std::size_t>(command.column)] =
+        reinterpret_cast<std::byte*>(memory_.back().data());
+    values_.push_back({read, nullptr});
+  }
+}
+
+StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
+                               std::shared_ptr<Sink> sink)
+    : StateCollector(contract, options, *sink) {
+  ownSink_ = std::move(sink);
+}
+
+StateCollector::~StateCollector() { stop(); }
+
+void StateCollector::run() {
+  const bool wanted = collection_.wanted();
+  if (!wanted && !collection_.active()) return;
+  const auto table = source_->state();
+  if (table != nullptr && (table != table_ || !collection_.active())) {
+    table_ = table;
+    begin();
+  }
+  if (table_ != nullptr) takeRows();
+  if (!wanted) {
+    collection_.setActive(false);
+    table_ = nullptr;
+  }
+}
+
+// Takes the rows that are there at the end.
+void StateCollector::onStop() { run(); }
+
+// A connection that was made anew has a table of its own, and counts go on. Fix the row to take
+// before asking, since that may bring about the first row at once.
+void StateCollector::begin() {
+  from_.collector = name();
+  next_ = table_->rows() + 1;
+  source_->ask(reads_);
+  if (!collection_.active()) collection_.setActive(true);
+}
+
+void StateCollector::takeRows() {
+  for (std::uint64_t newest = table_->rows(); next_ <= newest;) {
+    const rt::StateTable::Row row = table_->readRowNumber(next_, slots_);
+    if (row.sequence != 0) {
+      hand(next_, row.stamp, row.valid);
+      ++next_;
+      continue;
+    }
+    // The row is overwritten, and so is all that the writer has left behind since.
+    newest = table_->rows();
+    const std::uint64_t capacity = table_->capacity();
+    const std::uint64_t oldest = newest >= capacity ? newest - capacity + 1 : 1;
+    const std::uint64_t resume = std::max(next_ + 1, oldest);
+    miss(resume - next_);
+    next_ = resume;
+  }
+  if (untold_ > 0) sink_.missed(from_, std::exchange(untold_, 0));
+  sink_.settle();
+}
+
+void StateCollector::hand(std::uint64_t number, Time stamp, std::uint64_t valid) {
+  if (!collection_.keep(stamp)) return;
+  if (untold_ > 0) sink_.missed(from_, std::exchange(untold_, 0));
+  for (CollectedValue& value : values_) {
+    const auto column = static_cast<std::size_t>(from_.contract.commands[value.read].column);
+    value.slot = (valid >> column & 1) != 0 ? slots_[column] : nullptr;
+  }
+  sink_.row(from_, number, stamp, values_);
+}
+
+void StateCollector::miss(std::uint64_t rows) {
+  collection_.countMissed(rows);
+  untold_ += rows;
+}
+
+}  // namespace suture

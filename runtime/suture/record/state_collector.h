@@ -1,0 +1,80 @@
+#pragma once
+// Keeps the rows of another component's state.
+
+#include <suture/component/required.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/record/collection.h>
+#include <suture/record/collector_port.h>
+#include <suture/record/sink.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture::rt {
+class StateTable;
+}
+
+namespace suture {
+
+struct StateCollectorOptions {
+  std::vector<std::string> reads = {};  ///< names of read commands; empty: all
+  CollectingInterval interval = {};
+  /// How often it looks. The provider must keep more rows than it publishes meanwhile
+  /// (ProvidedBase::keepState), or rows are missed.
+  Duration period = std::chrono::milliseconds(10);
+  bool collecting = true;  ///< from the start
+  rt::Scheduling scheduling = {};
+};
+
+/// A task whose required interface "Source" takes a provider of `contract`. In its own thread it
+/// hands each row to the sink, or counts it as missed if it was overwritten before. Over other
+/// lanes than `local` the rows are those that arrived. What the sink throws parks the collector.
+///   StateCollector collector{interfaceInfo<Arm>(), {.reads = {"measured_cp"}}, sink};
+///   manager.add("Collector", collector);
+///   manager.connect("Collector/Source", "PSM/Arm");
+class StateCollector final : public PeriodicTask {
+ public:
+  /// `sink` outlives the last cycle. Throws SetupError for a read that the contract has not.
+  StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options, Sink& sink);
+  /// Keeps its sink alive.
+  StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
+                 std::shared_ptr<Sink> sink);
+  ~StateCollector() override;
+
+  // --- any thread
+
+  /// From the collector's next cycle on, rows published from then on are kept; counts begin anew.
+  void startCollecting() { collection_.switchTo(true); }
+  /// The next cycle is the last that keeps rows.
+  void stopCollecting() { collection_.switchTo(false); }
+  bool collecting() const { return collection_.active(); }
+  CollectedCounts counts() const { return collection_.counts(); }
+
+ private:
+  class Source;
+
+  void run() override;
+  void onStop() override;
+  void begin();
+  void takeRows();
+  void hand(std::uint64_t number, Time stamp, std::uint64_t valid);
+  void miss(std::uint64_t rows);
+
+  const std::vector<std::uint16_t> reads_;
+  std::shared_ptr<Sink> ownSink_;  // or null
+  Collection collection_;
+  CollectorPort port_{*this, collection_};
+  Sink& sink_;
+  std::unique_ptr<Source> source_;
+  CollectedInterface from_;
+  std::shared_ptr<rt::StateTable> table_;
+  std::uint64_t next_ = 1;         // number of the row to take
+  std::uint64_t untold_ = 0;       // missed rows that the sink has not been told of
+  std::vector<std::byte*> slots_;  // by column; nullptr: not collected
+  std::vector<std::vector<std::uint64_t>> memory_;
+  std::vector<CollectedValue> values_;
+};
+
+}  // namespace suture

@@ -1,0 +1,39 @@
+#include <suture/rt/queue/mpsc_ring.h>
+
+#include <bit>
+#include <cstring>
+#include <new>
+
+namespace suture::rt {
+
+MpscRing::MpscRing(std::size_t cells, std::size_t cellSize, Arena& arena)
+    : mask_(std::bit_ceil(cells) - 1),
+      stride_(sizeof(std::uint64_t) + ((cellSize + 7) & ~std::size_t{7})),
+      data_(arena.take((mask_ + 1) * stride_)) {
+  if (arena.foreign()) copy_.resize(stride_ - sizeof(std::uint64_t));
+  if (!arena.fresh()) return;
+  for (std::uint64_t i = 0; i <= mask_; ++i) new (&turnAt(i)) std::atomic<std::uint64_t>(i);
+}
+
+bool MpscRing::pending() const {
+  return turnAt(head_).load(std::memory_order_acquire) == head_ + 1;
+}
+
+const std::byte* MpscRing::front() {
+  if (copied_) return copy_.data();
+  if (!pending()) return nullptr;
+  const std::byte* const cell =
+      reinterpret_cast<const std::byte*>(&turnAt(head_)) + sizeof(std::uint64_t);
+  if (copy_.empty()) return cell;
+  std::memcpy(copy_.data(), cell, copy_.size());
+  copied_ = true;
+  return copy_.data();
+}
+
+void MpscRing::pop() {
+  copied_ = false;
+  turnAt(head_).store(head_ + mask_ + 1, std::memory_order_release);
+  ++head_;
+}
+
+}  // namespace suture::rt

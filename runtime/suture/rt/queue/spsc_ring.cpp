@@ -1,0 +1,76 @@
+#include <suture/rt/queue/spsc_ring.h>
+
+#include <bit>
+#include <cstring>
+
+namespace suture::rt {
+
+// A record that does not fit before the end starts at the beginning, so up to one record's length
+// is lost there: twice the bytes asked for always suffice.
+SpscRing::SpscRing(std::size_t bytes, Arena& arena)
+    : mask_(std::bit_ceil(2 * bytes + 64) - 1),
+      shared_(arena.make<Shared>()),
+      data_(arena.take(mask_ + 1)) {
+  if (arena.foreign()) copy_.resize(mask_ + 1);
+}
+
+std::byte* SpscRing::claim(std::size_t size) {
+  const std::size_t needed = recordSize(size);
+  const std::size_t skipped = needed <= untilEnd(tail_) ? 0 : untilEnd(tail_);
+  const std::uint64_t newTail = tail_ + skipped + needed;
+  if (newTail - knownHead_ > mask_ + 1) {
+    knownHead_ = shared_->head.load(std::memory_order_acquire);
+    if (newTail - knownHead_ > mask_ + 1) return nullptr;
+  }
+  if (skipped > 0) headerAt(tail_) = kSkip;
+  headerAt(tail_ + skipped) = size;
+  claimedTail_ = newTail;
+  return data_.get() + ((tail_ + skipped) & mask_) + sizeof(std::uint64_t);
+}
+
+const std::byte* SpscRing::front() {
+  if (copied_) return copy_.data();
+  if (head_ == knownTail_) {
+    knownTail_ = shared_->tail.load(std::memory_order_acquire);
+    if (head_ == knownTail_) return nullptr;
+  }
+  if (!copy_.empty()) return copyFront() ? copy_.data() : nullptr;
+  if (headerAt(head_) == kSkip) {
+    head_ += untilEnd(head_);
+    shared_->head.store(head_, std::memory_order_release);
+  }
+  return data_.get() + (head_ & mask_) + sizeof(std::uint64_t);
+}
+
+// Reads each number once, since it may change, and believes it only within the ring.
+bool SpscRing::copyFront() {
+  const std::uint64_t published = knownTail_ - head_;
+  std::uint64_t position = head_, size;
+  std::memcpy(&size, &headerAt(position), sizeof(size));
+  if (size == kSkip) {
+    position += untilEnd(position);
+    std::memcpy(&size, &headerAt(position), sizeof(size));
+  }
+  const std::uint64_t skipped = position - head_;
+  const bool fits = published <= mask_ + 1 && published % sizeof(size) == 0 &&
+                    skipped + sizeof(size) <= published && size <= mask_ &&
+                    recordSize(size) <= published - skipped &&
+                    recordSize(size) <= untilEnd(position);
+  broken_ = broken_ || !fits;
+  if (broken_) return false;
+  std::memcpy(copy_.data(), data_.get() + (position & mask_) + sizeof(size), size);
+  head_ = position;
+  copySize_ = size;
+  copied_ = true;
+  return true;
+}
+
+std::size_t SpscRing::frontSize() const { return copied_ ? copySize_ : headerAt(head_); }
+
+void SpscRing::pop() {
+  head_ += recordSize(frontSize());
+  copied_ = false;
+  shared_->head.store(head_, std::memory_order_release);
+}
+
+}  // namespace suture::rt

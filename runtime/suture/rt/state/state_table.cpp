@@ -1,0 +1,313 @@
+#include <suture/base/slots/shared_slot.h>
+#include <suture/rt/state/state_table.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+#include <new>
+#include <string>
+
+namespace suture::rt {
+namespace {
+
+// The block begins with the number of the newest row, on a cache line of its own.
+constexpr std::size_t kHeaderBytes = 64;
+
+constexpr std::size_t wordsFor(std::size_t bytes) { return (bytes + 7) / 8; }
+
+// Row copies go word by word through atomics; the private side is ordinary memory.
+void storeWords(std::atomic<std::uint64_t>* to, const std::byte* from, std::size_t bytes) {
+  const std::size_t whole = bytes / 8, rest = bytes % 8;
+  for (std::size_t i = 0; i < whole; ++i) {
+    std::uint64_t word;
+    std::memcpy(&word, from + 8 * i, 8);
+    to[i].store(word, std::memory_order_release);
+  }
+  if (rest == 0) return;
+  std::uint64_t word = 0;
+  std::memcpy(&word, from + 8 * whole, rest);
+  to[whole].store(word, std::memory_order_release);
+}
+
+void loadWords(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_t bytes) {
+  const std::size_t whole = bytes / 8, rest = bytes % 8;
+  for (std::size_t i = 0; i < whole; ++i) {
+    const std::uint64_t word = from[i].load(std::memory_order_acquire);
+    std::memcpy(to + 8 * i, &word, 8);
+  }
+  if (rest == 0) return;
+  const std::uint64_t word = from[whole].load(std::memory_order_acquire);
+  std::memcpy(to + 8 * whole, &word, rest);
+}
+
+std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
+  std::size_t bytes = 0;
+  for (const std::uint32_t size : columnSizes) bytes += 8 * wordsFor(size);
+  return bytes;
+}
+
+// Bounds a stamp so that its age can be computed: another process may have written anything.
+Time possible(std::uint64_t stamp) {
+  return fromNanoseconds(std::max<std::int64_t>(0, static_cast<std::int64_t>(stamp)));
+}
+
+}  // namespace
+
+StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared)
+    : rowBytes_(bytesOfRow(columnSizes)),
+      draft_(payloadBytes(columnSizes)),
+      shared_(shared, columnSizes.size()),
+      demand_(std::make_shared<std::atomic<ColumnSet>>(0)) {
+  addColumns(columnSizes);
+  resize(rows);
+}
+
+StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows,
+                       std::shared_ptr<MemoryBlock> memory,
+                       std::shared_ptr<std::atomic<ColumnSet>> demand)
+    : rowBytes_(bytesOfRow(columnSizes)),
+      rowMask_(std::bit_ceil(rows) - 1),
+      shared_(0, columnSizes.size()),
+      demand_(std::move(demand)) {
+  addColumns(columnSizes);
+  if (const std::size_t needed = bytesFor(columnSizes, rows); memory->size() < needed) {
+    throw SetupError(
+        "read a state table of " + std::to_string(rows) + " rows",
+        "the memory has " + std::to_string(memory->size()) + " bytes of " + std::to_string(needed),
+        "Build both processes from the same release");
+  }
+  layOut(std::move(memory));
+}
+
+void StateTable::addColumns(std::span<const std::uint32_t> sizes) {
+  std::uint32_t offset = 0;
+  for (const std::uint32_t size : sizes) {
+    columns_.push_back({offset, size});
+    offset += static_cast<std::uint32_t>(8 * wordsFor(size));
+  }
+}
+
+std::size_t StateTable::bytesOfRow(std::span<const std::uint32_t> columnSizes) {
+  return (sizeof(RowHeader) + payloadBytes(columnSizes) + 63) & ~std::size_t{63};
+}
+
+std::size_t StateTable::bytesFor(std::span<const std::uint32_t> columnSizes, unsigned rows) {
+  return kHeaderBytes + bytesOfRow(columnSizes) * std::bit_ceil(rows);
+}
+
+void StateTable::layOut(std::shared_ptr<MemoryBlock> memory) {
+  memory_ = std::move(memory);
+  newest_ = reinterpret_cast<Word*>(memory_->data());
+  rows_ = memory_->data() + kHeaderBytes;
+}
+
+void StateTable::resize(unsigned rows) {
+  rowMask_ = std::bit_ceil(rows) - 1;
+  layOut(std::make_shared<MemoryBlock>("suture-state", kHeaderBytes + rowBytes_ * (rowMask_ + 1),
+                                       MemoryBlock::Others::Read));
+  new (newest_) Word{0};
+  for (std::size_t i = 0; i <= rowMask_; ++i) new (rows_ + i * rowBytes_) RowHeader{};
+}
+
+StateTable::~StateTable() {
+  if (draft_.empty()) return;
+  for (unsigned i = 0; i < columns_.size(); ++i) draft(i);
+}
+
+std::byte* StateTable::draft(unsigned column) {
+  std::byte* const memory = draft_.data() + columns_[column].offset;
+  if (isShared(column)) releaseSharedSlot(memory);  // of a row that was not published
+  return memory;
+}
+
+void StateTable::storeColumn(unsigned column, RowHeader& header) {
+  const auto [offset, size] = columns_[column];
+  std::byte* const draft = draft_.data() + offset;
+  if (isShared(column)) {
+    shared_.take(column, draft);
+  } else {
+    storeWords(payloadOf(header) + offset / 8, draft, size);
+  }
+}
+
+void StateTable::loadColumn(unsigned column, RowHeader& header, std::byte* slot) const {
+  const auto [offset, size] = columns_[column];
+  if (isShared(column)) {
+    shared_.copy(column, slot);
+  } else {
+    loadWords(slot, payloadOf(header) + offset / 8, size);
+  }
+}
+
+StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
+  return *reinterpret_cast<RowHeader*>(rows_ + (sequence & rowMask_) * rowBytes_);
+}
+
+void StateTable::publish(Time stamp, const RowColumns& columns) {
+  const auto lock = shared_.lock();
+  const std::uint64_t sequence = newest_->load(std::memory_order_relaxed) + 1;
+  lastStamp_ = std::max(lastStamp_, stamp);
+  RowHeader& header = headerAt(sequence);
+  header.sequence.store(0, std::memory_order_relaxed);
+  header.stamp.store(static_cast<std::uint64_t>(toNanoseconds(lastStamp_)),
+                     std::memory_order_release);
+  header.valid.store(columns.valid, std::memory_order_release);
+  header.tooLarge.store(columns.tooLarge, std::memory_order_release);
+  header.invalid.store(columns.invalid, std::memory_order_release);
+  for (unsigned i = 0; i < columns_.size(); ++i) {
+    if (columns.hasValue(i)) storeColumn(i, header);
+  }
+  header.sequence.store(sequence, std::memory_order_release);
+  newest_->store(sequence, std::memory_order_release);
+}
+
+bool StateTable::askAll(ColumnSet columns) {
+  if ((columns & ~demand_->load(std::memory_order_relaxed)) == 0) return false;
+  return (columns & ~demand_->fetch_or(columns, std::memory_order_acq_rel)) != 0;
+}
+
+StateTable::Row StateTable::overwritten() {
+  Row row;
+  row.tooOld = true;
+  return row;
+}
+
+Errc StateTable::Row::missing(unsigned column) const {
+  if (hasValue(column)) return Errc{};
+  if (tooLarge >> column & 1) return Errc::TooLarge;
+  if (invalid >> column & 1) return Errc::Invalid;
+  return tooOld ? Errc::TooOld : Errc::NotYet;
+}
+
+// Runs `copy(header, row)` on row number `row.sequence` and tells whether the row stayed whole
+// meanwhile.
+template <class Copy>
+bool StateTable::tryRead(Row& row, const Copy& copy) const {
+  const std::uint64_t sequence = row.sequence;
+  RowHeader& header = headerAt(sequence);
+  if (header.sequence.load(std::memory_order_acquire) != sequence) return false;
+  row.stamp = possible(header.stamp.load(std::memory_order_acquire));
+  row.valid = header.valid.load(std::memory_order_acquire);
+  row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
+  row.invalid = header.invalid.load(std::memory_order_acquire);
+  if (shared_.which() != 0 && sequence != newest_->load(std::memory_order_relaxed)) {
+    row.tooOld = (row.valid & shared_.which()) != 0;
+    row.valid &= ~shared_.which();
+  }
+  copy(header, row);
+  return header.sequence.load(std::memory_order_relaxed) == sequence;
+}
+
+// A reader fails only if the writer went nearly a whole lap while it copied; each retry starts
+// afresh.
+constexpr int kAttempts = 100;
+
+template <class Copy>
+StateTable::Row StateTable::readNewest(const Copy& copy) const {
+  Row row;  // the only one: a copy of what has just been written costs as much as all the rest
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    row.tooOld = false;
+    row.sequence = rows();
+    if (row.sequence == 0 || tryRead(row, copy)) return row;
+  }
+  row = Row{};
+  return row;
+}
+
+// The oldest row that the ring holds whole. It lies in the slot that is written next, so the writer
+// may be about to overwrite it.
+std::uint64_t StateTable::oldest(std::uint64_t newest) const {
+  return newest > rowMask_ ? newest - rowMask_ : 1;
+}
+
+bool StateTable::stampOf(std::uint64_t sequence, Time& stamp) const {
+  Row row;
+  row.sequence = sequence;
+  const bool whole = tryRead(row, [](RowHeader&, const Row&) {});
+  stamp = row.stamp;
+  return whole;
+}
+
+// Halves the rows, since stamps ascend with the numbers and the oldest rows are overwritten first.
+StateTable::Row StateTable::findAt(Time at) const {
+  std::uint64_t last = rows();  // so that no number beyond it overflows
+  std::uint64_t first = oldest(last);
+  Row found;
+  found.tooOld = first > 1;
+  while (first <= last) {
+    const std::uint64_t middle = first + (last - first) / 2;
+    Time stamp;
+    const bool whole = stampOf(middle, stamp);
+    if (!whole) found.tooOld = true;
+    if (whole && stamp > at) {
+      last = middle - 1;
+    } else {
+      if (whole) found.sequence = middle;
+      first = middle + 1;
+    }
+  }
+  return found;
+}
+
+template <class Copy>
+StateTable::Row StateTable::readAt(Time at, const Copy& copy) const {
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    Row row = findAt(at);
+    if (row.sequence == 0) return row;
+    row.tooOld = false;
+    if (tryRead(row, copy)) return row;
+  }
+  return overwritten();
+}
+
+auto StateTable::copying(unsigned column, std::byte* slot) const {
+  return [this, column, slot](RowHeader& header, const Row& row) {
+    if (row.hasValue(column)) loadColumn(column, header, slot);
+  };
+}
+
+auto StateTable::copying(std::span<std::byte* const> slots) const {
+  return [this, slots](RowHeader& header, const Row& row) {
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+      if (slots[i] == nullptr || !row.hasValue(i)) continue;
+      loadColumn(static_cast<unsigned>(i), header, slots[i]);
+    }
+  };
+}
+
+StateTable::Row StateTable::readRow(std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
+  return readNewest(copying(slots));
+}
+
+StateTable::Row StateTable::readRowAt(Time at, std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
+  return readAt(at, copying(slots));
+}
+
+StateTable::Row StateTable::readRowNumber(std::uint64_t sequence,
+                                          std::span<std::byte* const> slots) const {
+  const auto lock = shared_.lock();
+  const std::uint64_t newest = newest_->load(std::memory_order_acquire);
+  Row row;
+  row.sequence = sequence;
+  if (sequence > newest) return Row{};
+  if (sequence >= oldest(newest) && tryRead(row, copying(slots))) return row;
+  return overwritten();
+}
+
+Result<Time> StateTable::read(unsigned column, std::byte* slot) const {
+  const auto lock = shared_.lock();
+  const Row row = readNewest(copying(column, slot));
+  if (row.hasValue(column)) return row.stamp;
+  return tl::unexpected(row.missing(column));
+}
+
+Result<Time> StateTable::readAt(Time at, unsigned column, std::byte* slot) const {
+  const auto lock = shared_.lock();
+  const Row row = readAt(at, copying(column, slot));
+  if (row.hasValue(column)) return row.stamp;
+  return tl::unexpected(row.missing(column));
+}
+
+}  // namespace suture::rt

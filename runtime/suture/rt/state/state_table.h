@@ -1,0 +1,145 @@
+#pragma once
+// The values a provider produces each cycle, readable by anyone at any time without a lock.
+
+#include <suture/base/errors.h>
+#include <suture/base/memory_block.h>
+#include <suture/base/time.h>
+#include <suture/rt/state/row_columns.h>
+#include <suture/rt/state/shared_columns.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace suture::rt {
+
+/// A ring of rows in a sealed memory block, prefaulted, so that another process can map it
+/// read-only. One writer thread; any number of readers, disturbed only if they are stopped for
+/// nearly a whole lap.
+///
+/// Every word is an atomic: correct under the C++ memory model, and on x86 plain moves.
+class StateTable {
+ public:
+  static constexpr unsigned kDefaultRows = 64;
+
+  /// A column for each read of the contract: `columnSizes[i]` is the size of the slot of read i. At
+  /// least `rows` rows: a power of two.
+  /// Columns in `shared` hold counted pointers (base/slots/shared_slot.h): of those only the newest
+  /// value is kept, and the table is used under a lock.
+  explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows,
+                      ColumnSet shared = 0);
+  /// For readers only: a table that another process writes, in memory() of it. What is asked of it
+  /// is put into `demand`, for somebody to ask there. Throws SetupError if the memory has no room
+  /// for `rows` rows.
+  StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows,
+             std::shared_ptr<MemoryBlock> memory, std::shared_ptr<std::atomic<ColumnSet>> demand);
+  ~StateTable();
+  StateTable(const StateTable&) = delete;
+  StateTable& operator=(const StateTable&) = delete;
+
+  /// Before the first row and the first reader: keeps at least `rows` rows instead.
+  void resize(unsigned rows);
+
+  // --- writer ---
+
+  /// Where to prepare column `column` of the next row. Private to the writer.
+  std::byte* draft(unsigned column);
+  /// Publishes the draft as a new row: the values of the valid columns, and of the others why they
+  /// have none. Stamps never go back: an earlier one counts as that of the row before.
+  void publish(Time stamp, const RowColumns& columns);
+  /// Columns that somebody has asked for. Never shrinks.
+  ColumnSet demand() const { return demand_->load(std::memory_order_acquire); }
+
+  // --- readers, any thread ---
+
+  /// Asks for a column to be produced from now on. True if this is the first time.
+  bool ask(unsigned column) { return askAll(ColumnSet{1} << column); }
+  /// The same of several, which are produced from one and the same row on. True if this is the
+  /// first time for one of them.
+  bool askAll(ColumnSet columns);
+  /// Copies a column of the newest row. The stamp is when the row was published.
+  Result<Time> read(unsigned column, std::byte* slot) const;
+  /// Copies a column as it was at `at`: of the last row stamped at or before it. NotYet if the
+  /// value had not been produced by then, TooOld if that row has been overwritten. Looks at as many
+  /// rows as the number of rows has bits.
+  Result<Time> readAt(Time at, unsigned column, std::byte* slot) const;
+  /// Copies the newest row into `slots` (one pointer a column, nullptr: not wanted) and tells its
+  /// columns.
+  struct Row : RowColumns {
+    std::uint64_t sequence = 0;  ///< 0: there is none
+    Time stamp{};
+    bool tooOld = false;  ///< there was one, and it has been overwritten
+
+    /// Why there is no value of `column`; 0 if there is one.
+    Errc missing(unsigned column) const;
+  };
+  Row readRow(std::span<std::byte* const> slots) const;
+  /// The same of the last row at or before `at`.
+  Row readRowAt(Time at, std::span<std::byte* const> slots) const;
+  /// The same of row number `sequence`, from 1.
+  Row readRowNumber(std::uint64_t sequence, std::span<std::byte* const> slots) const;
+  /// Number of rows published so far; at most kMostRows, whatever another process has written.
+  static constexpr std::uint64_t kMostRows = std::uint64_t{1} << 62;
+  std::uint64_t rows() const {
+    return std::min(newest_->load(std::memory_order_acquire), kMostRows);
+  }
+  /// How many rows it keeps, of which the oldest may be under the writer's pen.
+  std::uint64_t capacity() const { return rowMask_ + 1; }
+
+  std::size_t rowBytes() const { return rowBytes_; }
+  std::size_t columns() const { return columns_.size(); }
+  std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
+  /// True if a copy of the column has to be released.
+  bool isShared(unsigned column) const { return shared_.contains(column); }
+  /// Where the rows lie, for other processes to read. Not if a column is shared.
+  const std::shared_ptr<MemoryBlock>& memory() const { return memory_; }
+  /// How much memory a table takes up.
+  static std::size_t bytesFor(std::span<const std::uint32_t> columnSizes, unsigned rows);
+
+ private:
+  using Word = std::atomic<std::uint64_t>;
+  struct Column {
+    std::uint32_t offset, size;
+  };
+  struct RowHeader {
+    Word sequence;  // of the complete row that lies here; 0 while it is written
+    Word stamp, valid, tooLarge, invalid;
+  };
+
+  static std::size_t bytesOfRow(std::span<const std::uint32_t> columnSizes);
+  void addColumns(std::span<const std::uint32_t> sizes);
+  void layOut(std::shared_ptr<MemoryBlock> memory);
+  void storeColumn(unsigned column, RowHeader& header);
+  void loadColumn(unsigned column, RowHeader& header, std::byte* slot) const;
+  RowHeader& headerAt(std::uint64_t sequence) const;
+  Word* payloadOf(RowHeader& header) const { return reinterpret_cast<Word*>(&header + 1); }
+  static Row overwritten();
+  std::uint64_t oldest(std::uint64_t newest) const;
+  bool stampOf(std::uint64_t sequence, Time& stamp) const;
+  Row findAt(Time at) const;
+  template <class Copy>
+  bool tryRead(Row& row, const Copy& copy) const;
+  template <class Copy>
+  Row readNewest(const Copy& copy) const;
+  template <class Copy>
+  Row readAt(Time at, const Copy& copy) const;
+  auto copying(unsigned column, std::byte* slot) const;
+  auto copying(std::span<std::byte* const> slots) const;
+
+  std::vector<Column> columns_;
+  std::size_t rowBytes_;
+  std::size_t rowMask_ = 0;
+  std::vector<std::byte> draft_;
+  SharedColumns shared_;
+  std::shared_ptr<MemoryBlock> memory_;
+  Word* newest_ = nullptr;     // at the beginning of memory_
+  std::byte* rows_ = nullptr;  // behind it
+  Time lastStamp_{};           // the writer's
+  std::shared_ptr<std::atomic<ColumnSet>> demand_;
+};
+
+}  // namespace suture::rt

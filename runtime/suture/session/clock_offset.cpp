@@ -1,0 +1,40 @@
+#include <suture/session/clock_offset.h>
+#include <suture/wire/stamps.h>
+
+#include <algorithm>
+
+namespace suture {
+
+namespace {
+
+// Two clocks of quartz drift apart, each off by up to 50 us in a second.
+constexpr int kMicrosecondsOfDrift = 100;
+
+}  // namespace
+
+Duration ClockOffset::error(Time present) const {
+  if (one_ || error_ == Duration::max()) return error_;
+  return error_ + (present - compared_) * kMicrosecondsOfDrift / 1'000'000;
+}
+
+// True if a clock was stepped, or slewed faster than quartz drifts.
+bool ClockOffset::contradicts(Duration offset, Duration errors) const {
+  return std::max(offset - offset_, offset_ - offset) > errors;
+}
+
+bool ClockOffset::add(Time asked, std::int64_t received, std::int64_t sent, Time answered) {
+  const Duration there(rpc::bounded(received) / 2 + rpc::bounded(sent) / 2);
+  const Duration here = asked.time_since_epoch() / 2 + answered.time_since_epoch() / 2;
+  const Duration whole = answered - asked, answering(rpc::bounded(sent) - rpc::bounded(received));
+  // Do not believe a peer that says answering took longer than everything, or less than no time.
+  const bool possible = answering >= Duration{0} && answering <= whole;
+  const Duration underWay = possible ? whole - answering : whole;
+  const Duration offset = there - here, known = error(answered), found = underWay / 2;
+  if (found >= known && !contradicts(offset, known + found)) return false;
+  offset_ = offset;
+  error_ = found;
+  compared_ = answered;
+  return true;
+}
+
+}  // namespace suture

@@ -1,0 +1,247 @@
+#include <suture/base/errors.h>
+#include <suture/lane/frame/frame_links.h>
+#include <suture/lane/frame/lane_thread.h>
+#include <suture/loop/deadline.h>
+#include <suture/names/describe.h>
+#include <suture/names/manager_link.h>
+#include <suture/names/peer_address.h>
+#include <suture/session/network.h>
+#include <suture/session/peer_host.h>
+#include <suture/session/remote_connection.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <mutex>
+#include <random>
+
+namespace suture {
+namespace {
+
+/// Runs `work` on the control thread, and throws its failure as a SetupError.
+template <class Work>
+auto run(rpc::ControlThread& control, Duration deadline, Work work) {
+  try {
+    return control.run(deadline, std::move(work));
+  } catch (const rpc::ControlFailure& failure) {
+    throw SetupError(failure.what());
+  }
+}
+
+constexpr Duration kLocalWork = std::chrono::seconds(10);
+
+std::string hostName() {
+  char name[256] = "";
+  gethostname(name, sizeof(name) - 1);
+  return name;
+}
+
+/// Tells this start of the process from all others; never 0.
+std::uint64_t newIncarnation() {
+  std::random_device device;
+  return std::max<std::uint64_t>(std::uint64_t{device()} << 32 | device(), 1);
+}
+
+}  // namespace
+
+class Network::Impl {
+ public:
+  Impl(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
+       TaskOf taskOf, Duration patience, const Security& security)
+      : directory_(directory), managers_(rpc::parseAddresses(managerAddress)), security_(security) {
+    rpc::requireKeys(managers_.front(), security_.trust());
+    try {
+      run(control_, patience + kLocalWork,
+          [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf), patience]() mutable {
+            return join(std::move(serverOf), std::move(taskOf), patience);
+          });
+    } catch (const SetupError&) {
+      leave();
+      throw;
+    }
+  }
+
+  ~Impl() { leave(); }
+
+  // The thread of frame links begins in the control thread, with the first of them, and inherits
+  // how that is scheduled.
+  void schedule(const rt::Scheduling& scheduling) {
+    run(control_, kLocalWork, [scheduling] { rt::schedule("the network", scheduling); });
+  }
+
+  void publish() {
+    run(control_, kLocalWork, [this, components = describeComponents(directory_)] {
+      link_->update(components);
+      host_->publish();
+    });
+  }
+
+  void connect(RequiredBase& required, Endpoint from, Endpoint to, Lane lane, Duration patience,
+               const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch) {
+    const std::string name = from.toString();
+    if (from.process.empty()) from.process = directory_.process();
+    if (to.process.empty()) to.process = directory_.process();
+    run(control_, patience + kLocalWork, [=, this, &required] {
+      const RemoteConnection::Told told{.made =
+                                            [this, name](std::shared_ptr<Channel> channel) {
+                                              std::lock_guard lock(mutex_);
+                                              connected_[name] = std::move(channel);
+                                            },
+                                        .lost =
+                                            [this](const std::string& channel, std::string why) {
+                                              std::lock_guard lock(mutex_);
+                                              whyLost_[channel] = std::move(why);
+                                            }};
+      auto& connection = connections_[name];
+      connection = std::make_unique<RemoteConnection>(
+          control_, links_, *link_, required, from, to, lane, told, interposer, watch, incarnation_,
+          ledgerOf(from.toString() + " -> " + to.toString()));
+      // Forget what could not be connected: it may be gone before this is.
+      return connection->open(patience)
+          .exclusiveJoin(untilGivenUp())
+          .catch_([this, name](kj::Exception&& failure) {
+            connections_.erase(name);
+            kj::throwFatalException(kj::mv(failure));
+          });
+    });
+  }
+
+  void giveUp() {
+    control_.post([this] {
+      if (giveUp_.get() != nullptr) giveUp_->fulfill();
+    });
+  }
+
+  void disconnect(const std::string& required) {
+    run(control_, kLocalWork, [this, &required] {
+      connections_.at(required)->end();
+      connections_.erase(required);
+      const std::lock_guard lock(mutex_);
+      connected_.erase(required);
+    });
+  }
+
+  std::string missingManager() const { return link_->missing(); }
+
+  std::map<std::string, std::shared_ptr<Channel>> connected() const {
+    std::lock_guard lock(mutex_);
+    return connected_;
+  }
+
+  std::map<std::string, std::string> whyLost() const {
+    std::lock_guard lock(mutex_);
+    return whyLost_;
+  }
+
+  /// Ends what lives on the control thread, in that thread.
+  void leave() {
+    control_.run(kLocalWork, [this] {
+      connections_.clear();
+      host_.reset();
+      link_.reset();
+      givenUp_ = nullptr;
+      giveUp_ = nullptr;
+    });
+    frames_.stop();
+  }
+
+  std::uint64_t incarnation() const { return incarnation_; }
+
+  rpc::Refusals::Summary refusals() const {
+    return host_ == nullptr ? rpc::Refusals::Summary{} : host_->refusals();
+  }
+
+  std::vector<std::shared_ptr<Channel>> served() const {
+    return host_ == nullptr ? std::vector<std::shared_ptr<Channel>>{} : host_->served();
+  }
+
+ private:
+  kj::Promise<void> join(ServerOf serverOf, TaskOf taskOf, Duration patience) {
+    auto givenUp = kj::newPromiseAndFulfiller<void>();
+    givenUp_ = givenUp.promise.fork();
+    giveUp_ = kj::mv(givenUp.fulfiller);
+    link_ =
+        std::make_unique<ManagerLink>(control_, managers_, directory_.process(), security_.trust());
+    return link_->open(patience).then(
+        [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
+          host_ = std::make_unique<PeerHost>(
+              control_, frames_, directory_, std::move(serverOf), std::move(taskOf),
+              peerAddress(*link_, directory_.process()), security_, incarnation_);
+          return link_->enrol({.name = directory_.process(),
+                               .addresses = {host_->address().text()},
+                               .pid = getpid(),
+                               .host = hostName(),
+                               .components = {},
+                               .generation = 0});
+        });
+  }
+
+  // A connection that is taken down and made again keeps its ledger.
+  std::shared_ptr<Ledger> ledgerOf(const std::string& connection) {
+    std::shared_ptr<Ledger>& ledger = ledgers_[connection];
+    if (ledger == nullptr) ledger = std::make_shared<Ledger>(ConnectionEnd::Client);
+    return ledger;
+  }
+
+  kj::Promise<void> untilGivenUp() {
+    return givenUp_.addBranch().then([]() -> kj::Promise<void> {
+      return rpc::failure(kj::Exception::Type::FAILED,
+                          "this process has been told to end while it waited. Start it again.");
+    });
+  }
+
+  const Directory& directory_;
+  const std::vector<rpc::Address> managers_;  // of one kind
+  const Security security_;
+  const std::uint64_t incarnation_ = newIncarnation();
+  rpc::ControlThread control_;
+  frame::LaneThread frames_;
+  FrameLinks links_{frames_};
+  std::unique_ptr<ManagerLink> link_;
+  std::unique_ptr<PeerHost> host_;
+  kj::ForkedPromise<void> givenUp_{nullptr};
+  kj::Own<kj::PromiseFulfiller<void>> giveUp_;
+  std::map<std::string, std::shared_ptr<Ledger>> ledgers_;                // by name
+  std::map<std::string, std::unique_ptr<RemoteConnection>> connections_;  // by required interface
+  mutable std::mutex mutex_;  // never taken by a task thread
+  std::map<std::string, std::shared_ptr<Channel>> connected_;
+  std::map<std::string, std::string> whyLost_;
+};
+
+Network::Network(const Directory& directory, const std::string& managerAddress, ServerOf serverOf,
+                 TaskOf taskOf, Duration patience, const Security& security)
+    : impl_(std::make_unique<Impl>(directory, managerAddress, std::move(serverOf),
+                                   std::move(taskOf), patience, security)) {}
+
+Network::~Network() = default;
+
+void Network::leave() { impl_->leave(); }
+
+void Network::schedule(const rt::Scheduling& scheduling) { impl_->schedule(scheduling); }
+
+void Network::publish() { impl_->publish(); }
+
+void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Lane lane,
+                      Duration patience, const Interposer& interposer,
+                      std::shared_ptr<ConnectionWatch> watch) {
+  impl_->connect(required, from, to, lane, patience, interposer, std::move(watch));
+}
+
+void Network::disconnect(const std::string& required) { impl_->disconnect(required); }
+
+void Network::giveUp() { impl_->giveUp(); }
+
+std::string Network::missingManager() const { return impl_->missingManager(); }
+
+std::map<std::string, std::shared_ptr<Channel>> Network::connected() const {
+  return impl_->connected();
+}
+
+std::map<std::string, std::string> Network::whyLost() const { return impl_->whyLost(); }
+
+std::uint64_t Network::incarnation() const { return impl_->incarnation(); }
+
+rpc::Refusals::Summary Network::refusals() const { return impl_->refusals(); }
+
+std::vector<std::shared_ptr<Channel>> Network::served() const { return impl_->served(); }
+
+}  // namespace suture

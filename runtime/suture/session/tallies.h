@@ -1,0 +1,15 @@
+#pragma once
+// What two processes tell each other of the commands of a connection, as messages.
+
+#include <suture/component/channel/ledger.h>
+#include <suture/peer.capnp.h>
+
+namespace suture {
+
+void toWire(const Tally& tally, wire::Tally::Builder out);
+Tally fromWire(wire::Tally::Reader in);
+
+void toWire(const Earlier& earlier, wire::Earlier::Builder out);
+Earlier fromWire(wire::Earlier::Reader in);
+
+}  // namespace suture

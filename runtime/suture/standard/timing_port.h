@@ -1,0 +1,33 @@
+#pragma once
+// Offers a task's timing as a provided interface.
+
+#include <suture/component/task/task.h>
+#include <suture/standard/task_timing.suture.h>
+
+#include <atomic>
+#include <string_view>
+
+namespace suture {
+
+/// A member of a task; its reads are evaluated in the task's thread, and only once somebody has
+/// asked.
+///   suture::TimingPort timing_{*this};          others connect to "PSM/Timing"
+class TimingPort final : private TaskTiming {
+ public:
+  explicit TimingPort(Task& task, std::string_view name = "Timing")
+      : task_(task), port_(task, name, *this) {}
+
+ private:
+  TaskWindow window() const override { return task_.statistics().windows.last(); }
+  std::uint64_t cycles() const override {
+    return task_.statistics().cycles.load(std::memory_order_relaxed);
+  }
+  std::uint64_t skipped() const override {
+    return task_.statistics().skipped.load(std::memory_order_relaxed);
+  }
+
+  Task& task_;
+  Provided<TaskTiming> port_;
+};
+
+}  // namespace suture

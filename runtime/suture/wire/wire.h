@@ -1,0 +1,221 @@
+#pragma once
+// Between slots and Cap'n Proto, for what every contract is made of. Generated converters are built
+// on these overloads; all run on the control thread.
+//
+//   toWire(slot, builder)     slot -> message; the builder has the slot's size already
+//   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what
+//                             the header says
+//   isValid(slot, path)       may the provider act on it: every number is finite. `path`, unless it
+//                             is null, is told where the first is that is not
+//
+// What an older sender does not know reads as nothing: as zero, as empty, as the identity of a
+// rotation, as a struct of which no member was sent. Where the header says otherwise, generated
+// code calls fromDefault().
+
+#include <suture/loop/kj_comparisons.h>  // first
+
+#include <capnp/blob.h>
+#include <suture/base/errors.h>
+#include <suture/base/field_path.h>
+#include <suture/base/slots/slots.h>
+#include <suture/base/time.h>
+#include <suture/rpc.capnp.h>
+#include <suture/rt/queue/mailbox.h>
+#include <suture/wire/eigen_wire.h>
+#include <suture/wire/stamps.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <initializer_list>
+#include <string_view>
+
+namespace suture::rpc {
+
+/// The first that is an error; 0 if none is.
+inline Errc firstError(std::initializer_list<Errc> errors) {
+  for (const Errc error : errors) {
+    if (error != Errc{}) return error;
+  }
+  return Errc{};
+}
+
+/// Stores a member that was not sent: `value` is what its struct's constructor gives it.
+template <class Value, class Slot>
+Errc fromDefault(const Value& value, Slot& slot) {
+  return store(value, slot) ? Errc{} : Errc::TooLarge;
+}
+
+/// Fills in what travels with every command.
+inline void fill(wire::Sent::Builder sent, const rt::CommandRecord& record) {
+  sent.setStamp(toNanoseconds(record.stamp));
+  sent.setAnswer(record.call != 0);
+}
+
+// --- text
+
+template <std::uint32_t N>
+void toWire(const BoundedText<N>& slot, capnp::Text::Builder out) {
+  std::copy_n(elements(slot), out.size(), out.begin());
+}
+template <std::uint32_t N>
+Errc fromWire(capnp::Text::Reader in, BoundedText<N>& slot) {
+  if (!resize(slot, in.size())) return Errc::TooLarge;
+  std::copy_n(in.begin(), in.size(), elements(slot));
+  return Errc{};
+}
+
+// --- lists: of numbers, of text, and of anything else with a converter for an element
+
+template <class Element, std::uint32_t N, class List, class Convert>
+void toWireList(const BoundedList<Element, N>& slot, List out, const Convert& convert) {
+  for (std::uint32_t i = 0; i < out.size(); ++i) convert(slot.data[i], out, i);
+}
+template <class List, class Element, std::uint32_t N, class Convert>
+Errc fromWireList(const List& in, BoundedList<Element, N>& slot, const Convert& convert) {
+  if (!resize(slot, in.size())) return Errc::TooLarge;
+  for (std::uint32_t i = 0; i < slot.size; ++i) {
+    if (const Errc error = convert(in[i], slot.data[i]); error != Errc{}) return error;
+  }
+  return Errc{};
+}
+
+template <Number Element, std::uint32_t N, class List>
+void toWire(const BoundedList<Element, N>& slot, List out) {
+  for (std::uint32_t i = 0; i < out.size(); ++i) out.set(i, slot.data[i]);
+}
+template <class List, Number Element, std::uint32_t N>
+Errc fromWire(const List& in, BoundedList<Element, N>& slot) {
+  if (!resize(slot, in.size())) return Errc::TooLarge;
+  for (std::uint32_t i = 0; i < slot.size; ++i) slot.data[i] = in[i];
+  return Errc{};
+}
+
+// Bytes are Data, and so is what a header calls bulk(): its numbers, little-endian.
+static_assert(std::endian::native == std::endian::little);
+
+template <Number Element, std::uint32_t N>
+void toWire(const BoundedList<Element, N>& slot, capnp::Data::Builder out) {
+  std::copy_n(reinterpret_cast<const kj::byte*>(elements(slot)), out.size(), out.begin());
+}
+template <Number Element, std::uint32_t N>
+Errc fromWire(capnp::Data::Reader in, BoundedList<Element, N>& slot) {
+  if (in.size() % sizeof(Element) != 0) return Errc::Invalid;
+  if (!resize(slot, in.size() / sizeof(Element))) return Errc::TooLarge;
+  std::copy_n(in.begin(), in.size(), reinterpret_cast<kj::byte*>(elements(slot)));
+  return Errc{};
+}
+
+template <std::uint32_t M, std::uint32_t N, class List>
+void toWire(const BoundedList<BoundedText<M>, N>& slot, List out) {
+  for (std::uint32_t i = 0; i < out.size(); ++i)
+    toWire(slot.data[i], out.init(i, slot.data[i].size));
+}
+template <class List, std::uint32_t M, std::uint32_t N>
+Errc fromWire(const List& in, BoundedList<BoundedText<M>, N>& slot) {
+  return fromWireList(in, slot, [](capnp::Text::Reader element, BoundedText<M>& text) {
+    return fromWire(element, text);
+  });
+}
+
+// --- arrays: lists of exactly their length, or empty ones where they were not sent. Eigen matrices
+// without a named form are such arrays, column-major.
+
+template <Number Element, std::size_t N, class List>
+void toWire(const std::array<Element, N>& slot, List out) {
+  for (std::uint32_t i = 0; i < N; ++i) out.set(i, slot[i]);
+}
+template <class List, Number Element, std::size_t N>
+Errc fromWire(const List& in, std::array<Element, N>& slot) {
+  if (in.size() == 0) return slot.fill(Element{}), Errc{};
+  if (in.size() != N) return Errc::Invalid;
+  for (std::uint32_t i = 0; i < N; ++i) slot[i] = in[i];
+  return Errc{};
+}
+
+template <Number Element, std::size_t N>
+void toWire(const std::array<Element, N>& slot, capnp::Data::Builder out) {
+  std::memcpy(out.begin(), slot.data(), out.size());
+}
+template <Number Element, std::size_t N>
+Errc fromWire(capnp::Data::Reader in, std::array<Element, N>& slot) {
+  if (in.size() == 0) return slot.fill(Element{}), Errc{};
+  if (in.size() != sizeof(slot)) return Errc::Invalid;
+  std::memcpy(slot.data(), in.begin(), in.size());
+  return Errc{};
+}
+
+template <class Element, std::size_t N, class List, class Convert>
+void toWireList(const std::array<Element, N>& slot, List out, const Convert& convert) {
+  for (std::uint32_t i = 0; i < N; ++i) convert(slot[i], out, i);
+}
+template <class List, class Element, std::size_t N, class Convert>
+Errc fromWireList(const List& in, std::array<Element, N>& slot, const Convert& convert) {
+  const bool sent = in.size() != 0;
+  if (sent && in.size() != N) return Errc::Invalid;
+  for (std::uint32_t i = 0; i < N; ++i) {
+    const auto item = sent ? in[i] : decltype(in[i])();
+    if (const Errc error = convert(item, slot[i]); error != Errc{}) return error;
+  }
+  return Errc{};
+}
+
+// --- validity
+
+template <Number T>
+bool isValid(T value, FieldPath* = nullptr) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return std::isfinite(value);
+  } else {
+    return true;
+  }
+}
+template <Number T>
+bool inRange(T value, double lowest, double highest) {
+  return static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest;
+}
+
+/// How a path tells an element of a sequence from the others: by its place, or its key.
+template <class T>
+void enterElement(FieldPath& path, const T&, std::size_t index) {
+  path.enterElement(index);
+}
+template <Number Key, class Value>
+void enterElement(FieldPath& path, const SlotEntry<Key, Value>& entry, std::size_t) {
+  path.enterKey(static_cast<std::int64_t>(entry.key));
+}
+template <std::uint32_t N, class Value>
+void enterElement(FieldPath& path, const SlotEntry<BoundedText<N>, Value>& entry, std::size_t) {
+  path.enterKey(std::string_view(elements(entry.key), sizeOf(entry.key)));
+}
+
+template <class T, class Check>
+bool allOf(const T* begin, std::size_t count, FieldPath* path, const Check& check) {
+  const T* const refused = std::find_if_not(begin, begin + count, check);
+  if (refused == begin + count) return true;
+  if (path != nullptr) enterElement(*path, *refused, static_cast<std::size_t>(refused - begin));
+  return false;
+}
+/// Checks each element by `check(element)`; false for a list of more than it has room for. `path`
+/// is told which element is refused; it is null for a type in which C++ does not count so.
+template <class T, std::size_t N, class Check>
+bool allOf(const std::array<T, N>& slot, FieldPath* path, const Check& check) {
+  return allOf(slot.data(), N, path, check);
+}
+template <class T, std::uint32_t N, class Check>
+bool allOf(const BoundedList<T, N>& slot, FieldPath* path, const Check& check) {
+  return sizeOf(slot) == slot.size && allOf(elements(slot), slot.size, path, check);
+}
+template <Number T, std::size_t N>
+bool isValid(const std::array<T, N>& slot, FieldPath* path = nullptr) {
+  return allOf(slot, path, [](T value) { return isValid(value); });
+}
+template <Number T, std::uint32_t N>
+bool isValid(const BoundedList<T, N>& slot, FieldPath* path = nullptr) {
+  return allOf(slot, path, [](T value) { return isValid(value); });
+}
+
+}  // namespace suture::rpc
+
+#include <suture/wire/composite_wire.h>

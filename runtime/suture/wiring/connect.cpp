@@ -1,0 +1,138 @@
+#include <suture/component/channel/channel.h>
+#include <suture/wiring/compatibility.h>
+#include <suture/wiring/connect.h>
+#include <suture/wiring/differences.h>
+#include <suture/wiring/frames.h>
+#include <suture/wiring/optional_commands.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace suture {
+
+namespace {
+
+using Lacking = std::optional<std::vector<std::uint16_t>>;
+
+/// The provided contract or the first of its bases of which `lackingOf(one)` says anything.
+template <class LackingOf>
+std::optional<Match> firstMatch(const InterfaceInfo& provided, const LackingOf& lackingOf) {
+  for (const InterfaceInfo* one = &provided;; one = &one->base()) {
+    if (Lacking lacking = lackingOf(*one)) return Match{one, std::move(*lacking)};
+    if (one->base == nullptr) return std::nullopt;
+  }
+}
+
+Lacking lackingOfSame(const InterfaceInfo& required, const InterfaceInfo& provided) {
+  if (std::string_view(required.hash) == provided.hash) return Lacking(std::in_place);
+  return lackingOptional(required.description, provided.description);
+}
+
+Lacking lackingOfCompatible(const InterfaceInfo& required, const InterfaceInfo& provided) {
+  Compatibility found = compatibility(required.description, provided.description);
+  return found.breaks.empty() ? Lacking(std::move(found.lacking)) : std::nullopt;
+}
+
+/// The first few, a line each: two unrelated contracts differ in more than a hundred places.
+std::string textOf(const std::vector<std::string>& reasons) {
+  constexpr std::size_t kShown = 3;
+  std::string text = reasons.empty() ? "" : ":";
+  for (std::size_t i = 0; i < std::min(kShown, reasons.size()); ++i) text += "\n    " + reasons[i];
+  if (reasons.size() <= kShown) return text;
+  return text + "\n    and " + std::to_string(reasons.size() - kShown) + " more: see `suture why`";
+}
+
+[[noreturn]] void refuse(const InterfaceInfo& required, const InterfaceInfo& provided,
+                         const std::string& connection, const std::vector<std::string>& reasons) {
+  const std::string remedy = std::string_view(required.name) == provided.name
+                                 ? "Build both sides from the same header"
+                                 : "Connect interfaces of the same contract";
+  throw SetupError("connecting " + connection,
+                   "it requires " + std::string(required.name) + " and is offered " + provided.name,
+                   remedy + textOf(reasons));
+}
+
+}  // namespace
+
+InterfaceInfo describedInfo(const std::string& name, const std::string& hash,
+                            const std::string& description) {
+  return {.name = name.c_str(),
+          .hash = hash.c_str(),
+          .description = description.c_str(),
+          .commands = {},
+          .events = {},
+          .binding = nullptr};
+}
+
+Match requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                          const std::string& connection) {
+  auto match =
+      firstMatch(provided, [&](const InterfaceInfo& one) { return lackingOfSame(required, one); });
+  if (match) return std::move(*match);
+  refuse(required, provided, connection, differences(required.description, provided.description));
+}
+
+Match requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
+                                const std::string& connection) {
+  auto match = firstMatch(provided, [&](const InterfaceInfo& one) {
+    Lacking same = lackingOfSame(required, one);
+    return same ? same : lackingOfCompatible(required, one);
+  });
+  if (match) return std::move(*match);
+  refuse(required, provided, connection, contractDifferences(required, provided));
+}
+
+std::vector<std::string> contractDifferences(const InterfaceInfo& required,
+                                             const InterfaceInfo& provided) {
+  Compatibility found = compatibility(required.description, provided.description);
+  const bool same = std::string_view(required.name) == provided.name;
+  return same && found.comparable ? std::move(found.breaks)
+                                  : differences(required.description, provided.description);
+}
+
+namespace {
+
+std::shared_ptr<Channel> makeChannel(const RequiredBase& required, ProvidedBase& provided,
+                                     const std::string& connection, Channel::Ends ends,
+                                     std::shared_ptr<rt::Doorbell> clientsBell) {
+  Match match = requireSameContract(required.info(), provided.info(), connection);
+  requireSameFrames(required.frames(), provided.frames(), connection);
+  auto channel = std::make_shared<Channel>(required.info(), connection, "local", ends,
+                                           provided.state(), required.subscribed());
+  channel->lacking = std::move(match.lacking);
+  channel->clientsBell = std::move(clientsBell);
+  provided.attach(channel);
+  return channel;
+}
+
+}  // namespace
+
+std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
+                                      const std::string& connection,
+                                      std::shared_ptr<rt::Doorbell> client,
+                                      rt::Doorbell& provider) {
+  const Channel::Ends ends{.client = client.get(), .provider = &provider};
+  return makeChannel(required, provided, connection, ends, std::move(client));
+}
+
+std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
+                                        const std::string& connection,
+                                        std::shared_ptr<ConnectionWatch> watch) {
+  Component& provider = provided.owner();
+  auto channel = makeChannel(required, provided, connection,
+                             {.client = &required.owner().doorbell(),
+                              .provider = &provider.doorbell(),
+                              .device = provider.ownsThread() ? nullptr : &provided,
+                              .here = &provided},
+                             required.owner().sharedDoorbell());
+  channel->watch = std::move(watch);
+  channel->providersBell = provider.sharedDoorbell();
+  required.attach(channel);
+  return channel;
+}
+
+}  // namespace suture

@@ -1,0 +1,36 @@
+#pragma once
+// What the report of a process says of its connections, as a history has it.
+
+#include <suture/manager/manager.h>
+#include <suture/observe/observe.h>
+
+#include <map>
+#include <string>
+
+#include "fault/history/history.h"
+
+namespace suture {
+
+inline HistorySums sumsOf(const ConnectionReport& report, std::uint64_t process) {
+  const std::uint64_t executed = report.executed + report.failed;
+  return {.accepted = report.sent,
+          .executed = executed,
+          .others = report.commands() - executed,
+          .lost = report.lost,
+          .unknown = report.unknown,
+          .underWay = report.underWay,
+          .heard = report.heard.commands(),
+          .process = process,
+          .other = report.otherIncarnation};
+}
+
+/// By the connection's name.
+inline std::map<std::string, HistorySums> sumsOf(const Manager& manager) {
+  std::map<std::string, HistorySums> sums;
+  for (const ConnectionReport& one : observe(manager, {}).connections) {
+    sums[one.name] = sumsOf(one, manager.incarnation());
+  }
+  return sums;
+}
+
+}  // namespace suture

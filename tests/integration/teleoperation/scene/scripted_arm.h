@@ -1,0 +1,164 @@
+#pragma once
+// An arm that is always ready, stands where the test puts it and keeps the goals that it gets.
+
+#include <suture/component/provided.h>
+#include <suture/component/task/periodic_task.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "arm/arm.suture.h"
+#include "arm/arm_warning.h"
+#include "integration/teleoperation/scene/still_arm.h"
+
+namespace robots::test {
+
+/// Its public methods are any thread's, those of the contract its own.
+class ScriptedArm final : public suture::PeriodicTask, public StillArm {
+ public:
+  ScriptedArm() : PeriodicTask({.period = std::chrono::milliseconds(1)}) {
+    port_.keepState({.manual = true});
+  }
+  ~ScriptedArm() override { stop(); }
+
+  /// Measures and holds this pose from now on.
+  void place(const Eigen::Isometry3d& pose) {
+    const std::lock_guard lock(mutex_);
+    pose_ = pose;
+  }
+  Eigen::Isometry3d pose() const {
+    const std::lock_guard lock(mutex_);
+    return pose_;
+  }
+  /// Says so, whatever the reason.
+  void warn(ArmWarning reason) {
+    const std::lock_guard lock(mutex_);
+    said_ = reason;
+  }
+  /// While it is silent it works, but publishes no row.
+  void beSilent(bool silent) {
+    const std::lock_guard lock(mutex_);
+    silent_ = silent;
+  }
+  /// While its encoders are stuck it publishes rows, with the pose of before.
+  void beStuck(bool stuck) {
+    const std::lock_guard lock(mutex_);
+    stuck_ = stuck;
+  }
+  /// Refuses goals that lie farther from where it is, m.
+  void refuseStepsBeyond(double distance) {
+    const std::lock_guard lock(mutex_);
+    longestStep_ = distance;
+  }
+  /// Slides along a limit: its z stays above, m, whatever goal it takes.
+  void stayAbove(double z) {
+    const std::lock_guard lock(mutex_);
+    lowest_ = z;
+  }
+  /// Does not move by itself: it ignores move_cp.
+  void refuseMoves(bool refuse) {
+    const std::lock_guard lock(mutex_);
+    refusesMoves_ = refuse;
+  }
+  /// From its next cycle on it says that it is disabled; it obeys goals all the same.
+  void sayDisabled(bool disabled) {
+    const std::lock_guard lock(mutex_);
+    saysDisabled_ = disabled;
+  }
+  /// How often it was told to move by itself, and to hold.
+  std::size_t moves() const {
+    const std::lock_guard lock(mutex_);
+    return moves_;
+  }
+  std::size_t holds() const {
+    const std::lock_guard lock(mutex_);
+    return holds_;
+  }
+  /// Those of servo_cp that it has obeyed.
+  std::vector<PoseStamped> goals() const {
+    const std::lock_guard lock(mutex_);
+    return goals_;
+  }
+  void forgetGoals() {
+    const std::lock_guard lock(mutex_);
+    goals_.clear();
+  }
+
+  void servo_cp(const PoseStamped& goal) override {
+    const std::lock_guard lock(mutex_);
+    if ((goal.pose.translation() - pose_.translation()).norm() > longestStep_) {
+      suture::Message refusal;
+      refusal.code = static_cast<std::uint32_t>(ArmWarning::StepTooFar);
+      port_.emit().warning(refusal);
+      return;
+    }
+    goals_.push_back(goal);
+    pose_ = goal.pose;
+    pose_.translation().z() = std::max(pose_.translation().z(), lowest_);
+  }
+  /// It is there in no time.
+  void move_cp(const PoseStamped& goal) override {
+    const std::lock_guard lock(mutex_);
+    ++moves_;
+    if (!refusesMoves_) pose_ = goal.pose;
+  }
+  void hold() override {
+    const std::lock_guard lock(mutex_);
+    ++holds_;
+  }
+  PoseStamped measured_cp() const override { return {pose(), stamp_, true}; }
+  PoseStamped setpoint_cp() const override { return {pose(), stamp_, true}; }
+  const OperatingState& operating_state() const override { return state_; }
+
+ private:
+  void onStart() override {
+    state_.is_homed = true;
+    tellState(ArmState::Enabled);
+  }
+  void run() override {
+    tellWarning();
+    const ArmState state = saysDisabled() ? ArmState::Disabled : ArmState::Enabled;
+    if (state != state_.state) tellState(state);
+    if (!isSilent()) port_.advance();
+  }
+  void tellWarning() {
+    const std::lock_guard lock(mutex_);
+    if (!said_) return;
+    suture::Message message;
+    message.code = static_cast<std::uint32_t>(*said_);
+    port_.emit().warning(message);
+    said_.reset();
+  }
+  void tellState(ArmState state) {
+    state_.state = state;
+    port_.emit().operating_state(state_);
+  }
+  bool saysDisabled() const {
+    const std::lock_guard lock(mutex_);
+    return saysDisabled_;
+  }
+  bool isSilent() {
+    const std::lock_guard lock(mutex_);
+    if (!stuck_) stamp_ = suture::now();
+    return silent_;
+  }
+
+  mutable std::mutex mutex_;
+  Eigen::Isometry3d pose_ = Eigen::Isometry3d::Identity();
+  std::vector<PoseStamped> goals_;
+  double longestStep_ = std::numeric_limits<double>::infinity();
+  double lowest_ = -std::numeric_limits<double>::infinity();
+  std::size_t moves_ = 0, holds_ = 0;
+  std::optional<ArmWarning> said_;
+  bool silent_ = false, stuck_ = false, refusesMoves_ = false, saysDisabled_ = false;
+  suture::Time stamp_;
+  OperatingState state_;
+  suture::Provided<Arm> port_{*this, "Arm", *this};
+};
+
+}  // namespace robots::test

@@ -1,0 +1,206 @@
+// Tasks that do not simply own a thread with a clock: continuous, from a callback, in a borrowed
+// thread.
+
+#include <gtest/gtest.h>
+#include <suture/component/task/callback_task.h>
+#include <suture/component/task/continuous_task.h>
+#include <suture/component/task/event_task.h>
+#include <suture/component/task/guest_task.h>
+#include <suture/component/task/periodic_task.h>
+#include <suture/wiring/connect.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "reference/arm_like.suture.h"
+#include "reference/simulated_arm.h"
+#include "support/eventually.h"
+#include "support/patience.h"
+#include "support/refusal.h"
+#include "support/test_thread.h"
+#include "unit/component/arm_client.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+using reference::ArmLike;
+using reference::PoseStamped;
+
+/// Provides an arm; each cycle does `work` as well.
+template <class Kind>
+struct Worker final : Kind {
+  template <class... Arguments>
+  explicit Worker(std::function<void()> doWork = {}, Arguments&&... arguments)
+      : Kind(std::forward<Arguments>(arguments)...), work(std::move(doWork)) {}
+  ~Worker() override { this->stop(); }
+
+  void run() override {
+    if (work) work();
+  }
+
+  std::function<void()> work;
+  reference::SimulatedArm simulated{{}};
+  Provided<ArmLike> arm{*this, "Arm", simulated};
+};
+
+TEST(ContinuousTask, RunsWithoutWaitingForAnything) {
+  std::atomic<int> cycles{0};
+  Worker<ContinuousTask> task([&] { ++cycles; });
+  ArmClient client;
+  connectLocally(client.arm, task.arm, "test");
+  task.start();
+  EXPECT_TRUE(eventually([&] { return cycles > 1000; }));
+  EXPECT_TRUE(client.arm.hold.start().within(kPatience));
+  task.stop();
+  const int atTheEnd = cycles;
+  pass(5ms);
+  EXPECT_EQ(cycles, atTheEnd);
+}
+
+TEST(CallbackTask, RunsInTheThreadThatCallsIt) {
+  std::thread::id ranIn;
+  Worker<CallbackTask> task([&] { ranIn = std::this_thread::get_id(); });
+  ArmClient client;
+  connectLocally(client.arm, task.arm, "test");
+  EXPECT_FALSE(task.trigger());
+  task.start();
+  auto call = client.arm.hold.start();
+  EXPECT_FALSE(call.poll());
+  EXPECT_TRUE(task.trigger());
+  EXPECT_TRUE(call.within(kPatience));
+  EXPECT_EQ(ranIn, std::this_thread::get_id());
+
+  std::thread::id other;
+  TestThread caller([&] {
+    other = std::this_thread::get_id();
+    EXPECT_TRUE(task.trigger());
+  });
+  caller.join();
+  EXPECT_EQ(ranIn, other);
+  EXPECT_EQ(task.statistics().cycles, 2u);
+  task.stop();
+  EXPECT_FALSE(task.trigger());
+  EXPECT_EQ(client.arm.hold().error(), Errc::Lost);
+}
+
+TEST(CallbackTask, ACallWithinACycleIsCountedAndDoesNothing) {
+  Worker<CallbackTask>* self = nullptr;
+  bool nested = true;
+  Worker<CallbackTask> task([&] { nested = self->trigger(); });
+  self = &task;
+  task.start();
+  EXPECT_TRUE(task.trigger());
+  EXPECT_FALSE(nested);
+  EXPECT_EQ(task.statistics().cycles, 1u);
+  EXPECT_EQ(task.statistics().skipped, 1u);
+}
+
+TEST(CallbackTask, StopWaitsForTheCycleUnderWay) {
+  std::atomic<bool> inside{false}, ended{false};
+  Worker<CallbackTask> task([&] {
+    inside = true;
+    pass(20ms);
+    ended = true;
+  });
+  task.start();
+  TestThread caller([&] { task.trigger(); });
+  EXPECT_TRUE(eventually([&] { return inside.load(); }));
+  task.stop();
+  EXPECT_TRUE(ended);
+  caller.join();
+}
+
+TEST(GuestTask, FollowsItsHostInTheOrderOfLending) {
+  std::vector<std::string> order;
+  std::vector<std::thread::id> threads;
+  const auto note = [&](const char* who) {
+    return [&order, &threads, who] {
+      if (order.size() >= 300) return;
+      order.emplace_back(who);
+      threads.push_back(std::this_thread::get_id());
+    };
+  };
+  Worker<GuestTask> first(note("first")), inner(note("inner")), second(note("second"));
+  Worker<PeriodicTask> host(note("host"), PeriodicOptions{.period = 1ms});
+  first.lend(inner);
+  host.lend(first);
+  host.lend(second);
+  host.start();
+  EXPECT_TRUE(eventually([&] { return host.statistics().cycles > 10; }));
+  host.stop();
+  ASSERT_GE(order.size(), 8u);
+  EXPECT_EQ(std::vector<std::string>(order.begin(), order.begin() + 8),
+            (std::vector<std::string>{"host", "first", "inner", "second", "host", "first", "inner",
+                                      "second"}));
+  for (const std::thread::id& thread : threads) EXPECT_EQ(thread, threads.front());
+  EXPECT_EQ(second.state(), ComponentState::Stopped);
+}
+
+TEST(GuestTask, ACommandForItWakesTheHost) {
+  Worker<GuestTask> inner, guest;
+  Worker<EventTask> host({}, EventOptions{.longestSleep = 1h});
+  guest.lend(inner);
+  host.lend(guest);
+  ArmClient client, deep;
+  connectLocally(client.arm, guest.arm, "test");
+  connectLocally(deep.arm, inner.arm, "test");
+  host.start();
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_TRUE(client.arm.hold.start().within(kPatience));
+    ASSERT_TRUE(deep.arm.measured_cp.fresh().within(kPatience));
+  }
+}
+
+TEST(GuestTask, WhatThrowsIsParkedAlone) {
+  Worker<GuestTask> guest([] { throw std::runtime_error("the guest's fault"); });
+  Worker<PeriodicTask> host({}, PeriodicOptions{.period = 1ms});
+  host.lend(guest);
+  ArmClient ofHost, ofGuest;
+  connectLocally(ofHost.arm, host.arm, "test");
+  connectLocally(ofGuest.arm, guest.arm, "test");
+  host.start();
+  EXPECT_TRUE(eventually([&] { return ofGuest.arm.unusable() == Errc::Faulted; }));
+  EXPECT_EQ(guest.state(), ComponentState::Faulted);
+  EXPECT_EQ(guest.fault(), "the guest's fault");
+  EXPECT_EQ(ofGuest.arm.hold().error(), Errc::Faulted);
+  EXPECT_TRUE(ofHost.arm.hold.start().within(kPatience));
+  EXPECT_EQ(host.state(), ComponentState::Running);
+}
+
+TEST(GuestTask, OutlivesAHostThatThrows) {
+  Worker<GuestTask> guest;
+  Worker<EventTask> host([] { throw std::runtime_error("the host's fault"); });
+  host.lend(guest);
+  ArmClient ofHost, ofGuest;
+  connectLocally(ofHost.arm, host.arm, "test");
+  connectLocally(ofGuest.arm, guest.arm, "test");
+  host.start();
+  EXPECT_TRUE(eventually([&] { return host.state() == ComponentState::Faulted; }));
+  EXPECT_TRUE(ofGuest.arm.hold.start().within(kPatience));
+  // What waits for the parked host must not keep its thread busy.
+  const std::uint64_t before = guest.statistics().cycles;
+  pass(50ms);
+  EXPECT_LT(guest.statistics().cycles - before, 10u);
+}
+
+TEST(GuestTask, IsRefusedWithoutAHostWithTwoAndWhenConnected) {
+  Worker<GuestTask> guest, connected;
+  Worker<PeriodicTask> host({}, PeriodicOptions{}), other({}, PeriodicOptions{});
+  EXPECT_NE(refusal([&] { guest.start(); }).find("no task lends it a thread"), std::string::npos);
+  host.configure();
+  host.lend(guest);
+  EXPECT_NE(refusal([&] { other.lend(guest); }).find("it already has that of"), std::string::npos);
+  ArmClient client;
+  connectLocally(client.arm, connected.arm, "test");
+  EXPECT_NE(refusal([&] { host.lend(connected); }).find("is already connected"), std::string::npos);
+  host.start();
+  Worker<GuestTask> late;
+  EXPECT_NE(refusal([&] { host.lend(late); }).find("has been started"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace suture
