@@ -15,13 +15,13 @@ MAX_LINES = 40
 
 
 def enumerators(root):
-    header = (root / "runtime/base/errors.h").read_text(encoding="utf-8")
+    header = (root / "runtime/suture/base/errors.h").read_text(encoding="utf-8")
     body = re.search(r"enum class Errc\b[^{]*\{(.*?)\};", header, re.S)[1]
     return re.findall(r"^\s*(\w+)(?:\s*=\s*\d+)?,", re.sub(r"//.*", "", body), re.M)
 
 
 def texts(root):
-    source = (root / "runtime/base/errors.cpp").read_text(encoding="utf-8")
+    source = (root / "runtime/suture/base/errors.cpp").read_text(encoding="utf-8")
     return dict(re.findall(r'case Errc::(\w+):\s*return "([^"]*)";', source))
 
 
@@ -74,9 +74,9 @@ class Planted(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        self.write("runtime/base/errors.h", "enum class Errc : int {\n  Lost = 1,  ///< gone, for now\n  TooOld,  ///< not kept,\n"
+        self.write("runtime/suture/base/errors.h", "enum class Errc : int {\n  Lost = 1,  ///< gone, for now\n  TooOld,  ///< not kept,\n"
                                             "           ///< however large, it is\n};\n")
-        self.write("runtime/base/errors.cpp", 'case Errc::Lost: return "connection lost";\ncase Errc::TooOld:\n  return "too old";\n')
+        self.write("runtime/suture/base/errors.cpp", 'case Errc::Lost: return "connection lost";\ncase Errc::TooOld:\n  return "too old";\n')
         self.write("docs/errors/lost.md", "# connection lost: `Errc::Lost`\n\nNothing was sent.\n")
         self.write("docs/errors/too-old.md", "# too old: `Errc::TooOld`\n")
         self.write("docs/errors/README.md", "| [Lost](lost.md) | connection lost | no |\n| [TooOld](too-old.md) | too old | no |\n")
@@ -101,16 +101,16 @@ class Planted(unittest.TestCase):
         self.expect()
 
     def test_an_enumerator_that_nobody_explains(self):
-        self.edit("runtime/base/errors.h", "TooOld,", "TooOld,\n  CannotWait,")
-        self.edit("runtime/base/errors.cpp", "case Errc::Lost", 'case Errc::CannotWait: return "it cannot";\ncase Errc::Lost')
+        self.edit("runtime/suture/base/errors.h", "TooOld,", "TooOld,\n  CannotWait,")
+        self.edit("runtime/suture/base/errors.cpp", "case Errc::Lost", 'case Errc::CannotWait: return "it cannot";\ncase Errc::Lost')
         self.expect("cannot-wait.md is missing", "| [CannotWait](cannot-wait.md) | it cannot |, found []")
 
     def test_an_enumerator_without_text(self):
-        self.edit("runtime/base/errors.cpp", "Errc::TooOld", "Errc::Other")
+        self.edit("runtime/suture/base/errors.cpp", "Errc::TooOld", "Errc::Other")
         self.expect("no text for TooOld", "README.md: one row")
 
     def test_a_text_that_has_changed(self):
-        self.edit("runtime/base/errors.cpp", "too old", "no longer kept")
+        self.edit("runtime/suture/base/errors.cpp", "too old", "no longer kept")
         self.expect("too-old.md: the first line has to be # no longer kept", "| no longer kept |, found [('TooOld'")
 
     def test_a_page_that_is_left_over(self):
@@ -134,8 +134,8 @@ class Planted(unittest.TestCase):
         self.expect("lost.md: more than 40 lines")
 
     def test_a_header_in_another_form(self):
-        self.edit("runtime/base/errors.h", "Lost = 1,", "")
-        self.edit("runtime/base/errors.h", "TooOld,", "")
+        self.edit("runtime/suture/base/errors.h", "Lost = 1,", "")
+        self.edit("runtime/suture/base/errors.h", "TooOld,", "")
         self.expect("no enumerators found", "lost.md explains", "too-old.md explains", "a row for Lost", "a row for TooOld")
 
 

@@ -6,11 +6,18 @@ import shutil
 import subprocess
 import sys
 
-# Each layer may include itself and what stands before it.
-LAYERS = ["base", "rt", "component", "wiring", "transport", "standard", "manager", "deploy", "observe", "record", "testing", "cli"]
-PARALLEL = {"deploy", "observe", "record", "testing"}
+# The folders of runtime/suture/, lowest first. Each may include itself and what stands before it. Within one layer, which is one
+# library, a source may include any of its parts: the order holds for headers there.
+RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contract", "component/channel", "component",
+           "component/factory", "component/task", "wiring", "loop", "net/tls", "net", "framing", "wire", "lane", "lane/fault",
+           "lane/delay", "lane/rpc", "lane/shm", "lane/frame/codec", "lane/frame", "names", "session", "standard", "manager",
+           "observe", "record", "testing", "deploy/document", "deploy"]
+CLI = ["values", "command_line", "contract", "peer", "text", "."]
+COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
+PARALLEL = {"observe", "record", "testing"}  # none of them knows another
 # Standard contracts that the layers below speak of count as the lowest, and see no more than that.
-BASIC_CONTRACTS = {"lifecycle.h"}
+BASIC_CONTRACTS = {"standard/lifecycle.h"}
+MAX_SOURCES = 25
 SOURCES = {".h", ".cpp"}
 INCLUDE = re.compile(r'^\s*#include\s+[<"]([^>"]+)[>"]', re.M)
 MAX_LINES = 700
@@ -26,39 +33,42 @@ def includes(path):
     return INCLUDE.findall(path.read_text(encoding="utf-8"))
 
 
-def layer_of(folder, name):
-    """Of a header <suture/folder/name>."""
-    return LAYERS[0] if folder == "standard" and name in BASIC_CONTRACTS else folder
+def folder_of(path):
+    """Of a path below runtime/suture/; None if no such folder is known."""
+    folder = path.rpartition("/")[0]
+    return RUNTIME[0] if path in BASIC_CONTRACTS else folder if folder in RUNTIME else None
 
 
-def layer_of_file(path):
-    """runtime/contracts/ is an include root of its own, that of <suture/standard/...>."""
-    folder = path.parts[0]
-    return layer_of("standard" if folder == "contracts" else folder, path.name)
-
-
-def layer_of_include(include):
-    parts = include.split("/")
-    return layer_of(parts[1], parts[-1]) if parts[0] == "suture" and len(parts) > 2 and parts[1] in LAYERS else None
-
-
-def may_include(layer, other):
-    if layer == other:
+def may_include(path, include):
+    here, there = folder_of(path), folder_of(include)
+    if here is None or there is None or here == there:
         return True
-    if layer in PARALLEL and other in PARALLEL:
-        return layer == "deploy"  # runs what the other two offer
-    return LAYERS.index(other) < LAYERS.index(layer)
+    if {here, there} <= PARALLEL:
+        return False
+    if path.endswith(".cpp") and here.split("/")[0] == there.split("/")[0]:
+        return True
+    return RUNTIME.index(there) < RUNTIME.index(here)
 
 
 def check_layers(root):
-    for path in sources(root, "runtime"):
-        layer = layer_of_file(path.relative_to(root / "runtime"))
-        if layer not in LAYERS:
-            continue
+    for path in sources(root, "runtime/suture"):
+        name = str(path.relative_to(root / "runtime/suture"))
+        if "/" in name and folder_of(name) is None:
+            yield f"{path.relative_to(root)}: tests/tree/rules.py does not say which folders this one may include"
         for include in includes(path):
-            other = layer_of_include(include)
-            if other and not may_include(layer, other):
-                yield f"{path.relative_to(root)}: {layer} includes {include}; dependencies point the other way"
+            if include.startswith("suture/") and not may_include(name, include[len("suture/"):]):
+                yield f"{path.relative_to(root)}: {folder_of(name)} includes {include}; dependencies point the other way"
+
+
+def check_parts(root):
+    for base, order in {"runtime/cli": CLI, **{f"compiler/{name}": parts for name, parts in COMPILER.items()}}.items():
+        prefix = base.removeprefix("runtime/") + "/"
+        for path in sources(root, base):
+            here = str(path.relative_to(root / base).parent)
+            for include in includes(path):
+                there = include[len(prefix):].rpartition("/")[0] or "."
+                if include.startswith(prefix) and there in order and order.index(there) > order.index(here):
+                    yield f"{path.relative_to(root)}: includes {include}; dependencies point the other way"
 
 
 def check_compiler_is_alone(root):
@@ -73,10 +83,14 @@ def check_compiler_is_alone(root):
                     yield f"{path.relative_to(root)}: {part} includes {include}; only the frontend sees clang"
 
 
+NOT_PUBLIC = ("capnp/", "kj/", *(f"suture/{layer}/" for layer in ("rt", "loop", "net", "framing", "wire", "lane", "names", "session",
+                                                               "manager")))
+
+
 def check_components_see_public_headers(root):
     for path in sources(root, "components"):
         for include in includes(path):
-            if include.startswith(("suture/transport/", "suture/manager/", "suture/rt/", "capnp/", "kj/")):
+            if include.startswith(NOT_PUBLIC):
                 yield f"{path.relative_to(root)}: a component includes {include}, which is not public"
 
 
@@ -84,17 +98,17 @@ def check_components_see_public_headers(root):
 WAITS = re.compile(r"condition_variable|std::(future|promise|async|jthread|thread)\b|sleep_(for|until)|\b(u|nano)sleep\(|"
                    r"this_thread::yield|\bpoll\(&?\w+, |epoll_wait\(|sigtimedwait\(|SYS_futex")
 MAY_WAIT = {
-    "runtime/rt/doorbell.cpp": "the one place where threads sleep",
-    "runtime/rt/thread.h": "threads that a stepped clock knows",
-    "runtime/rt/thread.cpp": "threads that a stepped clock knows",
-    "runtime/testing/scheduler.h": "is the stepped clock",
-    "runtime/testing/scheduler.cpp": "is the stepped clock",
-    "runtime/transport/frame/lane_thread.cpp": "sleeps at sockets, and asks the stepped clock first",
-    "runtime/transport/rpc/event_port.cpp": "asks for another thread whether anything has come, without waiting",
-    "runtime/transport/rpc/host_lookup.cpp": "asks the system's name service, which knows no other clock",
-    "runtime/deploy/signal_wait.h": "waits for signals, which come from outside",
-    "runtime/deploy/signal_wait.cpp": "waits for signals, which come from outside",
-    "runtime/deploy/report_writer.cpp": "waits for a pipe, which another process empties",
+    "runtime/suture/rt/doorbell.cpp": "the one place where threads sleep",
+    "runtime/suture/rt/thread.h": "threads that a stepped clock knows",
+    "runtime/suture/rt/thread.cpp": "threads that a stepped clock knows",
+    "runtime/suture/testing/scheduler.h": "is the stepped clock",
+    "runtime/suture/testing/scheduler.cpp": "is the stepped clock",
+    "runtime/suture/lane/frame/lane_thread.cpp": "sleeps at sockets, and asks the stepped clock first",
+    "runtime/suture/loop/event_port.cpp": "asks for another thread whether anything has come, without waiting",
+    "runtime/suture/net/host_lookup.cpp": "asks the system's name service, which knows no other clock",
+    "runtime/suture/deploy/signal_wait.h": "waits for signals, which come from outside",
+    "runtime/suture/deploy/signal_wait.cpp": "waits for signals, which come from outside",
+    "runtime/suture/deploy/report_writer.cpp": "waits for a pipe, which another process empties",
 }
 
 
@@ -125,17 +139,39 @@ def check_lengths(root):
                 yield f"{path.relative_to(root)}: {lines} lines, at most {MAX_LINES}"
 
 
-def check_readmes(root):
+def check_folders(root):
+    for top in ("compiler", "runtime", "components", "examples", "tests"):
+        folders = {}
+        for path in sources(root, top):
+            folders.setdefault(path.parent, []).append(path)
+        for folder, flat in sorted(folders.items()):
+            if len(flat) > MAX_SOURCES and not {"golden", "errors"} & set(folder.parts):  # inputs and outputs, one file a case
+                yield f"{folder.relative_to(root)}: {len(flat)} sources lie flat, at most {MAX_SOURCES}; part them by idea"
+
+
+# Projects and inputs of single tests, which are told of where the test is.
+FIXTURES = {"golden", "errors", "evolution", "project", "consumers", "refusals"}
+
+
+def folders_with_readme(root):
+    """Each folder of a top folder, and each below it that has sources."""
     for top in ("compiler", "runtime", "components", "examples", "tests", "schemas"):
         base = root / top
-        for folder in sorted(p for p in base.iterdir() if p.is_dir()) if base.exists() else []:
-            if folder.name.startswith((".", "__")) or not any(folder.rglob("*.*")):
-                continue
-            readme = folder / "README.md"
-            if not readme.exists():
-                yield f"{folder.relative_to(root)}: no README.md"
-            elif readme.read_text(encoding="utf-8").count("\n") > MAX_README_LINES:
-                yield f"{readme.relative_to(root)}: more than {MAX_README_LINES} lines"
+        for folder in base.iterdir() if base.exists() else []:
+            if folder.is_dir() and not folder.name.startswith((".", "__")) and any(folder.rglob("*.*")):
+                yield folder
+        for path in sources(root, top):
+            if path.parent != base and not FIXTURES & set(path.parts):
+                yield path.parent
+
+
+def check_readmes(root):
+    for folder in sorted(set(folders_with_readme(root))):
+        readme = folder / "README.md"
+        if not readme.exists():
+            yield f"{folder.relative_to(root)}: no README.md"
+        elif readme.read_text(encoding="utf-8").count("\n") > MAX_README_LINES:
+            yield f"{readme.relative_to(root)}: more than {MAX_README_LINES} lines"
 
 
 def check_format(root):
@@ -153,7 +189,7 @@ def check_format(root):
             yield f"{pathlib.Path(path).relative_to(root)}: not formatted; run clang-format-14 -i on it"
 
 
-CHECKS = [check_layers, check_compiler_is_alone, check_components_see_public_headers, check_waits, check_observers, check_lengths,
+CHECKS = [check_layers, check_parts, check_folders, check_compiler_is_alone, check_components_see_public_headers, check_waits, check_observers, check_lengths,
           check_readmes, check_format]
 
 

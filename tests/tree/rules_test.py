@@ -26,21 +26,44 @@ class Planted(unittest.TestCase):
         self.assertIn(words, found[0])
 
     def test_a_layer_that_looks_up(self):
-        self.write("runtime/rt/ring.h", "#include <suture/wiring/connect.h>\n#include <suture/base/time.h>\n")
+        self.write("runtime/suture/rt/ring.h", "#include <suture/wiring/connect.h>\n#include <suture/base/time.h>\n")
         self.expect(rules.check_layers, "dependencies point the other way")
 
+    def test_a_part_of_a_layer_that_looks_up(self):
+        self.write("runtime/suture/rt/queue/ring.h", "#include <suture/rt/state/state_table.h>\n#include <suture/rt/doorbell.h>\n")
+        self.write("runtime/suture/rt/queue/ring.cpp", "#include <suture/rt/state/state_table.h>\n")
+        self.expect(rules.check_layers, "rt/queue includes suture/rt/state/state_table.h")
+
+    def test_a_folder_of_which_nobody_says_what_it_may_include(self):
+        self.write("runtime/suture/lane/pipe/pipe.h", "\n")
+        self.expect(rules.check_layers, "does not say which folders")
+
+    def test_a_part_of_the_compiler_that_looks_up(self):
+        self.write("compiler/frontend/ast/names.h", '#include "compiler/frontend/types/mapping.h"\n')
+        self.write("compiler/frontend/types/mapping.h", '#include "compiler/frontend/ast/names.h"\n')
+        self.expect(rules.check_parts, "ast/names.h: includes")
+
+    def test_a_part_of_the_command_line_tool_that_looks_up(self):
+        self.write("runtime/cli/values/json.h", '#include "cli/peer/peer.h"\n')
+        self.expect(rules.check_parts, "values/json.h: includes cli/peer/peer.h")
+
+    def test_a_folder_that_nobody_can_take_in(self):
+        for number in range(26):
+            self.write(f"compiler/emit/{number}.h", "\n")
+        self.expect(rules.check_folders, "compiler/emit: 26 sources lie flat")
+
     def test_a_standard_contract_that_looks_up(self):
-        self.write("runtime/contracts/suture/standard/port.h", "#include <suture/manager/manager.h>\n")
+        self.write("runtime/suture/standard/port.h", "#include <suture/manager/manager.h>\n")
         self.expect(rules.check_layers, "standard includes suture/manager/manager.h")
 
     def test_a_component_layer_that_knows_the_standard_contracts(self):
-        self.write("runtime/component/a.h", "#include <suture/standard/lifecycle.h>\n")
-        self.write("runtime/component/b.h", "#include <suture/standard/task_timing.h>\n")
+        self.write("runtime/suture/component/a.h", "#include <suture/standard/lifecycle.h>\n")
+        self.write("runtime/suture/component/b.h", "#include <suture/standard/task_timing.h>\n")
         self.expect(rules.check_layers, "component includes suture/standard/task_timing.h")
 
     def test_a_basic_contract_that_looks_up(self):
-        self.write("runtime/contracts/suture/standard/lifecycle.h", "#include <suture/component/task.h>\n")
-        self.expect(rules.check_layers, "base includes suture/component/task.h")
+        self.write("runtime/suture/standard/lifecycle.h", "#include <suture/component/task/task.h>\n")
+        self.expect(rules.check_layers, "base includes suture/component/task/task.h")
 
     def test_a_compiler_that_knows_the_runtime(self):
         self.write("compiler/emit/a.cpp", "#include <suture/base/time.h>\n")
@@ -51,24 +74,24 @@ class Planted(unittest.TestCase):
         self.expect(rules.check_compiler_is_alone, "only the frontend sees clang")
 
     def test_a_component_that_reaches_behind_the_public_headers(self):
-        self.write("components/arm/arm.h", "#include <suture/transport/rpc/link.h>\n")
+        self.write("components/arm/arm.h", "#include <suture/framing/link.h>\n")
         self.expect(rules.check_components_see_public_headers, "not public")
 
     def test_a_wait_that_is_no_doorbell(self):
-        self.write("runtime/manager/a.cpp", "std::this_thread::sleep_for(kPoll);\n")
-        self.write("runtime/rt/doorbell.cpp", "syscall(SYS_futex, &word_);\n")
+        self.write("runtime/suture/manager/a.cpp", "std::this_thread::sleep_for(kPoll);\n")
+        self.write("runtime/suture/rt/doorbell.cpp", "syscall(SYS_futex, &word_);\n")
         self.expect(rules.check_waits, "manager/a.cpp: waits by sleep_for")
 
     def test_a_thread_that_no_clock_knows(self):
-        self.write("runtime/record/a.h", "std::thread thread_;\n")
+        self.write("runtime/suture/record/a.h", "std::thread thread_;\n")
         self.expect(rules.check_waits, "waits by std::thread")
 
     def test_an_observer_that_no_clock_knows(self):
-        self.write("runtime/transport/rpc/a.h", "kj::UnixEventPort::FdObserver observer_;\n")
+        self.write("runtime/suture/net/a.h", "kj::UnixEventPort::FdObserver observer_;\n")
         self.expect(rules.check_observers, "use EventPort::FdObserver")
 
     def test_a_file_that_is_too_long(self):
-        self.write("runtime/base/a.h", "\n" * 701)
+        self.write("runtime/suture/base/a.h", "\n" * 701)
         self.expect(rules.check_lengths, "701 lines")
 
     def test_a_model_of_generated_code_that_is_too_long(self):
@@ -77,16 +100,22 @@ class Planted(unittest.TestCase):
         self.expect(rules.check_lengths, "reference/a.suture.cpp: 701 lines")
 
     def test_a_folder_without_readme(self):
-        self.write("runtime/base/a.h", "\n")
+        self.write("compiler/model/a.h", "\n")
         self.expect(rules.check_readmes, "no README.md")
 
+    def test_a_folder_below_without_readme(self):
+        self.write("runtime/suture/README.md", "\n")
+        self.write("runtime/suture/base/README.md", "\n")
+        self.write("runtime/suture/base/slots/a.h", "\n")
+        self.expect(rules.check_readmes, "runtime/suture/base/slots: no README.md")
+
     def test_a_readme_that_is_too_long(self):
-        self.write("runtime/base/README.md", "\n" * 41)
+        self.write("compiler/model/README.md", "\n" * 41)
         self.expect(rules.check_readmes, "more than 40 lines")
 
     def test_an_unformatted_source(self):
         self.write(".clang-format", "BasedOnStyle: Google\n")
-        self.write("runtime/base/a.h", "int   a ;\n")
+        self.write("runtime/suture/base/a.h", "int   a ;\n")
         self.expect(rules.check_format, "not formatted")
 
 
