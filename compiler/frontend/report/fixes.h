@@ -1,5 +1,5 @@
 #pragma once
-// What `suturec --fix` writes. It is apart from fix_collector.h, which sees clang.
+// This holds what `suturec --fix` writes, apart from fix_collector.h, since that sees clang.
 
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace suture::compiler::frontend {
 
-/// What the fix-its of all errors so far come to.
+/// This holds what the fix-its of all errors so far come to.
 struct Fixes {
   std::vector<model::Artefact> files;  ///< whole new texts, by absolute path
   unsigned fixed = 0, open = 0;        ///< errors with and without a fix-it

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-/// What such a thread calls itself: runtime/suture/lane/frame/lane_thread.cpp.
+/// Such a thread has this name: runtime/suture/lane/frame/lane_thread.cpp says it.
 inline constexpr const char* kLaneThread = "suture-lane";
 
 /// How many there are now.
