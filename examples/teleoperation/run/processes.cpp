@@ -142,16 +142,21 @@ Time Crew::breakOrMend(Time began) {
   if (suture::now() < began + cutOff_->moment.at) return began + cutOff_->moment.at;
   if (!broken_) cut();
   if (suture::now() < *broken_ + cutOff_->moment.length) return *broken_ + cutOff_->moment.length;
-  result_.outage = {*broken_, suture::now()};
+  const Time broken = *broken_;
   mend();
+  result_.outage = {broken, suture::now()};
   return Time::max();
 }
 
-/// Pulls the process's cable; without one, freezes it.
+/// Pulls the process's cable; without one, freezes it. The kernel may let a change of a cable wait
+/// for seconds while it takes down other namespaces, so the moment is taken when it is done.
 void Crew::cut() {
+  if (network_.hasNamespaces()) {
+    network_.setCable(cutOff_->process, false);
+  } else {
+    workstation(cutOff_->process).signal(SIGSTOP);
+  }
   broken_ = suture::now();
-  if (network_.hasNamespaces()) return network_.setCable(cutOff_->process, false);
-  workstation(cutOff_->process).signal(SIGSTOP);
 }
 
 void Crew::mend() {
