@@ -5,8 +5,8 @@
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
-const protocolVersion :UInt16 = 4;
-# It counts the changes of manager.capnp, peer.capnp, frames and shared memory. Both sides say theirs in hello; a difference
+const protocolVersion :UInt16 = 5;
+# It counts the changes of manager.capnp, peer.capnp, what lanes say (calls, frame, shm), frames and shared memory. Both sides say theirs in hello; a difference
 # is a refusal.
 
 const renewalMilliseconds :UInt32 = 500;

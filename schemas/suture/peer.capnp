@@ -8,7 +8,7 @@ using Manager = import "/suture/manager.capnp";
 using Schema = import "/capnp/schema.capnp";
 
 interface Peer {
-  # The bootstrap interface of a process.
+  # The bootstrap interface of a process. One link to it, the control link, carries the session of its caller with it.
 
   hello @0 (version :UInt16, process :Text, bootId :Text, incarnation :UInt64) -> HelloResults;
   # incarnation: a number that this start of the process has chosen at random; 0: none.
@@ -30,9 +30,9 @@ interface Peer {
 
   describe @2 () -> (components :List(Manager.ComponentRecord));
 
-  ping @3 (heard :Int64) -> (received :Int64, sent :Int64, tasks :List(TaskPulse));
-  # Clock stamps as in hello, at any time; also the heartbeat of a link. heard: `sent` of the answer before, which
-  # this answers; 0: none.
+  ping @3 (heard :Int64, components :List(Text)) -> (received :Int64, sent :Int64, tasks :List(TaskPulse));
+  # Clock stamps as in hello, at any time; also the heartbeat of the session. heard: `sent` of the answer before, which
+  # this answers; 0: none. components: those whose tasks every answer tells of, in this order, from this one on; null: as before.
 
   open @4 (component :Text, interface :Text) -> OpenResults;
   # A provided interface as its plain typed capability, for programs that know only its schema.
@@ -55,6 +55,14 @@ interface Peer {
       refused @1 :Manager.Refusal;
     }
   }
+
+  socket @6 (lane :Text) -> (number :UInt32, token :Data);
+  # A second connection to the address of this link, for that lane of this session. It is awaited once: it says the eight
+  # letters SUTFRAME and the token, is told the same, and is the lane's from then on. number: what both call it.
+
+  compared @7 (clockOffset :Int64, clockError :Int64);
+  # How the caller has compared the two clocks: its own minus the responder's, and how wrong that may be now, either way; ns.
+  # It holds for all connections of the session, and is not sent where both have one clock.
 }
 
 struct Explanation {
@@ -67,12 +75,11 @@ struct Explanation {
 
 struct TaskPulse {
   # How the thread that serves a component does: one that is running, or due, for too long hangs.
-  component @0 :Text;
-  activity @1 :Activity;
-  due @2 :Int64;
+  activity @0 :Activity;
+  due @1 :Int64;
   # Running: since when. Asleep: the latest time of the next cycle, 0 if there is none. The responder's
   # steady clock, ns.
-  cycles @3 :UInt64;  # so far
+  cycles @2 :UInt64;  # so far
 
   enum Activity {
     running @0;
@@ -90,78 +97,34 @@ struct ConnectRequest {
   contract @5 :Text;      # its C++ name
   hash @6 :Text;          # of the wire contract; equal hashes are compatible
   description @7 :Text;   # the self-description (JSON), to say what differs when the hashes do
-  events @8 :UInt64;      # bit i: wants event i of the lock's
-  clockOffset @9 :Int64;  # caller's clock minus responder's, ns, as the caller measured it
+  frames @8 :Manager.Frames;  # what the required interface expects
+  events @9 :UInt64;      # bit i: wants event i of the lock's
   notices @10 :Notices;   # how the caller learns what befalls the connection
   epoch @11 :Int64;
   # Higher for each connection that a required interface makes (the caller's steady clock, ns). A higher
   # one ends those before, whose commands may still be on their way; a lower one comes too late itself.
   # 0: neither.
-  memory @12 :MemoryRequest;  # not there: the caller does not share memory
-  frame @13 :FrameRequest;    # not there: the caller sends no frames
-  clockError @14 :Int64;      # how wrong clockOffset may be, ns, either way
-  silence @15 :Int64;
+  silence @12 :Int64;
   # How long the caller waits for an answer to a ping before it gives the provider up, ns. When as much has passed
   # since the responder sent what was last answered, it executes nothing of this connection any more. 0: for ever.
-  frames @16 :Manager.Frames;  # what the required interface expects
-}
-
-struct MemoryRequest {
-  layout @0 :Text;         # of the contract's slots and queues; equal layouts may share memory
-  bell @1 :SharedMemory;   # wakes the caller's thread
-}
-
-interface SharedMemory {
-  # A sealed memfd: the capability's file descriptor. It has no methods.
-}
-
-struct SharedChannel {
-  channel @0 :SharedMemory;   # the queues; both sides write
-  state @1 :SharedMemory;     # the provider's state table; sealed against other writers
-  bell @2 :SharedMemory;      # wakes the provider's thread
-  columns @3 :List(UInt32);   # sizes of the table's columns
-  rows @4 :UInt32;
-}
-
-struct FrameRequest {
-  layout @0 :Text;       # of the contract's slots; equal layouts may send them as they are
-  handsOver @1 :Bool;    # the link carries descriptors: the provider can hand a socket over
-  client @2 :Data;       # connections that say the same here may share a socket; none: it is not shared
-}
-
-struct FrameOffer {
-  epoch @0 :UInt32;         # of every frame on the socket
-  connection @3 :UInt32;    # which of those on the socket this is
-  socket @1 :FrameSocket;   # one end of a pair
-  token @2 :Data;
-  # A second connection to the address of this link awaits it, once: it says the eight letters SUTFRAME and
-  # these bytes, is told the same, and then carries frames. Neither a token nor a socket: an earlier answer to
-  # the same client, with the same epoch, brings the socket.
-}
-
-interface FrameSocket {
-  # The capability's file descriptor. It has no methods.
+  lane @13 :Text;         # how the connection is to travel
+  brings @14 :AnyPointer; # what that lane's client tells its provider; see the lane's own schema
 }
 
 struct ConnectResults {
   union {
     accepted :group {
-      contract @0 :Capability;
-      # The capability of the contract's own interface (its generated schema).
-      connection @1 :Connection;
-      lacking @3 :List(UInt16);
+      connection @0 :Connection;
+      lacking @1 :List(UInt16);
       # The numbers of the caller's commands that the provider does not have: optional ones, or those of a newer contract.
-      rows @4 :UInt32 = 64;
+      rows @2 :UInt32 = 64;
       # How many rows of state the provider keeps; so does the caller, of those that arrive.
-      memory @5 :SharedChannel;
-      # Everything goes through it, and nothing through `contract`. Not there: the other way round.
-      laneReason @6 :Text;
-      # Why the provider has not agreed to the faster lane that the caller asked for.
-      frame @7 :FrameOffer;
-      # Everything goes through its frames, and nothing through `contract`. Not there: the other way round.
-      earlier @8 :Earlier;   # of the connections of the same name before
+      earlier @3 :Earlier;     # of the connections of the same name before
+      answer @4 :AnyPointer;   # what the lane's provider tells its client
     }
-    refused @2 :Manager.Refusal;
+    refused @5 :Manager.Refusal;
+    declined @6 :Text;
+    # Why this lane cannot be had for this connection: another one may.
   }
 }
 
@@ -173,15 +136,12 @@ interface Notices {
   suspended @2 () -> ();
   # The provider's component executes nothing until resumed() says so: its commands are refused.
   resumed @3 () -> ();
-  replayed @4 (event :UInt16, stamp :Int64) -> ();
-  # The next such event, numbered as in ConnectRequest, on this link is the last value of a latched one, for a new subscriber; it was emitted
-  # at `stamp` of the provider's steady clock, ns.
-  lapsed @5 ();
+  lapsed @4 ();
   # The provider has heard nothing of the client for as long as the client waits, and executes nothing of this
   # connection any more: it has to be made anew.
-  tallied @6 (tally :Tally) -> ();
+  tallied @5 (tally :Tally) -> ();
   # What the provider's end has counted so far, where neither frames nor shared memory tell it.
-  earlier @7 (earlier :Earlier) -> ();
+  earlier @6 (earlier :Earlier) -> ();
   # The last word on the connections of the same name before.
 }
 
@@ -204,9 +164,5 @@ struct Earlier {
 }
 
 interface Connection {
-  # Lives as long as the connection: dropping it disconnects.
-
-  compared @0 (clockOffset :Int64, clockError :Int64);
-  # The clocks have been compared again, as in ConnectRequest. A provider of before this was added
-  # refuses it, and goes on with what it knows.
+  # Lives as long as the connection: dropping it disconnects. It has no methods.
 }

@@ -90,6 +90,23 @@ TEST_P(Liveness, AStoppedProcessIsLost) {
   }
 }
 
+// Both are in one session, whose one heartbeat each judges by its own silence.
+TEST_P(Liveness, OneThatBearsMoreIsNotLostWithOneThatBearsLess) {
+  connect("First/Arm", "there:PSM1/Arm", 200ms);
+  connect("Second/Arm", "there:PSM2/Arm", 1min);
+  ASSERT_TRUE(eventually([&] { return first_.error == Errc{} && second_.error == Errc{}; }));
+  for (int round = 0; round < 2; ++round) {
+    host_.signal(SIGSTOP);
+    EXPECT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
+    host_.signal(SIGCONT);
+    EXPECT_TRUE(eventually([&] { return first_.error == Errc{}; })) << "it comes back alone";
+  }
+  EXPECT_EQ(whyLost("Second/Arm", "PSM2/Arm"), "");
+  const int heard = second_.heard;
+  EXPECT_TRUE(eventually([&] { return second_.heard > heard; }));
+  EXPECT_EQ(second_.error, Errc{});
+}
+
 TEST_P(Liveness, ATaskThatHangsIsLostAndItsNeighbourIsNot) {
   for (const auto& [provider, speed] :
        {std::pair("PSM1/Arm", 0.0), std::pair("PSM1/Arm", 1.0), std::pair("PSM2/Arm", 0.0)}) {

@@ -1,6 +1,15 @@
 #pragma once
 // What a client of an arm asks of the arm's process, for tests that play the client by hand.
 
+#include <suture/calls.capnp.h>
+#include <suture/framing/preamble.h>
+#include <suture/loop/failure.h>
+#include <suture/net/dialer.h>
+#include <suture/peer.capnp.h>
+
+#include <chrono>
+#include <cstring>
+
 #include "reference/arm_like.suture.h"
 
 namespace reference {
@@ -17,6 +26,33 @@ void askForArm(Request& request, const char* from) {
   request.setContract(contract.name);
   request.setHash(contract.hash);
   request.setDescription(contract.description);
+  request.setLane("rpc");
+}
+
+/// The session's socket for calls: its number, and what ends it when it goes.
+struct CallsSocket {
+  std::uint32_t number;
+  suture::rpc::ByteStream bytes;
+};
+
+/// Opens it, on the thread of `port`. `provider`: where the process of `peer` listens.
+inline kj::Promise<CallsSocket> openCallsSocket(suture::rpc::EventPort& port,
+                                                suture::rpc::Address provider,
+                                                suture::wire::Peer::Client peer) {
+  auto request = peer.socketRequest();
+  request.setLane("rpc");
+  return request.send().then([&port, provider](auto&& results) {
+    suture::rpc::Token token;
+    KJ_ASSERT(results.getToken().size() == token.size());
+    std::memcpy(token.data(), results.getToken().begin(), token.size());
+    return suture::rpc::dial(port, provider, std::chrono::seconds(5))
+        .then([&port, token](kj::AutoCloseFd socket) {
+          return suture::rpc::showToken(port, suture::rpc::ByteStream(kj::mv(socket)), token);
+        })
+        .then([number = results.getNumber()](suture::rpc::ByteStream bytes) {
+          return CallsSocket{number, kj::mv(bytes)};
+        });
+  });
 }
 
 }  // namespace reference

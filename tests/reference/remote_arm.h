@@ -121,7 +121,7 @@ class RemoteArm : public testing::Test {
     robot->stop();
     robot.reset();
     EXPECT_TRUE(eventually([&] { return !teleop.reachable; }));
-    robot = std::make_unique<Manager>("robot", manager());
+    robot = std::make_unique<Manager>("robot", manager(), securityOf("robot"));
     robot->add("PSM", psmAgain);
     robot->start();
   }

@@ -10,8 +10,8 @@ import sys
 # library, a source may include any of its parts: the order holds for headers there.
 RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contract", "component/channel", "component",
            "component/factory", "component/task", "wiring", "loop", "net/tls", "net", "framing", "wire", "lane", "lane/fault",
-           "lane/delay", "lane/rpc", "lane/shm", "lane/frame/codec", "lane/frame", "names", "session", "standard", "manager",
-           "observe", "record", "testing", "deploy/document", "deploy"]
+           "lane/delay", "lane/rpc", "lane/shm", "lane/frame/codec", "lane/frame", "names", "session", "session/client",
+           "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy"]
 CLI = ["values", "command_line", "contract", "peer", "text", "."]
 COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "."], "emit": ["text", "wire", "cpp", "docs", "."]}
 PARALLEL = {"observe", "record", "testing"}  # none of them knows another
@@ -58,6 +58,21 @@ def check_layers(root):
         for include in includes(path):
             if include.startswith("suture/") and not may_include(name, include[len("suture/"):]):
                 yield f"{path.relative_to(root)}: {folder_of(name)} includes {include}; dependencies point the other way"
+
+
+# Nothing above the lanes names one, so that a new lane is a folder and a line in lane/lanes.cpp. A plain Cap'n Proto client is served
+# as the client of a connection by calls is, without a connection.
+LANE = re.compile(r"suture/lane/(shm|frame|rpc)/|\bLane::(Shm|Frame|Rpc)\b|\"(shm|frame|rpc)\"")
+SERVES_PLAIN_CLIENTS = {"session/provider/peer_server.cpp", "session/provider/explain.cpp"}
+
+
+def check_lanes(root):
+    for path in sources(root, "runtime/suture"):
+        name = str(path.relative_to(root / "runtime/suture"))
+        if name.startswith("lane/") or name in SERVES_PLAIN_CLIENTS:
+            continue
+        for found in LANE.finditer(path.read_text(encoding="utf-8")):
+            yield f"runtime/suture/{name}: names a lane, {found[0]}; what depends on one belongs into its folder in lane/"
 
 
 def check_parts(root):
@@ -189,8 +204,8 @@ def check_format(root):
             yield f"{pathlib.Path(path).relative_to(root)}: not formatted; run clang-format-14 -i on it"
 
 
-CHECKS = [check_layers, check_parts, check_folders, check_compiler_is_alone, check_components_see_public_headers, check_waits, check_observers, check_lengths,
-          check_readmes, check_format]
+CHECKS = [check_layers, check_lanes, check_parts, check_folders, check_compiler_is_alone, check_components_see_public_headers,
+          check_waits, check_observers, check_lengths, check_readmes, check_format]
 
 
 def main():

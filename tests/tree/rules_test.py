@@ -38,6 +38,18 @@ class Planted(unittest.TestCase):
         self.write("runtime/suture/lane/pipe/pipe.h", "\n")
         self.expect(rules.check_layers, "does not say which folders")
 
+    def test_a_session_that_knows_a_lane(self):
+        self.write("runtime/suture/session/client/session.cpp", "#include <suture/lane/frame/frame_lane.h>\n")
+        self.expect(rules.check_lanes, "names a lane, suture/lane/frame/")
+
+    def test_a_choice_of_a_lane_above_the_lanes(self):
+        self.write("runtime/suture/manager/manager.cpp", "return lane == Lane::Rpc;\n")
+        self.expect(rules.check_lanes, "names a lane, Lane::Rpc")
+
+    def test_the_list_of_lanes_may_name_them(self):
+        self.write("runtime/suture/lane/lanes.cpp", '#include <suture/lane/frame/frame_lane.h>\nconst char* all[] = {"shm"};\n')
+        self.assertEqual(list(rules.check_lanes(self.root)), [])
+
     def test_a_part_of_the_compiler_that_looks_up(self):
         self.write("compiler/frontend/ast/names.h", '#include "compiler/frontend/types/mapping.h"\n')
         self.write("compiler/frontend/types/mapping.h", '#include "compiler/frontend/ast/names.h"\n')

@@ -1,6 +1,6 @@
 #include "cli/peer/peer.h"
 #include <suture/base/errors.h>
-#include <suture/session/peer_host.h>
+#include <suture/session/boot_id.h>
 #include <suture/wire/stamps.h>
 #include "cli/peer/wait.h"
 

@@ -77,4 +77,23 @@ kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const Stream
   return opened.exclusiveJoin(kj::mv(late));
 }
 
+// It leaves in one go, since a connection has room for so little at first.
+bool sayToken(ByteStream& bytes, const Token& token) {
+  const auto preamble = preambleOf(token);
+  return bytes.send(preamble, {}) == static_cast<ssize_t>(preamble.size());
+}
+
+kj::Promise<ByteStream> showToken(EventPort& port, ByteStream bytes, const Token& token) {
+  if (!sayToken(bytes, token)) {
+    return failure(kj::Exception::Type::FAILED, "the second connection takes nothing");
+  }
+  return readPreamble(port, kj::mv(bytes), {})
+      .then([token](Opened opened) -> kj::Promise<ByteStream> {
+        KJ_IF_MAYBE (theirs, opened.token) {
+          if (*theirs == token) return kj::mv(opened.bytes);
+        }
+        return failure(kj::Exception::Type::FAILED, "nobody awaits a second connection there");
+      });
+}
+
 }  // namespace suture::rpc

@@ -1,16 +1,27 @@
 #include <suture/lane/provider_end.h>
 
+#include <algorithm>
+
 namespace suture::rpc {
+namespace {
+
+// Ends earlier by as much as the two clocks may drift apart, so that the provider stops first.
+BootTime leaseFrom(BootTime sent, Duration silence) {
+  constexpr int kDrift = 1000;
+  return sent + silence - silence / kDrift;
+}
+
+}  // namespace
 
 void ProviderEnd::grant(Duration silence) {
   silence_ = silence;
-  hear(BootClock::now());
+  channel_->lease.renew(leaseFrom(BootClock::now(), silence));
 }
 
-// Ends earlier by as much as the two clocks may drift apart, so that the provider stops first.
+// What was sent before the connection was made does not end its lease earlier.
 void ProviderEnd::hear(BootTime sent) {
-  constexpr int kDrift = 1000;
-  if (silence_ > Duration{0}) channel_->lease.renew(sent + silence_ - silence_ / kDrift);
+  if (silence_ == Duration{0}) return;
+  channel_->lease.renew(std::max(leaseFrom(sent, silence_), channel_->lease.end()));
 }
 
 Earlier ProviderEnd::earlier() {

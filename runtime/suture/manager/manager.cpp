@@ -6,8 +6,8 @@
 #include <suture/manager/handle.h>
 #include <suture/manager/lifecycle_interface.h>
 #include <suture/manager/manager.h>
-#include <suture/session/device_executor.h>
 #include <suture/session/network.h>
+#include <suture/session/provider/device_executor.h>
 #include <suture/standard/collecting.suture.h>
 #include <suture/wiring/connect.h>
 

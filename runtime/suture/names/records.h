@@ -3,6 +3,7 @@
 
 #include <suture/base/frames.h>
 #include <suture/manager.capnp.h>
+#include <suture/wire/text.h>
 
 #include <cstdint>
 #include <string>
@@ -54,9 +55,5 @@ Frames fromWire(wire::Frames::Reader in);
 Refusal fromWire(wire::Refusal::Reader in);
 /// A refusal as what ends a promise.
 kj::Exception refused(wire::Refusal::Reader in);
-
-/// Text as capnp has it: with the zero, of any size.
-inline kj::StringPtr textOf(const std::string& text) { return {text.c_str(), text.size()}; }
-inline std::string stringOf(capnp::Text::Reader text) { return {text.begin(), text.size()}; }
 
 }  // namespace suture

@@ -14,8 +14,10 @@ constexpr int kMicrosecondsOfDrift = 100;
 
 Duration ClockOffset::error(Time present) const {
   if (one_ || error_ == Duration::max()) return error_;
-  return error_ + (present - compared_) * kMicrosecondsOfDrift / 1'000'000;
+  return error_ + drift(present - compared_);
 }
+
+Duration ClockOffset::drift(Duration elapsed) { return elapsed * kMicrosecondsOfDrift / 1'000'000; }
 
 // True if a clock was stepped, or slewed faster than quartz drifts.
 bool ClockOffset::contradicts(Duration offset, Duration errors) const {

@@ -1,13 +1,12 @@
 #include <suture/base/errors.h>
-#include <suture/lane/frame/frame_links.h>
-#include <suture/lane/frame/lane_thread.h>
+#include <suture/lane/lanes.h>
 #include <suture/loop/deadline.h>
 #include <suture/names/describe.h>
 #include <suture/names/manager_link.h>
 #include <suture/names/peer_address.h>
+#include <suture/session/client/remote_connection.h>
 #include <suture/session/network.h>
-#include <suture/session/peer_host.h>
-#include <suture/session/remote_connection.h>
+#include <suture/session/provider/peer_host.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -93,7 +92,7 @@ class Network::Impl {
                                             }};
       auto& connection = connections_[name];
       connection = std::make_unique<RemoteConnection>(
-          control_, links_, *link_, required, from, to, lane, told, interposer, watch, incarnation_,
+          control_, *sessions_, lanes_, required, from, to, lane, told, interposer, watch,
           ledgerOf(from.toString() + " -> " + to.toString()));
       // Forget what could not be connected: it may be gone before this is.
       return connection->open(patience)
@@ -136,12 +135,13 @@ class Network::Impl {
   void leave() {
     control_.run(kLocalWork, [this] {
       connections_.clear();
+      sessions_.reset();
       host_.reset();
       link_.reset();
       givenUp_ = nullptr;
       giveUp_ = nullptr;
     });
-    frames_.stop();
+    for (const auto& lane : lanes_) lane->stop();
   }
 
   std::uint64_t incarnation() const { return incarnation_; }
@@ -161,10 +161,12 @@ class Network::Impl {
     giveUp_ = kj::mv(givenUp.fulfiller);
     link_ =
         std::make_unique<ManagerLink>(control_, managers_, directory_.process(), security_.trust());
+    sessions_ = std::make_unique<Sessions>(control_, *link_, lanes_,
+                                           SessionIdentity{directory_.process(), incarnation_});
     return link_->open(patience).then(
         [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
           host_ = std::make_unique<PeerHost>(
-              control_, frames_, directory_, std::move(serverOf), std::move(taskOf),
+              control_, lanes_, directory_, std::move(serverOf), std::move(taskOf),
               peerAddress(*link_, directory_.process()), security_, incarnation_);
           return link_->enrol({.name = directory_.process(),
                                .addresses = {host_->address().text()},
@@ -194,9 +196,9 @@ class Network::Impl {
   const Security security_;
   const std::uint64_t incarnation_ = newIncarnation();
   rpc::ControlThread control_;
-  frame::LaneThread frames_;
-  FrameLinks links_{frames_};
+  const Lanes lanes_ = makeLanes();
   std::unique_ptr<ManagerLink> link_;
+  std::unique_ptr<Sessions> sessions_;
   std::unique_ptr<PeerHost> host_;
   kj::ForkedPromise<void> givenUp_{nullptr};
   kj::Own<kj::PromiseFulfiller<void>> giveUp_;

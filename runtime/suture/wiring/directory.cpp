@@ -57,6 +57,12 @@ std::vector<Component*> Directory::components() const {
   return all;
 }
 
+const Component* Directory::findComponent(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = components_.find(name);
+  return found == components_.end() ? nullptr : found->second;
+}
+
 Component& Directory::find(const std::string& component, const std::string& asked) const {
   const std::lock_guard lock(mutex_);
   const auto found = components_.find(component);

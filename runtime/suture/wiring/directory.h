@@ -28,6 +28,8 @@ class Directory {
   std::vector<Component*> components() const;
 
   Component& component(const std::string& name) const { return find(name, name); }
+  /// nullptr: there is none of that name.
+  const Component* findComponent(const std::string& name) const;
   ProvidedBase& provided(const Endpoint& endpoint) const;
   RequiredBase& required(const Endpoint& endpoint) const;
 

@@ -17,7 +17,7 @@
 #include <suture/names/manager_link.h>
 #include <suture/names/records.h>
 #include <suture/peer.capnp.h>
-#include <suture/session/explain.h>
+#include <suture/session/provider/explain.h>
 #include <unistd.h>
 
 #include <string>

@@ -2,7 +2,7 @@
 // What a process says of an interface robots::Gripper, to be spoilt.
 
 #include <capnp/message.h>
-#include <suture/session/explain.h>
+#include <suture/session/provider/explain.h>
 
 #include "robots/gripper.suture.h"
 

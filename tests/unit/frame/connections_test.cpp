@@ -1,6 +1,7 @@
 // What becomes of connections that might use frames.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <suture/frame.capnp.h>
 #include <suture/framing/link.h>
 #include <suture/framing/preamble.h>
 #include <suture/lane/frame/codec/frame_writer.h>
@@ -40,7 +41,7 @@ TEST_F(FrameConnections, OverTlsAreTheFastest) {
   EXPECT_TRUE(eventually([&] { return teleop.seen.load(); }));
 }
 
-TEST_F(FrameConnections, AskedForOnAUnixSocketAreHandedOver) {
+TEST_F(FrameConnections, AskedForOnAUnixSocketAreHad) {
   begin(unixAddress());
   connect(Lane::Frame);
   EXPECT_EQ(channel()->lane, "frame");
@@ -89,7 +90,7 @@ TEST_F(FrameConnections, OfOneProcessShareASocket) {
     console->connect("Other" + std::to_string(i) + "/Slave", "robot:PSM/Arm");
     ASSERT_TRUE(eventually([&] { return others[i]->seen.load(); })) << i;
   }
-  EXPECT_EQ(openSockets(), before + 2 * kMore);  // of control connections
+  EXPECT_EQ(openSockets(), before) << "one control link and one for frames serve them all";
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 
@@ -111,87 +112,101 @@ TEST_F(FrameConnections, ShareASocketWhenTheyComeBack) {
   EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
 }
 
-/// A caller that plays the client's end itself.
+/// A session whose client is played here.
 class Caller {
  public:
-  explicit Caller(const std::string& manager) : manager_(rpc::Address::parse(manager)) {}
-
-  struct Offer {
-    std::uint32_t epoch = 0, connection = 0;
-    bool hasToken = false;
-    rpc::Token token;
-    rpc::Address provider;
-  };
-
-  /// Connects as a client would, up to the second connection. The offer is good as long as this.
-  /// `client`: whose connections share a socket.
-  Offer connect(const std::string& client = "") {
-    return control_.run(kPatience, [this, client] {
+  explicit Caller(const std::string& manager) : manager_(rpc::Address::parse(manager)) {
+    control_.run(kPatience, [this] {
       link_ = kj::heap<ManagerLink>(control_, std::vector{manager_}, "test");
       return link_->open(kPatience)
           .then([this] { return link_->resolve("robot", kPatience); })
           .then([this](ProcessRecord robot) {
-            offer_.provider = rpc::Address::parse(robot.addresses.at(0));
+            provider_ = rpc::Address::parse(robot.addresses.at(0));
             return link_->reach(robot, kPatience);
           })
-          .then([this, client](rpc::ByteStream bytes) {
+          .then([this](rpc::ByteStream bytes) {
             auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
-            peers_.add(kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT));
-            return ask(peers_.back()->bootstrap<wire::Peer>(), client);
+            session_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
           });
     });
   }
   ~Caller() {
     control_.run(kPatience, [this] {
-      connections_.clear();
-      peers_.clear();
+      connection_ = nullptr;
+      session_ = nullptr;
       link_ = nullptr;
     });
   }
 
- private:
-  kj::Promise<Offer> ask(wire::Peer::Client peer, const std::string& client) {
-    auto request = peer.connectRequest();
-    reference::askForArm(request, "test");
-    auto frame = request.initFrame();
-    frame.setLayout(memoryLayout(interfaceInfo<reference::ArmLike>()).c_str());
-    frame.setClient(kj::StringPtr(client.c_str(), client.size()).asBytes());
-    return request.send().then([this](auto&& results) {
-      connections_.add(results.getAccepted().getConnection());
-      const auto offer = results.getAccepted().getFrame();
-      offer_.epoch = offer.getEpoch();
-      offer_.connection = offer.getConnection();
-      offer_.hasToken = offer.hasToken();
-      std::copy_n(reinterpret_cast<const std::byte*>(offer.getToken().begin()),
-                  offer.getToken().size(), offer_.token.begin());
-      return offer_;
+  struct Socket {
+    std::uint32_t number = 0;
+    rpc::Token token;
+  };
+  /// Asks for a second connection.
+  Socket socket() {
+    return control_.run(kPatience, [this] {
+      auto request = session_->bootstrap<wire::Peer>().socketRequest();
+      request.setLane("frame");
+      return request.send().then([](auto&& results) {
+        Socket socket{results.getNumber(), {}};
+        const auto token = results.getToken();
+        std::memcpy(socket.token.data(), token.begin(),
+                    std::min(token.size(), socket.token.size()));
+        return socket;
+      });
     });
   }
+  /// Why the arm is not connected by frames on that socket; "" if it is.
+  std::string connect(std::uint32_t socket) {
+    return control_.run(kPatience, [this, socket] {
+      auto request = session_->bootstrap<wire::Peer>().connectRequest();
+      reference::askForArm(request, "test");
+      request.setLane("frame");
+      auto frame = request.initBrings().initAs<wire::FrameRequest>();
+      frame.setLayout(memoryLayout(interfaceInfo<reference::ArmLike>()).c_str());
+      frame.setSocket(socket);
+      return request.send().then([this](auto&& results) -> std::string {
+        if (results.isRefused()) return results.getRefused().getText();
+        if (results.isDeclined()) return results.getDeclined();
+        connection_ = results.getAccepted().getConnection();
+        number_ =
+            results.getAccepted().getAnswer().template getAs<wire::FrameAnswer>().getConnection();
+        return std::string();
+      });
+    });
+  }
+  const rpc::Address& provider() const { return provider_; }
+  /// What the frames of that connection say.
+  std::uint32_t number() const { return number_; }
 
+ private:
   rpc::ControlThread control_;
   const rpc::Address manager_;
-  Offer offer_;
+  rpc::Address provider_;
+  std::uint32_t number_ = 0;
   kj::Own<ManagerLink> link_;
-  kj::Vector<kj::Own<rpc::Link>> peers_;
-  kj::Vector<wire::Connection::Client> connections_;
+  kj::Own<rpc::Link> session_;
+  kj::Maybe<wire::Connection::Client> connection_;
 };
 
-/// A second connection, blocking, that shows the offer's token and sends a subscription.
-kj::AutoCloseFd secondConnection(const Caller::Offer& offer) {
-  const rpc::SocketAddress target(offer.provider);
+/// A second connection, blocking, that shows the token.
+kj::AutoCloseFd secondConnection(const rpc::Address& provider, const rpc::Token& token) {
+  const rpc::SocketAddress target(provider);
   kj::AutoCloseFd socket(::socket(AF_INET, SOCK_STREAM, 0));
   EXPECT_EQ(::connect(socket, target.get(), target.length), 0);
   const timeval patience{.tv_sec = 5, .tv_usec = 0};
   setsockopt(socket, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
-  rpc::sendAll(socket, rpc::preambleOf(offer.token));
-  frame::FrameWriter writer(offer.epoch, sizeof(frame::Subscription));
+  rpc::sendAll(socket, rpc::preambleOf(token));
+  return socket;
+}
+
+void subscribe(int socket, std::uint32_t epoch, std::uint32_t connection) {
+  frame::FrameWriter writer(epoch, sizeof(frame::Subscription));
   const frame::Subscription everything{0, 0, ~std::uint64_t{0}};
-  const frame::Header header{
-      .kind = frame::Kind::Subscribe, .call = 1, .connection = offer.connection};
+  const frame::Header header{.kind = frame::Kind::Subscribe, .call = 1, .connection = connection};
   std::memcpy(writer.begin(header, sizeof(everything)), &everything, sizeof(everything));
   writer.finish();
   rpc::sendAll(socket, writer.unsent());
-  return socket;
 }
 
 /// That the token is good; or, later, a row.
@@ -203,37 +218,32 @@ bool isServed(int socket) {
 TEST_F(FrameConnections, ATokenIsGoodForOneConnection) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
-  const Caller::Offer offer = caller.connect();
-  const kj::AutoCloseFd first = secondConnection(offer);
-  EXPECT_TRUE(isServed(first));
-  const kj::AutoCloseFd replayed = secondConnection(offer);
+  const Caller::Socket socket = caller.socket();
+  const kj::AutoCloseFd first = secondConnection(caller.provider(), socket.token);
+  ASSERT_TRUE(isServed(first));
+  const kj::AutoCloseFd replayed = secondConnection(caller.provider(), socket.token);
   EXPECT_FALSE(isServed(replayed));
+  ASSERT_EQ(caller.connect(socket.number), "");
+  subscribe(first, socket.number, caller.number());
   EXPECT_TRUE(isServed(first));
 }
 
-TEST_F(FrameConnections, OnlyThoseOfOneClientShareASocket) {
+TEST_F(FrameConnections, OnlyThoseOfOneSessionShareASocket) {
   begin("tcp://127.0.0.1:0");
-  Caller caller(manager());
-  const Caller::Offer first = caller.connect("one"), second = caller.connect("one"),
-                      other = caller.connect("other"), nobodys = caller.connect(),
-                      nobodysToo = caller.connect();
-  EXPECT_TRUE(first.hasToken);
-  EXPECT_FALSE(second.hasToken);
-  EXPECT_EQ(second.epoch, first.epoch);
-  EXPECT_NE(second.connection, first.connection);
-  for (const Caller::Offer& own : {other, nobodys, nobodysToo}) {
-    EXPECT_TRUE(own.hasToken);
-    EXPECT_NE(own.epoch, first.epoch);
-  }
-  EXPECT_NE(nobodys.epoch, nobodysToo.epoch);
+  Caller caller(manager()), other(manager());
+  const Caller::Socket socket = caller.socket();
+  EXPECT_EQ(caller.connect(socket.number), "the session's frames have ended")
+      << "nobody has shown its token";
+  ASSERT_TRUE(isServed(secondConnection(caller.provider(), socket.token)));
+  EXPECT_EQ(other.connect(socket.number), "the session's frames have ended");
 }
 
 TEST_F(FrameConnections, ATokenThatNobodyGaveIsGoodForNothing) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
-  Caller::Offer offer = caller.connect();
-  offer.token[7] ^= std::byte{1};
-  EXPECT_FALSE(isServed(secondConnection(offer)));
+  rpc::Token token = caller.socket().token;
+  token[7] ^= std::byte{1};
+  EXPECT_FALSE(isServed(secondConnection(caller.provider(), token)));
 }
 
 }  // namespace

@@ -49,9 +49,10 @@ class Notices final : public wire::Notices::Server {
 /// A link whose caller says what he likes of himself.
 class Caller {
  public:
-  Caller(const std::string& provider, std::string bootId) : bootId_(std::move(bootId)) {
-    control_.run(kPatience, [this, address = rpc::Address::parse(provider)] {
-      return rpc::dial(control_.port(), address, kPatience).then([this](kj::AutoCloseFd socket) {
+  Caller(const std::string& provider, std::string bootId)
+      : bootId_(std::move(bootId)), provider_(rpc::Address::parse(provider)) {
+    control_.run(kPatience, [this] {
+      return rpc::dial(control_.port(), provider_, kPatience).then([this](kj::AutoCloseFd socket) {
         link_ = kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket)),
                                     capnp::rpc::twoparty::Side::CLIENT);
       });
@@ -60,6 +61,7 @@ class Caller {
   ~Caller() {
     control_.run(kPatience, [this] {
       held_ = nullptr;
+      calls_ = nullptr;
       link_ = nullptr;
     });
   }
@@ -74,17 +76,23 @@ class Caller {
       hello.setVersion(wire::PROTOCOL_VERSION);
       hello.setProcess("left");
       hello.setBootId(textOf(bootId_));
-      return hello.send().then([this, peer, epoch](auto&&) mutable {
-        auto request = peer.connectRequest();
-        reference::askForArm(request, "left");
-        request.setEpoch(epoch);
-        request.setNotices(kj::heap<Notices>(closed));
-        return request.send().then([this](auto&& results) {
-          if (results.isRefused()) return fromWire(results.getRefused()).text;
-          held_ = results.getAccepted().getConnection();
-          return std::string();
-        });
-      });
+      return hello.send()
+          .then([this, peer](auto&&) mutable {
+            return reference::openCallsSocket(control_.port(), provider_, peer);
+          })
+          .then([this, peer, epoch](reference::CallsSocket socket) mutable {
+            auto request = peer.connectRequest();
+            reference::askForArm(request, "left");
+            request.setEpoch(epoch);
+            request.setNotices(kj::heap<Notices>(closed));
+            request.initBrings().initAs<wire::CallsRequest>().setSocket(socket.number);
+            calls_ = kj::mv(socket);
+            return request.send().then([this](auto&& results) {
+              if (results.isRefused()) return fromWire(results.getRefused()).text;
+              held_ = results.getAccepted().getConnection();
+              return std::string();
+            });
+          });
     });
   }
 
@@ -104,8 +112,10 @@ class Caller {
 
  private:
   const std::string bootId_;
+  const rpc::Address provider_;
   rpc::ControlThread control_;
   kj::Own<rpc::Link> link_;
+  kj::Maybe<reference::CallsSocket> calls_;
   kj::Maybe<wire::Connection::Client> held_;
 };
 

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <suture/loop/event_port.h>
-#include <suture/session/heartbeat.h>
+#include <suture/session/client/heartbeat.h>
+#include <suture/session/task_pulse.h>
 
 #include <limits>
 #include <vector>
@@ -15,10 +16,13 @@ using namespace std::chrono_literals;
 constexpr Heartbeat::Bounds kBounds{.silence = 5s, .hang = 100ms};
 
 /// What a process tells of its task "Arm": one answer after the other, the last again and again.
+/// Any other task is in time.
 struct Answers {
   std::vector<Duration> overdue;
   unsigned silentAfter = std::numeric_limits<unsigned>::max();
   unsigned asked = 0;
+  std::size_t named = 0;  // lists of components that it has been told
+  std::vector<std::string> components;
 };
 
 class AnsweringPeer final : public wire::Peer::Server {
@@ -27,19 +31,28 @@ class AnsweringPeer final : public wire::Peer::Server {
 
  protected:
   kj::Promise<void> ping(PingContext context) override {
+    const auto in = context.getParams();
+    if (in.hasComponents()) name(in.getComponents());
     // One that does not move stays due at the moment at which it first was.
     const unsigned turn = answers_.asked++;
     if (turn >= answers_.silentAfter) return kj::NEVER_DONE;
     if (turn < answers_.overdue.size()) due_ = now() - answers_.overdue[turn];
     auto out = context.getResults();
     out.setSent(toNanoseconds(now()));
-    auto task = out.initTasks(1)[0];
-    task.setComponent("Arm");
-    toWire({Activity::Asleep, due_}, task);
+    auto tasks = out.initTasks(static_cast<unsigned>(answers_.components.size()));
+    for (unsigned i = 0; i < tasks.size(); ++i) {
+      toWire({Activity::Asleep, answers_.components[i] == "Arm" ? due_ : now()}, tasks[i]);
+    }
     return kj::READY_NOW;
   }
 
  private:
+  void name(capnp::List<capnp::Text>::Reader components) {
+    ++answers_.named;
+    answers_.components.clear();
+    for (const auto one : components) answers_.components.push_back(one);
+  }
+
   Answers& answers_;
   Time due_{};
 };
@@ -52,20 +65,21 @@ class HeartbeatTest : public testing::Test {
   /// Which comes first: the component is well, or lost and why.
   std::string firstOf(std::vector<Duration> overdue) {
     answers_.overdue = std::move(overdue);
-    auto well = heartbeat_.whenWell().then([] { return std::string("well"); });
-    return heartbeat_.whenLost().exclusiveJoin(kj::mv(well)).wait(port_.scope());
+    auto well = watch_->whenWell().then([] { return std::string("well"); });
+    return watch_->whenLost().exclusiveJoin(kj::mv(well)).wait(port_.scope());
   }
   /// Why the component is lost, or "not lost" after many times what any bound takes.
   std::string whyLost(std::vector<Duration> overdue) {
     answers_.overdue = std::move(overdue);
     auto never =
         port_.getTimer().afterDelay(1 * kj::MINUTES).then([] { return std::string("not lost"); });
-    return heartbeat_.whenLost().exclusiveJoin(kj::mv(never)).wait(port_.scope());
+    return watch_->whenLost().exclusiveJoin(kj::mv(never)).wait(port_.scope());
   }
 
   rpc::EventPort port_;
   Answers answers_;
-  Heartbeat heartbeat_{port_.getTimer(), kj::heap<AnsweringPeer>(answers_), "Arm", kBounds};
+  Heartbeat heartbeat_{port_.getTimer(), kj::heap<AnsweringPeer>(answers_)};
+  kj::Own<Heartbeat::Watch> watch_ = heartbeat_.watch("Arm", kBounds);
 };
 
 TEST_F(HeartbeatTest, ATaskThatIsInTimeIsWell) {
@@ -105,6 +119,58 @@ TEST_F(HeartbeatTest, APeerThatGoesOnAnsweringIsNeverLost) {
 TEST_F(HeartbeatTest, AProcessThatWasStoppedAsAWholeIsWellAgain) {
   EXPECT_EQ(firstOf({3s, 0ms}), "well");
   EXPECT_EQ(answers_.asked, 2u);
+}
+
+// ---- several watches of one session
+
+TEST_F(HeartbeatTest, EachWatchJudgesBySilenceOfItsOwn) {
+  answers_.silentAfter = 1;
+  auto strict = heartbeat_.watch("Arm", {.silence = 200ms, .hang = 5s});
+  const Time begun = now();
+  EXPECT_EQ(strict->whenLost().wait(port_.scope()),
+            "silent: its process has not answered for 200 ms");
+  EXPECT_LT(now() - begun, 300ms);
+  EXPECT_FALSE(heartbeat_.silent()) << "another watch bears more";
+  EXPECT_TRUE(whyLost({0ms}).starts_with("silent: its process has not answered for 5000 ms"));
+  EXPECT_TRUE(heartbeat_.silent());
+}
+
+// A connection that is taken down does not make those wait that have been lost.
+TEST_F(HeartbeatTest, IsSilentAsSoonAsNoWatchBearsItAnyMore) {
+  answers_.silentAfter = 1;
+  auto strict = heartbeat_.watch("Arm", {.silence = 200ms, .hang = 5s});
+  strict->whenLost().wait(port_.scope());
+  EXPECT_FALSE(heartbeat_.silent());
+  watch_ = nullptr;
+  EXPECT_TRUE(heartbeat_.silent());
+}
+
+TEST_F(HeartbeatTest, AnotherComponentIsJudgedByItsOwnTask) {
+  auto other = heartbeat_.watch("Camera", kBounds);
+  answers_.overdue = {0ms, 0ms, 3s};
+  auto otherLost = other->whenLost().eagerlyEvaluate(nullptr);
+  EXPECT_TRUE(watch_->whenLost().wait(port_.scope()).starts_with("hung: the thread of 'Arm'"));
+  EXPECT_FALSE(otherLost.poll(port_.scope()));
+}
+
+// A heartbeat is as long with 256 connections to a component as with one.
+TEST_F(HeartbeatTest, ThePeerIsToldTheComponentsOnlyWhenTheyChange) {
+  std::vector<kj::Own<Heartbeat::Watch>> more;
+  for (int i = 0; i < 256; ++i) more.push_back(heartbeat_.watch("Arm", kBounds));
+  port_.getTimer().afterDelay(1 * kj::SECONDS).wait(port_.scope());
+  EXPECT_EQ(answers_.named, 1u);
+  EXPECT_EQ(answers_.components, std::vector<std::string>{"Arm"});
+  EXPECT_LE(answers_.asked, 1s / (kBounds.hang / 10) + 2) << "all watches share the questions";
+}
+
+// It begins with a silence that is longer than it bears, and is not lost for that.
+TEST_F(HeartbeatTest, AWatchThatBeginsLaterCountsFromThen) {
+  answers_.silentAfter = 2;
+  port_.getTimer().afterDelay(1 * kj::SECONDS).wait(port_.scope());
+  auto later = heartbeat_.watch("Arm", {.silence = 500ms, .hang = 5s});
+  const Time begun = now();
+  EXPECT_TRUE(later->whenLost().wait(port_.scope()).starts_with("silent: "));
+  EXPECT_GE(now() - begun, 500ms);
 }
 
 }  // namespace

@@ -70,9 +70,13 @@ void ProxyPort::releaseAcknowledgement() {
   acknowledgement_ = nullptr;
 }
 
-void ProxyPort::pump() {
+void ProxyPort::countBytes() {
   channel_->bytesSent.store(counters_->sentBytes, std::memory_order_relaxed);
   channel_->bytesReceived.store(counters_->receivedBytes, std::memory_order_relaxed);
+}
+
+void ProxyPort::pump() {
+  countBytes();
   pumpSubscription();
   pumpCommands();
 }
@@ -99,7 +103,9 @@ void ProxyPort::leave(EventSet events) {
 void ProxyPort::subscribe(EventSet events, rt::ColumnSet columns) {
   events_ = events;
   columns_ = columns;
-  KJ_IF_MAYBE (proxy, proxy_) calls_.add((*proxy)->subscribe(events_, columns_));
+  KJ_IF_MAYBE (proxy, proxy_) {
+    calls_.add((*proxy)->subscribe(events_, columns_).then([this] { countBytes(); }));
+  }
 }
 
 void ProxyPort::pumpCommands() {

@@ -109,6 +109,7 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   void releaseAcknowledgement();
   void ending() override;
   void pump() override;
+  void countBytes();
   void pumpSubscription();
   void leave(EventSet events);
   void subscribe(EventSet events, rt::ColumnSet columns);

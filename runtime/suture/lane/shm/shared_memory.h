@@ -1,11 +1,11 @@
 #pragma once
-// Memory blocks as capabilities: what the shm lane needs of the control connection.
+// Memory blocks as capabilities: what the shm lane needs of the control link.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
 #include <suture/base/memory_block.h>
 #include <suture/lane/shm/shared_channel.h>
-#include <suture/peer.capnp.h>
+#include <suture/shm.capnp.h>
 
 #include <memory>
 

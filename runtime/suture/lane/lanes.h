@@ -1,0 +1,17 @@
+#pragma once
+// The lanes from which a session chooses.
+
+#include <suture/lane/lane_kind.h>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// The fastest first: each connection travels by the first that it can have.
+using Lanes = std::vector<std::unique_ptr<LaneKind>>;
+
+/// Throws SetupError if the kernel refuses what one needs.
+Lanes makeLanes();
+
+}  // namespace suture

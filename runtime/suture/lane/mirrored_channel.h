@@ -1,0 +1,14 @@
+#pragma once
+// The client's channel of a connection whose rows of state are copies.
+
+#include <suture/lane/lane_kind.h>
+
+namespace suture {
+
+/// `carrier`: rung for what goes to the provider. It keeps as many rows as the provider, up to a
+/// bound: a peer must not make this process take more memory.
+std::shared_ptr<Channel> mirroredChannel(const OutgoingConnection& connection, const char* lane,
+                                         rt::Doorbell& carrier, rpc::ControlThread& control,
+                                         std::uint32_t rows);
+
+}  // namespace suture

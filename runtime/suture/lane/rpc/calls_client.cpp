@@ -1,0 +1,125 @@
+#include <suture/lane/mirrored_channel.h>
+#include <suture/lane/rpc/binding.h>
+#include <suture/lane/rpc/calls_client.h>
+#include <suture/lane/rpc/proxy_port.h>
+#include <suture/net/socket.h>
+#include <suture/wiring/memory_layout.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace suture::rpc {
+namespace {
+
+// What is larger would hold up the small ones of other connections for too long.
+constexpr std::size_t kMostShared = std::size_t{256} << 10;
+
+bool isLarge(const InterfaceInfo& contract) {
+  if (!whyUnbounded(contract).empty()) return true;
+  std::size_t row = 0, most = 0;
+  for (const CommandInfo& one : contract.commands) {
+    most = std::max<std::size_t>({most, one.argumentsSize, one.resultSize});
+    if (one.column >= 0) row += one.resultSize;
+  }
+  for (const EventInfo& one : contract.events) most = std::max<std::size_t>(most, one.payloadSize);
+  return std::max(row, most) > kMostShared;
+}
+
+class ReplaysReceiver final : public wire::Replays::Server {
+ public:
+  explicit ReplaysReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> replayed(ReplayedContext context) override {
+    const auto in = context.getParams();
+    port_->noteReplay(in.getEvent(), in.getStamp());
+    return kj::READY_NOW;
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+/// The link lives as long as the client's end.
+class CallsAttempt final : public LaneAttempt {
+ public:
+  CallsAttempt(OutgoingConnection connection, std::shared_ptr<CallsLink> link,
+               ControlThread& control)
+      : connection_(std::move(connection)), link_(std::move(link)), control_(control) {}
+
+  void request(capnp::AnyPointer::Builder out) override {
+    out.initAs<wire::CallsRequest>().setSocket(link_->number());
+  }
+
+  kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t rows) override {
+    auto channel = mirroredChannel(connection_, "rpc", control_.doorbell(), control_, rows);
+    auto port = kj::refcounted<ProxyPort>(control_, channel, link_->counters());
+    auto contract = link_->contract(answer.getAs<wire::CallsAnswer>().getConnection(),
+                                    kj::heap<ReplaysReceiver>(kj::addRef(*port)));
+    port->open(connection_.contract.binding().makeProxy(kj::mv(contract), *port));
+    auto broken = link_->whenBroken().attach(std::shared_ptr(link_));
+    return OpenedEnd{kj::mv(port), std::move(channel), kj::mv(broken)};
+  }
+
+ private:
+  const OutgoingConnection connection_;
+  const std::shared_ptr<CallsLink> link_;
+  ControlThread& control_;
+};
+
+}  // namespace
+
+CallsLink::CallsLink(ControlThread& control, LaneSocket socket)
+    : number_(socket.number),
+      socket_(socket.bytes.socket()),
+      link_(kj::heap<MessageStream>(control.port(), kj::mv(socket.bytes)),
+            capnp::rpc::twoparty::Side::CLIENT),
+      peer_(link_.bootstrap<wire::Calls>()),
+      whenBroken_(link_.onDisconnect()
+                      .then([this]() -> std::string {
+                        broken_ = true;
+                        return "closed: the link of its calls has ended";
+                      })
+                      .fork()) {}
+
+capnp::Capability::Client CallsLink::contract(std::uint32_t connection,
+                                              wire::Replays::Client replays) {
+  auto request = peer_.contractRequest();
+  request.setConnection(connection);
+  request.setReplays(kj::mv(replays));
+  return request.send().getContract();
+}
+
+void CallsLink::bear(Duration silence) const { breakWhenUnanswered(socket_, silence); }
+
+kj::Promise<kj::Own<LaneAttempt>> CallsClient::attempt(OutgoingConnection connection) {
+  return linkFor(connection.contract)
+      .then([this, connection = std::move(connection)](
+                std::shared_ptr<CallsLink>&& link) mutable -> kj::Own<LaneAttempt> {
+        return kj::heap<CallsAttempt>(std::move(connection), std::move(link), session_.control());
+      });
+}
+
+kj::Promise<std::shared_ptr<CallsLink>> CallsClient::linkFor(const InterfaceInfo& contract) {
+  if (isLarge(contract)) return open();
+  return shared_.get([this] { return open(); });
+}
+
+kj::Promise<std::shared_ptr<CallsLink>> CallsClient::open() {
+  return session_.openSocket("rpc").then([this](LaneSocket&& socket) {
+    auto link = std::make_shared<CallsLink>(session_.control(), kj::mv(socket));
+    link->bear(longest_);
+    std::erase_if(links_, [](const auto& one) { return one.expired(); });
+    links_.push_back(link);
+    return link;
+  });
+}
+
+void CallsClient::bear(Duration silence) {
+  longest_ = silence;
+  for (const auto& one : links_) {
+    if (const auto link = one.lock()) link->bear(silence);
+  }
+}
+
+}  // namespace suture::rpc

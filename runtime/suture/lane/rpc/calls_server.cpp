@@ -1,0 +1,99 @@
+#include <suture/lane/rpc/binding.h>
+#include <suture/lane/rpc/calls_server.h>
+#include <suture/loop/failure.h>
+
+#include <string>
+#include <utility>
+
+namespace suture::rpc {
+namespace {
+
+using Type = kj::Exception::Type;
+
+}  // namespace
+
+/// What a client reaches of a socket.
+class CallsServer::Bootstrap final : public wire::Calls::Server {
+ public:
+  explicit Bootstrap(std::shared_ptr<Contracts> contracts) : contracts_(std::move(contracts)) {}
+
+ protected:
+  kj::Promise<void> contract(ContractContext context) override {
+    const auto found = contracts_->find(context.getParams().getConnection());
+    if (found == contracts_->end()) {
+      return failure(Type::FAILED, "no such connection has been accepted on this socket");
+    }
+    context.getResults().setContract(kj::mv(found->second.contract));
+    *found->second.replays = context.getParams().getReplays();
+    contracts_->erase(found);
+    return kj::READY_NOW;
+  }
+
+ private:
+  const std::shared_ptr<Contracts> contracts_;
+};
+
+std::shared_ptr<Channel> callsChannel(ControlThread& control,
+                                      const IncomingConnection& connection) {
+  const std::shared_ptr<rt::Doorbell> bell = control.sharedDoorbell();
+  const Channel::Ends ends{.client = bell.get(), .provider = &connection.provider};
+  auto channel = std::make_shared<Channel>(connection.provided.info(), connection.name, "rpc", ends,
+                                           connection.provided.state(), connection.events);
+  channel->clientsBell = bell;
+  return channel;
+}
+
+kj::Own<ServantPort> serveCalls(ControlThread& control, const IncomingConnection& connection,
+                                std::shared_ptr<Channel> channel,
+                                std::shared_ptr<const LinkCounters> counters) {
+  auto port = kj::refcounted<ServantPort>(control, std::move(channel), std::move(counters));
+  if (connection.readOnly) port->setReadOnly();
+  return port;
+}
+
+kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
+                                             capnp::AnyPointer::Reader brings,
+                                             capnp::AnyPointer::Builder answer) {
+  const auto found = sockets_.find(brings.getAs<wire::CallsRequest>().getSocket());
+  if (found == sockets_.end()) return failure(Type::FAILED, "the session's calls have ended");
+  // A client that gave up waiting for the answer never asks for the contract.
+  std::erase_if(*found->second.contracts, [](const auto& one) {
+    return one.second.channel->status == ChannelStatus::Closed;
+  });
+  auto channel = callsChannel(session_.control(), connection);
+  auto port = serveCalls(session_.control(), connection, channel, found->second.link->counters());
+  const std::uint32_t number = ++latest_;
+  const auto replays = std::make_shared<kj::Maybe<wire::Replays::Client>>();
+  found->second.contracts->emplace(
+      number, Offered{channel, connection.provided.info().binding().makeServant(kj::addRef(*port)),
+                      replays});
+  answer.initAs<wire::CallsAnswer>().setConnection(number);
+  return AcceptedEnd{kj::mv(port), std::move(channel), tellThrough(replays)};
+}
+
+TellReplay CallsServer::tellThrough(std::shared_ptr<kj::Maybe<wire::Replays::Client>> replays) {
+  return [this, replays = std::move(replays)](std::uint16_t event, Time stamp) {
+    KJ_IF_MAYBE (client, *replays) {
+      auto request = client->replayedRequest();
+      request.setEvent(event);
+      request.setStamp(toNanoseconds(stamp));
+      tasks_.add(request.send().ignoreResult());
+    }
+  };
+}
+
+// A session has at most so many connections, and each needs one socket at most.
+void CallsServer::opened(LaneSocket socket) {
+  constexpr std::size_t kMostSockets = 1024;
+  if (sockets_.size() == kMostSockets) return;
+  const std::uint32_t number = socket.number;
+  auto contracts = std::make_shared<Contracts>();
+  auto link = kj::heap<Link>(
+      kj::heap<MessageStream>(session_.control().port(), kj::mv(socket.bytes)),
+      capnp::rpc::twoparty::Side::SERVER, wire::Calls::Client(kj::heap<Bootstrap>(contracts)));
+  sockets_.emplace(number, Socket{std::move(contracts), link.get()});
+  auto ended = link->onDisconnect().then([this, number] { sockets_.erase(number); });
+  tasks_.add(ended.attach(kj::mv(link)));
+}
+
+}  // namespace suture::rpc

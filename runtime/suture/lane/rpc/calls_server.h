@@ -1,0 +1,54 @@
+#pragma once
+// The lane of calls in the provider's process.
+
+#include <suture/calls.capnp.h>
+#include <suture/framing/link.h>
+#include <suture/lane/lane_kind.h>
+#include <suture/lane/rpc/servant_port.h>
+
+#include <map>
+#include <memory>
+
+namespace suture::rpc {
+
+/// The provider's channel of a connection by calls.
+std::shared_ptr<Channel> callsChannel(ControlThread& control, const IncomingConnection& connection);
+
+/// Serves it; the calls that are counted come by the link that has `counters`.
+kj::Own<ServantPort> serveCalls(ControlThread& control, const IncomingConnection& connection,
+                                std::shared_ptr<Channel> channel,
+                                std::shared_ptr<const LinkCounters> counters);
+
+class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
+ public:
+  explicit CallsServer(ServerSession& session) : session_(session), tasks_(*this) {}
+
+  kj::Promise<AcceptedEnd> accept(IncomingConnection connection, capnp::AnyPointer::Reader brings,
+                                  capnp::AnyPointer::Builder answer) override;
+  void opened(LaneSocket socket) override;
+
+ private:
+  /// A connection of one socket, until its client asks for the contract.
+  struct Offered {
+    std::shared_ptr<Channel> channel;
+    capnp::Capability::Client contract;
+    std::shared_ptr<kj::Maybe<wire::Replays::Client>> replays;
+  };
+  using Contracts = std::map<std::uint32_t, Offered>;
+  class Bootstrap;
+  struct Socket {
+    std::shared_ptr<Contracts> contracts;
+    Link* link;
+  };
+
+  void taskFailed(kj::Exception&&) override {}
+
+  TellReplay tellThrough(std::shared_ptr<kj::Maybe<wire::Replays::Client>> replays);
+
+  ServerSession& session_;
+  std::map<std::uint32_t, Socket> sockets_;  // by number
+  std::uint32_t latest_ = 0;                 // connection
+  kj::TaskSet tasks_;                        // last: cancelled first
+};
+
+}  // namespace suture::rpc

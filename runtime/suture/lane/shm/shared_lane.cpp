@@ -1,0 +1,96 @@
+#include <suture/base/errors.h>
+#include <suture/lane/shm/shared_channel.h>
+#include <suture/lane/shm/shared_lane.h>
+#include <suture/lane/shm/shared_memory.h>
+#include <suture/lane/status_port.h>
+#include <suture/loop/failure.h>
+#include <suture/wire/text.h>
+#include <suture/wiring/memory_layout.h>
+
+#include <utility>
+
+namespace suture::shm {
+namespace {
+
+class SharedAttempt final : public LaneAttempt {
+ public:
+  explicit SharedAttempt(OutgoingConnection connection) : connection_(std::move(connection)) {}
+
+  void request(capnp::AnyPointer::Builder out) override {
+    auto request = out.initAs<wire::SharedRequest>();
+    request.setLayout(textOf(memoryLayout(connection_.contract)));
+    request.setBell(handOut(connection_.client->share()));
+  }
+
+  kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t) override {
+    return receive(answer.getAs<wire::SharedChannel>(), connection_.contract)
+        .then([this](const SharedParts& parts) -> OpenedEnd {
+          auto channel =
+              takeShared(connection_.contract, connection_.name, connection_.client, parts);
+          return {.end = kj::refcounted<rpc::ClientEnd>(channel), .channel = channel};
+        });
+  }
+
+ private:
+  const OutgoingConnection connection_;
+};
+
+class SharedClient final : public LaneClient {
+ public:
+  explicit SharedClient(ClientSession& session) : session_(session) {}
+
+  // Nothing converts the stamps that lie in shared memory.
+  std::string whyNot(const OutgoingConnection& connection) const override {
+    if (std::string why = whyUnbounded(connection.contract); !why.empty()) return why;
+    if (!session_.hasOneClock()) return "the two processes have different clocks";
+    if (session_.carriesDescriptors()) return "";
+    return "the two processes are not reached by a Unix socket";
+  }
+
+  kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection connection) override {
+    return kj::Own<LaneAttempt>(kj::heap<SharedAttempt>(std::move(connection)));
+  }
+
+ private:
+  ClientSession& session_;
+};
+
+class SharedServer final : public LaneServer {
+ public:
+  explicit SharedServer(ServerSession& session) : session_(session) {}
+
+  kj::Promise<AcceptedEnd> accept(IncomingConnection connection, capnp::AnyPointer::Reader brings,
+                                  capnp::AnyPointer::Builder answer) override {
+    const auto request = brings.getAs<wire::SharedRequest>();
+    const std::string why = connection.readOnly
+                                ? "the policy gives it for reading only"
+                                : whyOtherSlots(connection.contract, stringOf(request.getLayout()));
+    if (!why.empty()) return rpc::failure(kj::Exception::Type::FAILED, why);
+    return receive(request.getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
+        .then([this, connection, answer](std::shared_ptr<MemoryBlock> bell) mutable {
+          SharedOffer offer = offerShared(connection.provided, *connection.contract,
+                                          connection.name, connection.events, connection.provider,
+                                          std::move(bell), session_.control().doorbell());
+          toWire(offer.parts, answer.initAs<wire::SharedChannel>());
+          return AcceptedEnd{
+              kj::refcounted<StatusPort>(session_.control(), offer.channel), offer.channel, {}};
+        });
+  }
+
+  void opened(LaneSocket) override {}
+
+ private:
+  ServerSession& session_;
+};
+
+}  // namespace
+
+kj::Own<LaneClient> SharedLane::makeClient(ClientSession& session) {
+  return kj::heap<SharedClient>(session);
+}
+
+kj::Own<LaneServer> SharedLane::makeServer(ServerSession& session) {
+  return kj::heap<SharedServer>(session);
+}
+
+}  // namespace suture::shm

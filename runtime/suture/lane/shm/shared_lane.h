@@ -1,0 +1,15 @@
+#pragma once
+// The lane of memory that two processes of a machine share.
+
+#include <suture/lane/lane_kind.h>
+
+namespace suture::shm {
+
+class SharedLane final : public LaneKind {
+ public:
+  const char* name() const override { return "shm"; }
+  kj::Own<LaneClient> makeClient(ClientSession& session) override;
+  kj::Own<LaneServer> makeServer(ServerSession& session) override;
+};
+
+}  // namespace suture::shm

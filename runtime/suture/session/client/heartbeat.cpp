@@ -1,0 +1,154 @@
+#include <suture/loop/deadline.h>
+#include <suture/session/client/heartbeat.h>
+#include <suture/session/task_pulse.h>
+#include <suture/wire/stamps.h>
+#include <suture/wire/text.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace suture {
+namespace {
+
+// Asks so often in a bound that a loss is told late by at most a tenth of it.
+constexpr int kPerBound = 10;
+
+std::string milliseconds(Duration duration) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(duration).count()) +
+         " ms";
+}
+
+}  // namespace
+
+// ---- one watch
+
+Heartbeat::Watch::Watch(Heartbeat& heartbeat, std::string component, Bounds bounds)
+    : heartbeat_(heartbeat), component_(std::move(component)), bounds_(bounds) {}
+
+Heartbeat::Watch::~Watch() { std::erase(heartbeat_.watches_, this); }
+
+// A watch that has begun since the peer was told anything counts from then.
+BootTime Heartbeat::Watch::silentAt() const {
+  if (bounds_.silence == kEver) return BootTime::max();
+  return std::max(heartbeat_.told_, begun_) + bounds_.silence;
+}
+
+// A process that has not run for so long must not go on as if the peer had waited for it.
+void Heartbeat::Watch::look(BootTime present, BootTime begun) {
+  if (present < silentAt()) return;
+  heartbeat_.lostOne_ = true;
+  const Duration paused = present - begun;
+  const bool here = paused >= bounds_.silence;
+  lost_.fulfiller->fulfill(here ? "silent: this process has not run for " + milliseconds(paused)
+                                : "silent: its process has not answered for " +
+                                      milliseconds(bounds_.silence));
+}
+
+void Heartbeat::Watch::heard(wire::TaskPulse::Reader task, Time then) {
+  if (!hangs(task, then)) well_.fulfiller->fulfill();
+  if (answered_) answered_();
+}
+
+// Compares times of the peer's clock alone, so that neither its offset nor the way of the answer
+// matters. A process that was stopped as a whole answers before its tasks have had a turn, so a
+// task hangs only if it has not moved between two answers.
+bool Heartbeat::Watch::hangs(wire::TaskPulse::Reader task, Time then) {
+  const Pulse::Reading pulse = fromWire(task);
+  const bool running = pulse.activity == Activity::Running;
+  const Duration overdue = pulse.overdue(then);
+  const bool moved = std::exchange(due_, pulse.due) != pulse.due;
+  if (overdue <= bounds_.hang) return false;
+  if (moved) return true;
+  lost_.fulfiller->fulfill(
+      "hung: the thread of '" + component_ + "' " +
+      (running ? "has been in one cycle for " : "should have begun a cycle before ") +
+      milliseconds(overdue) + ", after " + std::to_string(task.getCycles()) + " others");
+  return true;
+}
+
+// ---- all of them
+
+kj::Own<Heartbeat::Watch> Heartbeat::watch(std::string component, Bounds bounds) {
+  auto watch = kj::heap<Watch>(*this, std::move(component), bounds);
+  watches_.push_back(watch.get());
+  if (std::vector<std::string> now = components(); now != named_) {
+    named_ = std::move(now);
+    renamed_ = true;
+  }
+  looking_ = look().eagerlyEvaluate(nullptr);
+  return watch;
+}
+
+std::vector<std::string> Heartbeat::components() const {
+  std::vector<std::string> names;
+  for (const Watch* watch : watches_) names.push_back(watch->component_);
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+bool Heartbeat::silent() const {
+  return lostOne_ && std::none_of(watches_.begin(), watches_.end(), [](Watch* watch) {
+           return watch->bounds_.silence != kEver && watch->lost_.fulfiller->isWaiting();
+         });
+}
+
+Duration Heartbeat::interval() const {
+  Duration shortest = kEver;
+  for (const Watch* watch : watches_) {
+    shortest = std::min({shortest, watch->bounds_.silence, watch->bounds_.hang});
+  }
+  return shortest / kPerBound;
+}
+
+kj::Promise<void> Heartbeat::look() {
+  if (!asked_) ask();
+  if (watches_.empty()) return kj::READY_NOW;
+  const BootTime begun = BootClock::now();
+  Duration pause = interval();
+  for (Watch* watch : watches_) {
+    if (watch->lost_.fulfiller->isWaiting()) pause = std::min(pause, watch->silentAt() - begun);
+  }
+  return timer_.afterDelay(rpc::toKj(std::max(pause, Duration{0}))).then([this, begun] {
+    const BootTime present = BootClock::now();
+    for (Watch* watch : watches_) watch->look(present, begun);
+    return look();
+  });
+}
+
+void Heartbeat::ask() {
+  asked_ = true;
+  auto request = peer_.pingRequest();
+  request.setHeard(heard_);
+  if (std::exchange(renamed_, false)) {
+    auto names = request.initComponents(static_cast<unsigned>(named_.size()));
+    for (unsigned i = 0; i < named_.size(); ++i) names.set(i, textOf(named_[i]));
+  }
+  if (heard_ != 0) told_ = BootClock::now();
+  // Ignore a failure: a broken link is told of elsewhere.
+  asking_ =
+      request.send()
+          .then([this, asked = now()](auto&& told) { heard(asked, told); }, [](kj::Exception&&) {})
+          .eagerlyEvaluate(nullptr);
+}
+
+// An answer to a question from before a change of names tells of other components.
+void Heartbeat::heard(Time asked, wire::Peer::PingResults::Reader told) {
+  asked_ = false;
+  lostOne_ = false;
+  heard_ = told.getSent();
+  if (answered_) answered_(asked, told);
+  if (renamed_) {
+    looking_ = kj::evalLater([this] { return look(); }).eagerlyEvaluate(nullptr);
+    return;
+  }
+  const auto tasks = told.getTasks();
+  if (tasks.size() != named_.size()) return;
+  const Time then = fromNanoseconds(rpc::bounded(told.getSent()));
+  for (Watch* watch : watches_) {
+    const auto place = std::lower_bound(named_.begin(), named_.end(), watch->component_);
+    watch->heard(tasks[static_cast<unsigned>(place - named_.begin())], then);
+  }
+}
+
+}  // namespace suture

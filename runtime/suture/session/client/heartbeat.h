@@ -1,0 +1,95 @@
+#pragma once
+// Whether a peer and the tasks behind a session's connections still do their work.
+
+#include <suture/base/boot_time.h>
+#include <suture/loop/kj_comparisons.h>  // first
+#include <suture/peer.capnp.h>
+
+#include <kj/async.h>
+#include <kj/timer.h>
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace suture {
+
+/// Asks a peer again and again how it and those of its components do that are watched. All watches
+/// judge the same answers, each by its own bounds; it asks as often as the strictest needs. Belongs
+/// to the control thread, and outlives its watches.
+class Heartbeat {
+ public:
+  struct Bounds {
+    /// How long the peer may leave a question unanswered. It counts from when the peer was last
+    /// told that it had answered, and so does the peer, who then executes nothing more.
+    Duration silence;
+    Duration hang;  ///< how long the component's thread may be in one cycle, or late for one
+  };
+  /// A silence that never ends: somebody else bounds how long one waits for an answer.
+  static constexpr Duration kEver = Duration::max();
+
+  class Watch {
+   public:
+    Watch(Heartbeat& heartbeat, std::string component, Bounds bounds);
+    ~Watch();
+    KJ_DISALLOW_COPY(Watch);
+
+    /// To be set at once: called with each answer.
+    void onAnswer(std::function<void()> answered) { answered_ = std::move(answered); }
+    /// Resolves, in words for people, when a bound has passed. Call it once.
+    kj::Promise<std::string> whenLost() { return kj::mv(lost_.promise); }
+    /// Resolves at the first answer by which the component does not hang. Call it once.
+    kj::Promise<void> whenWell() { return kj::mv(well_.promise); }
+
+   private:
+    friend class Heartbeat;
+    BootTime silentAt() const;
+    void look(BootTime present, BootTime begun);
+    void heard(wire::TaskPulse::Reader task, Time then);
+    bool hangs(wire::TaskPulse::Reader task, Time then);
+
+    Heartbeat& heartbeat_;
+    const std::string component_;
+    const Bounds bounds_;
+    const BootTime begun_ = BootClock::now();
+    std::function<void()> answered_;
+    Time due_{};  // of the component's thread, by the latest answer
+    kj::PromiseFulfillerPair<std::string> lost_ = kj::newPromiseAndFulfiller<std::string>();
+    kj::PromiseFulfillerPair<void> well_ = kj::newPromiseAndFulfiller<void>();
+  };
+
+  Heartbeat(kj::Timer& timer, wire::Peer::Client peer) : timer_(timer), peer_(kj::mv(peer)) {}
+
+  /// Watches a component of the peer, from the next answer on.
+  kj::Own<Watch> watch(std::string component, Bounds bounds);
+
+  /// To be set before the first watch: called with each answer, and with when it was asked for.
+  using Answered = std::function<void(Time asked, wire::Peer::PingResults::Reader answer)>;
+  void onAnswer(Answered answered) { answered_ = std::move(answered); }
+
+  /// True if a watch has been lost to silence, no answer has come since, and no other watch bears
+  /// it still.
+  bool silent() const;
+
+ private:
+  Duration interval() const;
+  kj::Promise<void> look();
+  void ask();
+  std::vector<std::string> components() const;
+  void heard(Time asked, wire::Peer::PingResults::Reader told);
+
+  kj::Timer& timer_;
+  wire::Peer::Client peer_;
+  Answered answered_;
+  std::vector<Watch*> watches_;
+  std::vector<std::string> named_;    // what the peer tells of, in this order
+  bool renamed_ = false;              // it is to be told what that is
+  bool lostOne_ = false;              // to silence, since the latest answer
+  std::int64_t heard_ = 0;            // when the peer sent its latest answer, as it says
+  BootTime told_ = BootClock::now();  // when it was last told that an answer has come
+  bool asked_ = false;                // and not answered
+  kj::Promise<void> asking_ = kj::READY_NOW, looking_ = kj::READY_NOW;  // last: cancelled first
+};
+
+}  // namespace suture

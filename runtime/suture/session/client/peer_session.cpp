@@ -1,0 +1,116 @@
+#include <suture/framing/preamble.h>
+#include <suture/loop/deadline.h>
+#include <suture/net/socket.h>
+#include <suture/session/boot_id.h>
+#include <suture/session/client/peer_session.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace suture {
+namespace {
+
+constexpr unsigned kClockQuestions = 8;
+
+}  // namespace
+
+PeerSession::PeerSession(rpc::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
+                         ProcessRecord process, rpc::ByteStream bytes)
+    : control_(control),
+      manager_(manager),
+      process_(std::move(process)),
+      socket_(bytes.socket()),
+      carriesDescriptors_(bytes.carriesDescriptors()),
+      link_(kj::heap<rpc::MessageStream>(control.port(), kj::mv(bytes)),
+            capnp::rpc::twoparty::Side::CLIENT),
+      peer_(link_.bootstrap<wire::Peer>()),
+      heartbeat_(control.timer(), peer_),
+      whenClosed_(link_.onDisconnect()
+                      .then([this]() -> std::string {
+                        closed_ = true;
+                        return "closed: its process has ended, or the link is broken";
+                      })
+                      .fork()) {
+  for (const auto& kind : lanes) lanes_.push_back(kind->makeClient(*this));
+}
+
+PeerSession::~PeerSession() noexcept(false) = default;
+
+kj::Promise<void> PeerSession::greet(const SessionIdentity& self) {
+  auto request = peer_.helloRequest();
+  request.setVersion(wire::PROTOCOL_VERSION);
+  request.setProcess(textOf(self.process));
+  request.setBootId(textOf(bootId()));
+  request.setIncarnation(self.incarnation);
+  const Time asked = now();
+  return request.send().then([this, asked](auto&& results) -> kj::Promise<void> {
+    if (results.isRefused()) return refused(results.getRefused());
+    peersIncarnation_ = results.getIncarnation();
+    if (stringOf(results.getBootId()) == bootId()) {
+      clock_ = ClockOffset::none();
+      return kj::READY_NOW;
+    }
+    clock_.add(asked, results.getReceived(), results.getSent(), now());
+    heartbeat_.onAnswer([this](Time when, auto answer) { follow(when, answer); });
+    return compareClocks(kClockQuestions);
+  });
+}
+
+kj::Promise<void> PeerSession::compareClocks(unsigned times) {
+  if (times == 0) {
+    tellClock();
+    return kj::READY_NOW;
+  }
+  const Time asked = now();
+  return peer_.pingRequest().send().then([this, asked, times](auto&& told) {
+    clock_.add(asked, told.getReceived(), told.getSent(), now());
+    return compareClocks(times - 1);
+  });
+}
+
+// Clocks drift apart, so the peer is told what is known better now, or much worse.
+void PeerSession::follow(Time asked, wire::Peer::PingResults::Reader answer) {
+  const bool better = clock_.add(asked, answer.getReceived(), answer.getSent(), now());
+  if (better || clock_.error(now()) >= toldError_ + toldError_ / 2) tellClock();
+}
+
+void PeerSession::tellClock() {
+  toldError_ = clock_.error(now());
+  auto request = peer_.comparedRequest();
+  request.setClockOffset(-clock_.offset().count());
+  request.setClockError(toldError_.count());
+  // Ignore a failure: a broken link is told of elsewhere.
+  telling_ = request.send().ignoreResult().eagerlyEvaluate([](kj::Exception&&) {});
+}
+
+void PeerSession::bear(Duration silence) {
+  if (silence <= longest_) return;
+  longest_ = silence;
+  rpc::breakWhenUnanswered(socket_, silence);
+  for (auto& lane : lanes_) lane->bear(silence);
+}
+
+kj::Promise<LaneSocket> PeerSession::openSocket(const char* lane) {
+  auto request = peer_.socketRequest();
+  request.setLane(lane);
+  auto opened = request.send().then([this](auto&& results) -> kj::Promise<LaneSocket> {
+    rpc::Token token;
+    const auto told = results.getToken();
+    if (told.size() != token.size()) {
+      return rpc::failure(kj::Exception::Type::FAILED, "the token has an impossible size");
+    }
+    std::memcpy(token.data(), told.begin(), token.size());
+    return manager_.reach(process_, kDialLimit)
+        .then([this, token](rpc::ByteStream bytes) {
+          return rpc::showToken(control_.port(), kj::mv(bytes), token);
+        })
+        .then([number = results.getNumber()](rpc::ByteStream bytes) {
+          return LaneSocket{number, kj::mv(bytes)};
+        });
+  });
+  return rpc::within(control_.timer(), kDialLimit, kj::mv(opened),
+                     "the provider gives no second connection in time");
+}
+
+}  // namespace suture

@@ -1,0 +1,86 @@
+#pragma once
+// The session of this process with a peer whose components it uses.
+
+#include <suture/framing/link.h>
+#include <suture/lane/lanes.h>
+#include <suture/names/manager_link.h>
+#include <suture/peer.capnp.h>
+#include <suture/session/client/heartbeat.h>
+#include <suture/session/clock_offset.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// How long a peer may take to let a new socket be used.
+inline constexpr Duration kDialLimit = std::chrono::seconds(2);
+
+/// Who this process is to its peers.
+struct SessionIdentity {
+  std::string process;
+  std::uint64_t incarnation = 0;
+};
+
+/// Owns what all connections from here to that process share: the control link, the heartbeat, the
+/// estimate of the peer's clock, and for each lane what that keeps. The control link carries no
+/// payload of a connection, so none holds up another here. Ends with the last connection. Belongs
+/// to the control thread; outlives its promises.
+class PeerSession final : private ClientSession {
+ public:
+  /// `bytes`: a connection to `process`, which nothing has been said on.
+  PeerSession(rpc::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
+              ProcessRecord process, rpc::ByteStream bytes);
+  ~PeerSession() noexcept(false);
+  KJ_DISALLOW_COPY(PeerSession);
+
+  /// Says hello and compares the clocks; first of all, and once.
+  kj::Promise<void> greet(const SessionIdentity& self);
+
+  wire::Peer::Client peer() { return peer_; }
+  std::uint64_t peersIncarnation() const { return peersIncarnation_; }
+  const ClockOffset& clock() const { return clock_; }
+  LaneClient& lane(std::size_t which) { return *lanes_[which]; }
+
+  /// Watches a component of the peer.
+  kj::Own<Heartbeat::Watch> watch(const std::string& component, Heartbeat::Bounds bounds) {
+    return heartbeat_.watch(component, bounds);
+  }
+  /// A connection gives the peer up after `silence`: no socket may break before.
+  void bear(Duration silence);
+
+  /// The control link has ended, or the peer has been silent for longer than any connection bears.
+  bool broken() const { return closed_ || heartbeat_.silent(); }
+  /// Resolves with the reason, in words, when the control link has ended.
+  kj::Promise<std::string> whenClosed() { return whenClosed_.addBranch(); }
+
+ private:
+  rpc::ControlThread& control() override { return control_; }
+  bool carriesDescriptors() const override { return carriesDescriptors_; }
+  bool hasOneClock() const override { return clock_.isOne(); }
+  kj::Promise<LaneSocket> openSocket(const char* lane) override;
+
+  kj::Promise<void> compareClocks(unsigned times);
+  void follow(Time asked, wire::Peer::PingResults::Reader answer);
+  void tellClock();
+
+  rpc::ControlThread& control_;
+  ManagerLink& manager_;
+  const ProcessRecord process_;  // the peer's, as it was reached
+  const int socket_;
+  const bool carriesDescriptors_;
+  rpc::Link link_;
+  wire::Peer::Client peer_;
+  std::uint64_t peersIncarnation_ = 0;
+  ClockOffset clock_;      // the peer's
+  Duration toldError_{0};  // of the clock, to the peer
+  Duration longest_{0};    // silence that a connection bears
+  Heartbeat heartbeat_;
+  std::vector<kj::Own<LaneClient>> lanes_;  // in the order of the process's
+  bool closed_ = false;
+  kj::Promise<void> telling_ = kj::READY_NOW;
+  kj::ForkedPromise<std::string> whenClosed_;  // last: cancelled first
+};
+
+}  // namespace suture

@@ -1,0 +1,268 @@
+#include <suture/lane/delay/delay_thread.h>
+#include <suture/loop/deadline.h>
+#include <suture/loop/failure.h>
+#include <suture/session/client/notices_receiver.h>
+#include <suture/session/client/remote_connection.h>
+#include <suture/session/tallies.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace suture {
+namespace {
+
+using Type = kj::Exception::Type;
+
+constexpr Duration kFirstRedialPause = std::chrono::milliseconds(50);
+// A pause and an attempt that fails together take less than the second within which the connection
+// is to be back after a fault.
+constexpr Duration kLongestRedialPause = std::chrono::milliseconds(250);
+constexpr Duration kTakeOverLimit = std::chrono::milliseconds(500);
+constexpr Duration kComeBackPatience = std::chrono::seconds(5);
+
+std::string microseconds(Duration duration) {
+  return std::to_string(std::chrono::duration_cast<std::chrono::microseconds>(duration).count()) +
+         " us";
+}
+
+}  // namespace
+
+RemoteConnection::RemoteConnection(rpc::ControlThread& control, Sessions& sessions,
+                                   const Lanes& lanes, RequiredBase& required, Endpoint from,
+                                   Endpoint to, Lane lane, Told told, const Interposer& interposer,
+                                   std::shared_ptr<ConnectionWatch> watch,
+                                   std::shared_ptr<Ledger> ledger)
+    : control_(control),
+      sessions_(sessions),
+      lanes_(lanes),
+      required_(required),
+      from_(std::move(from)),
+      to_(std::move(to)),
+      lane_(lane),
+      told_(std::move(told)),
+      interposer_(interposer),
+      watch_(std::move(watch)),
+      ledger_(std::move(ledger)),
+      longestSilence_(watch_ == nullptr ? ConnectionContract::kDefaultSilence
+                                        : watch_->contract.longestSilence()) {}
+
+RemoteConnection::~RemoteConnection() noexcept(false) {
+  keeping_ = kj::READY_NOW;
+  KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
+}
+
+kj::Promise<void> RemoteConnection::open(Duration patience) {
+  return connect(patience, patience + kDialLimit).then([this] {
+    keeping_ = keep().eagerlyEvaluate(nullptr);
+  });
+}
+
+void RemoteConnection::end() {
+  keeping_ = kj::READY_NOW;
+  KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Closed);
+}
+
+kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
+  auto connected =
+      sessions_.open(to_.process, patience, limit)
+          .then([this, limit](std::shared_ptr<PeerSession> session) {
+            session_ = std::move(session);
+            return rpc::within(control_.timer(), limit, introduce(), noAnswerOf(to_.process));
+          });
+  // The manager itself answers in time, so only the peer can be late.
+  return rpc::within(control_.timer(), patience + kDialLimit, kj::mv(connected),
+                     noAnswerOf(to_.process));
+}
+
+// Does not connect a provider that hangs, only to lose it again.
+kj::Promise<void> RemoteConnection::introduce() {
+  auto watch =
+      session_->watch(to_.component, {.silence = Heartbeat::kEver, .hang = longestSilence_});
+  auto lost = watch->whenLost().then([this](std::string&& why) -> kj::Promise<void> {
+    return rpc::failure(Type::FAILED, "connecting " + name() + ": the provider is " + why +
+                                          ". Look at what it is doing.");
+  });
+  // A question that a link has taken with it is never answered.
+  auto closed = session_->whenClosed().then([this](std::string&& why) -> kj::Promise<void> {
+    return rpc::disconnected("connecting " + name() + ": the link was " + why + ". Try again.");
+  });
+  auto asked = watch->whenWell().then([this] { return requireClocksThatCanTell(); }).then([this] {
+    laneReason_.clear();
+    return ask(firstLane());
+  });
+  return lost.exclusiveJoin(kj::mv(closed)).exclusiveJoin(kj::mv(asked)).attach(kj::mv(watch));
+}
+
+// Within the clocks' error a ttl means nothing: late commands would run, or timely ones be late.
+kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
+  const Duration error = session_->clock().error(now());
+  for (const CommandInfo& one : required_.info().commands) {
+    if (one.ttl == Duration{0} || one.ttl > error) continue;
+    return rpc::failure(Type::FAILED,
+                        "connecting " + name() + ": '" + one.name + "' has a ttl of " +
+                            microseconds(one.ttl) + ", and the two clocks can be compared to " +
+                            microseconds(error) + " only. Use a faster link, or a longer ttl.");
+  }
+  return kj::READY_NOW;
+}
+
+OutgoingConnection RemoteConnection::outgoing() const {
+  Component& client = interposer_.delays == nullptr ? required_.owner() : *interposer_.delays;
+  return {.contract = required_.info(),
+          .name = name(),
+          .events = asked_,
+          .client = client.sharedDoorbell()};
+}
+
+std::size_t RemoteConnection::firstLane() const {
+  const auto asked = std::find_if(lanes_.begin(), lanes_.end(), [this](const auto& kind) {
+    return std::string_view(kind->name()) == toString(lane_);
+  });
+  return asked == lanes_.end() ? 0 : static_cast<std::size_t>(asked - lanes_.begin());
+}
+
+kj::Promise<void> RemoteConnection::ask(std::size_t lane) {
+  if (lane == lanes_.size()) {
+    return rpc::failure(Type::FAILED, "connecting " + name() +
+                                          ": no lane can carry it. The last says: " + laneReason_);
+  }
+  return attempt(session_->lane(lane), lanes_[lane]->name())
+      .then([this, lane](kj::Maybe<std::string>&& why) -> kj::Promise<void> {
+        KJ_IF_MAYBE (reason, why) {
+          laneReason_ = std::move(*reason);
+          return ask(lane + 1);
+        }
+        return kj::READY_NOW;
+      });
+}
+
+kj::Promise<kj::Maybe<std::string>> RemoteConnection::attempt(LaneClient& lane, const char* name) {
+  using Reason = kj::Maybe<std::string>;
+  asked_ = required_.subscribed();
+  if (std::string why = lane.whyNot(outgoing()); !why.empty()) return Reason(std::move(why));
+  return lane.attempt(outgoing())
+      .then(
+          [this, name](kj::Own<LaneAttempt>&& attempt) {
+            LaneAttempt& made = *attempt;
+            return request(made, name).attach(kj::mv(attempt));
+          },
+          [](kj::Exception&& failure) -> kj::Promise<Reason> {
+            return Reason(rpc::describe(failure));
+          });
+}
+
+kj::Promise<kj::Maybe<std::string>> RemoteConnection::request(LaneAttempt& attempt,
+                                                              const char* name) {
+  auto request = session_->peer().connectRequest();
+  fillIn(request, name);
+  attempt.request(request.initBrings());
+  return request.send().then(
+      [this, &attempt](Results&& results) { return begin(attempt, kj::mv(results)); });
+}
+
+void RemoteConnection::fillIn(wire::ConnectRequest::Builder request, const char* lane) {
+  request.setFromProcess(textOf(from_.process));
+  request.setFromComponent(textOf(from_.component));
+  request.setRequired(textOf(from_.interface));
+  request.setToComponent(textOf(to_.component));
+  request.setProvided(textOf(to_.interface));
+  request.setContract(required_.info().name);
+  request.setHash(required_.info().hash);
+  request.setDescription(required_.info().description);
+  toWire(required_.frames(), request.initFrames());
+  request.setEvents(toWireNumbers(required_.info().wireEvents, asked_));
+  request.setEpoch(toNanoseconds(now()));
+  request.setSilence(longestSilence_.count());
+  request.setLane(lane);
+  auto news = kj::refcounted<ProviderNews>();
+  request.setNotices(kj::heap<NoticesReceiver>(
+      kj::addRef(*news), ledger_,
+      [tell = told_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
+  news_ = kj::mv(news);
+}
+
+kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt,
+                                                            Results&& results) {
+  using Reason = kj::Maybe<std::string>;
+  if (results.isRefused()) return refused(results.getRefused());
+  if (results.isDeclined()) return Reason(stringOf(results.getDeclined()));
+  const auto accepted = results.getAccepted();
+  connection_ = accepted.getConnection();
+  return attempt.open(accepted.getAnswer(), accepted.getRows())
+      .then(
+          [this, results = kj::mv(results)](OpenedEnd&& opened) -> Reason {
+            use(kj::mv(opened), results.getAccepted());
+            return nullptr;
+          },
+          [this](kj::Exception&& failure) -> Reason {
+            connection_ = nullptr;
+            return rpc::describe(failure);
+          });
+}
+
+void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Reader accepted) {
+  std::shared_ptr<Channel> channel = std::move(opened.channel);
+  for (const std::uint16_t command : accepted.getLacking()) channel->lacking.push_back(command);
+  std::sort(channel->lacking.begin(), channel->lacking.end());
+  channel->laneReason = laneReason_;
+  channel->watch = watch_;
+  KJ_ASSERT_NONNULL(news_)->passOnTo(kj::addRef(*opened.end));
+  end_ = kj::mv(opened.end);
+  laneBroken_ = kj::mv(opened.broken);
+  followClock();
+  if (interposer_.delays != nullptr) {
+    channel = interposer_.delays->interpose(required_, std::move(channel), interposer_.delay);
+  }
+  channel->ledger = ledger_;
+  ledger_->begin(channel, session_->peersIncarnation(), fromWire(accepted.getEarlier()));
+  told_.made(channel);  // known before it is used
+  required_.attach(std::move(channel));
+}
+
+// A peer that is stopped, or behind a cable that was pulled, says nothing; so it is asked.
+kj::Promise<void> RemoteConnection::keep() {
+  session_->bear(longestSilence_);
+  auto watch =
+      session_->watch(to_.component, {.silence = longestSilence_, .hang = longestSilence_});
+  if (!session_->clock().isOne()) watch->onAnswer([this] { followClock(); });
+  auto lost = watch->whenLost();
+  return lost.attach(kj::mv(watch))
+      .exclusiveJoin(session_->whenClosed())
+      .exclusiveJoin(std::exchange(laneBroken_, kj::NEVER_DONE))
+      .exclusiveJoin(KJ_ASSERT_NONNULL(news_)->whenLapsed())
+      .then([this](std::string&& why) {
+        told_.lost(name(), std::move(why));
+        drop();
+        return comeBack(kFirstRedialPause);
+      })
+      .then([this] { return keep(); });
+}
+
+// The error until the next comparison; without one, the connection is lost by then.
+void RemoteConnection::followClock() {
+  const ClockOffset& clock = session_->clock();
+  KJ_IF_MAYBE (end, end_) {
+    (*end)->setClock(-clock.offset(), clock.error(now() + longestSilence_));
+  }
+}
+
+void RemoteConnection::drop() {
+  KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
+  end_ = nullptr;
+  news_ = nullptr;
+  connection_ = nullptr;
+  laneBroken_ = kj::NEVER_DONE;
+  session_ = nullptr;
+}
+
+kj::Promise<void> RemoteConnection::comeBack(Duration pause) {
+  return control_.timer()
+      .afterDelay(rpc::toKj(pause))
+      .then([this] { return connect(kComeBackPatience, kTakeOverLimit); })
+      .catch_([this, pause](kj::Exception&&) {
+        drop();
+        return comeBack(std::min(2 * pause, kLongestRedialPause));
+      });
+}
+
+}  // namespace suture

@@ -1,0 +1,89 @@
+#pragma once
+// One required interface of this process, connected to a provided one of another.
+
+#include <suture/component/channel/ledger.h>
+#include <suture/component/required.h>
+#include <suture/lane/lane.h>
+#include <suture/peer.capnp.h>
+#include <suture/session/client/notices_receiver.h>
+#include <suture/session/client/sessions.h>
+#include <suture/session/network.h>
+#include <suture/wiring/endpoint.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace suture {
+
+/// An entry in the session with the provider's process. When the session ends, or this alone is
+/// lost, the required interface is Lost at once, and the connection is made anew, with back-off,
+/// for as long as this lives. Belongs to the control thread; outlives its promises.
+class RemoteConnection {
+ public:
+  /// The control thread calls these with news of the connection.
+  struct Told {
+    /// Takes each channel, when the connection has been made or made anew.
+    std::function<void(std::shared_ptr<Channel>)> made;
+    /// Hears by the channel's name why it is lost, in words, before it is.
+    std::function<void(const std::string& channel, std::string why)> lost;
+  };
+
+  /// `from` and `to` with their processes. `ledger`: the sums of the connection's name.
+  RemoteConnection(rpc::ControlThread& control, Sessions& sessions, const Lanes& lanes,
+                   RequiredBase& required, Endpoint from, Endpoint to, Lane lane, Told told,
+                   const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch,
+                   std::shared_ptr<Ledger> ledger);
+  ~RemoteConnection() noexcept(false);
+
+  /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
+  /// reason.
+  kj::Promise<void> open(Duration patience);
+  /// Takes the connection down for good: that is no loss to the client.
+  void end();
+
+ private:
+  using Results = capnp::Response<wire::ConnectResults>;
+
+  /// `limit`: how long the peer may take for each answer.
+  kj::Promise<void> connect(Duration patience, Duration limit);
+  kj::Promise<void> introduce();
+  kj::Promise<void> requireClocksThatCanTell();
+  std::size_t firstLane() const;
+  /// Asks for the connection on that lane or, if it cannot be had, on one of those behind it.
+  kj::Promise<void> ask(std::size_t lane);
+  /// Resolves to the reason if that lane cannot be had; rejects if none can.
+  kj::Promise<kj::Maybe<std::string>> attempt(LaneClient& lane, const char* name);
+  kj::Promise<kj::Maybe<std::string>> request(LaneAttempt& attempt, const char* name);
+  void fillIn(wire::ConnectRequest::Builder request, const char* lane);
+  kj::Promise<kj::Maybe<std::string>> begin(LaneAttempt& attempt, Results&& results);
+  void use(OpenedEnd opened, wire::ConnectResults::Accepted::Reader accepted);
+  OutgoingConnection outgoing() const;
+  std::string name() const { return from_.toString() + " -> " + to_.toString(); }
+  kj::Promise<void> keep();
+  kj::Promise<void> comeBack(Duration pause);
+  void followClock();
+  void drop();
+
+  rpc::ControlThread& control_;
+  Sessions& sessions_;
+  const Lanes& lanes_;
+  RequiredBase& required_;
+  const Endpoint from_, to_;
+  const Lane lane_;
+  const Told told_;
+  const Interposer interposer_;
+  const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
+  const std::shared_ptr<Ledger> ledger_;
+  const Duration longestSilence_;
+  std::string laneReason_;  // why it is not a faster one
+  EventSet asked_ = 0;      // what was subscribed to when it was asked
+  std::shared_ptr<PeerSession> session_;
+  kj::Maybe<wire::Connection::Client> connection_;
+  kj::Maybe<kj::Own<ProviderNews>> news_;
+  kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
+  kj::Promise<std::string> laneBroken_ = kj::NEVER_DONE;
+  kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
+};
+
+}  // namespace suture

@@ -1,0 +1,45 @@
+#include <suture/loop/deadline.h>
+#include <suture/session/client/sessions.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace suture {
+// Another caller may have begun the attempt with less patience: its failure is not this one's.
+kj::Promise<std::shared_ptr<PeerSession>> Sessions::open(const std::string& process,
+                                                         Duration patience, Duration limit) {
+  const Time until = now() + patience;
+  Known& known = known_[process];
+  auto opened = known.session.get([&] {
+    known.until = until;
+    return dial(process, patience, limit);
+  });
+  return opened.catch_([this, &known, process, until, limit](
+                           kj::Exception&& failure) -> kj::Promise<std::shared_ptr<PeerSession>> {
+    const Duration left = until - now();
+    if (known.until >= until || left <= Duration{0}) return kj::mv(failure);
+    return open(process, left, limit);
+  });
+}
+
+kj::Promise<std::shared_ptr<PeerSession>> Sessions::dial(const std::string& process,
+                                                         Duration patience, Duration limit) {
+  return manager_.resolve(process, patience)
+      .then([this, process, limit](const ProcessRecord& record) {
+        auto greeted = manager_.reach(record, std::min(limit, kDialLimit))
+                           .then([this, record](rpc::ByteStream bytes) {
+                             auto session = std::make_shared<PeerSession>(
+                                 control_, manager_, lanes_, record, kj::mv(bytes));
+                             return session->greet(self_).then([session] { return session; });
+                           });
+        return rpc::within(control_.timer(), limit, kj::mv(greeted), noAnswerOf(process));
+      });
+}
+
+std::string noAnswerOf(const std::string& process) {
+  return "process '" + process +
+         "' is there, but does not answer. It hangs, has no file descriptor left for another link, "
+         "or has not yet made its components known: see what it says and does.";
+}
+
+}  // namespace suture

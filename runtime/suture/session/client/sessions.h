@@ -1,0 +1,45 @@
+#pragma once
+// The sessions of this process with the peers whose components it uses.
+
+#include <suture/lane/opened_once.h>
+#include <suture/session/client/peer_session.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace suture {
+
+/// Belongs to the control thread; outlives its promises, and what it opens.
+class Sessions {
+ public:
+  Sessions(rpc::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
+           SessionIdentity self)
+      : control_(control), manager_(manager), lanes_(lanes), self_(std::move(self)) {}
+
+  /// The session with `process`: the one that stands, or a new one, whose process is waited for no
+  /// longer than `patience`, and its answer no longer than `limit`. Rejects with the reason. It
+  /// ends when nobody has it any more.
+  kj::Promise<std::shared_ptr<PeerSession>> open(const std::string& process, Duration patience,
+                                                 Duration limit);
+
+ private:
+  struct Known {
+    OpenedOnce<PeerSession> session;
+    Time until{};  // of the attempt that is being made
+  };
+
+  kj::Promise<std::shared_ptr<PeerSession>> dial(const std::string& process, Duration patience,
+                                                 Duration limit);
+
+  rpc::ControlThread& control_;
+  ManagerLink& manager_;
+  const Lanes& lanes_;
+  const SessionIdentity self_;
+  std::map<std::string, Known> known_;  // by the peer's process
+};
+
+/// Says what to do about a peer that is there and says nothing.
+std::string noAnswerOf(const std::string& process);
+
+}  // namespace suture

@@ -1,0 +1,51 @@
+#pragma once
+// Second connections of peers that are on their way to this process.
+
+#include <kj/function.h>
+#include <suture/framing/preamble.h>
+#include <suture/net/byte_stream.h>
+#include <suture/net/peer_identity.h>
+
+#include <map>
+
+namespace suture {
+
+/// Belongs to the control thread; outlives what is awaited.
+class AwaitedSockets {
+ public:
+  using Take = kj::Function<void(rpc::ByteStream)>;
+
+ private:
+  struct One {
+    rpc::PeerIdentity who;
+    Take take;
+  };
+  using All = std::map<rpc::Token, One>;
+
+ public:
+  /// Awaits it as long as this lives, and until it has come.
+  class Awaiting {
+   public:
+    Awaiting(All& all, const rpc::Token& token) : all_(all), token_(token) {}
+    ~Awaiting() { all_.erase(token_); }
+    KJ_DISALLOW_COPY(Awaiting);
+    const rpc::Token& token() const { return token_; }
+
+   private:
+    All& all_;
+    const rpc::Token token_;
+  };
+
+  /// `take` is given the connection of `who` that shows the token, once, and may let go of what
+  /// this returns. Throws SetupError if the kernel refuses.
+  kj::Own<Awaiting> await(const rpc::PeerIdentity& who, Take take);
+
+  /// A connection has come and shows `token`. It is closed if nobody awaits it, or not any more, or
+  /// not of this peer.
+  void arrived(const rpc::Token& token, rpc::ByteStream bytes);
+
+ private:
+  All all_;
+};
+
+}  // namespace suture

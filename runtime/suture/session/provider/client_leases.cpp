@@ -1,0 +1,39 @@
+#include <suture/loop/deadline.h>
+#include <suture/session/provider/client_leases.h>
+
+#include <algorithm>
+
+namespace suture {
+
+void ClientLeases::grant(rpc::ProviderEnd& end, Duration silence) {
+  if (silence <= Duration{0}) return;
+  std::erase_if(ends_, [](const auto& one) { return one->endOfLease() == BootTime::max(); });
+  end.grant(silence);
+  ends_.push_back(kj::addRef(end));
+  watching_ = watch().eagerlyEvaluate(nullptr);
+}
+
+void ClientLeases::hear(std::int64_t sent) {
+  if (sent == 0 || sent != answered_) return;
+  for (auto& end : ends_) end->hear(answeredAt_);
+}
+
+std::int64_t ClientLeases::answer() {
+  answeredAt_ = BootClock::now();
+  return answered_ = toNanoseconds(now());
+}
+
+// The thread that executes sees for itself that a lease has ended. Where nothing waits to be
+// executed, nobody but this sees it.
+kj::Promise<void> ClientLeases::watch() {
+  const BootTime present = BootClock::now();
+  BootTime next = BootTime::max();
+  for (auto& end : ends_) {
+    if (end->endOfLease() <= present) end->lapse();
+    next = std::min(next, end->endOfLease());
+  }
+  if (next == BootTime::max()) return kj::READY_NOW;
+  return control_.timer().afterDelay(rpc::toKj(next - present)).then([this] { return watch(); });
+}
+
+}  // namespace suture

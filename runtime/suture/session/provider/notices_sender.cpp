@@ -1,0 +1,33 @@
+#include <suture/session/provider/notices_sender.h>
+#include <suture/session/tallies.h>
+
+namespace suture {
+
+void NoticesSender::told(ChannelStatus status) {
+  switch (status) {
+    case ChannelStatus::Connected: return send(client_.resumedRequest());
+    case ChannelStatus::Suspended: return send(client_.suspendedRequest());
+    case ChannelStatus::Faulted: return send(client_.faultedRequest());
+    case ChannelStatus::Lapsed: return send(client_.lapsedRequest());
+    case ChannelStatus::Lost:
+    case ChannelStatus::Closed: return send(client_.closedRequest());
+  }
+}
+
+void NoticesSender::replays(std::uint16_t event, Time stamp) {
+  if (replays_) replays_(events_.empty() ? event : events_[event], stamp);
+}
+
+kj::Promise<void> NoticesSender::tallies(const Tally& tally) {
+  auto request = client_.talliedRequest();
+  toWire(tally, request.initTally());
+  return request.send().ignoreResult().catch_([](kj::Exception&&) {});
+}
+
+void NoticesSender::tells(const Earlier& earlier) {
+  auto request = client_.earlierRequest();
+  toWire(earlier, request.initEarlier());
+  send(kj::mv(request));
+}
+
+}  // namespace suture

@@ -1,0 +1,88 @@
+#include <suture/session/provider/peer_host.h>
+#include <suture/session/provider/peer_server.h>
+
+namespace suture {
+namespace {
+
+constexpr std::size_t kMostCallers = 1024;
+
+// Peers choose the names. Beyond that many, the sums of connections that are over are forgotten.
+constexpr std::size_t kMostAccounts = 1024;
+
+}  // namespace
+
+PeerHost::PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Directory& directory,
+                   Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
+                   const Security& security, std::uint64_t incarnation)
+    : control_(control),
+      lanes_(lanes),
+      directory_(directory),
+      serverOf_(std::move(serverOf)),
+      taskOf_(std::move(taskOf)),
+      incarnation_(incarnation),
+      policy_(security.policy),
+      whenPublished_(nullptr),
+      refusals_(directory.process()),
+      server_(
+          control.port(), address,
+          [this](std::shared_ptr<rpc::Caller> caller) { return offerTo(std::move(caller)); },
+          refusals_, {}, kMostCallers, security.trust(),
+          [this](const rpc::Token& token, rpc::ByteStream bytes) {
+            sockets_.arrived(token, kj::mv(bytes));
+          }) {
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  published_ = kj::mv(pair.fulfiller);
+  whenPublished_ = pair.promise.fork();
+}
+
+capnp::Capability::Client PeerHost::offerTo(std::shared_ptr<rpc::Caller> caller) {
+  if (policy_.admits(caller->identity)) {
+    return wire::Peer::Client(kj::heap<PeerServer>(*this, std::move(caller)));
+  }
+  const rpc::PeerIdentity who = caller->identity;
+  return rpc::turnAway(refusals_, who,
+                       "talk to process '" + directory_.process() +
+                           "': its policy has no rule for " + who.text() +
+                           ". Add one, or use another process.");
+}
+
+std::vector<std::shared_ptr<Channel>> PeerHost::served() const {
+  const std::lock_guard lock(mutex_);
+  return served_;
+}
+
+bool PeerHost::isSuperseded(const std::string& client, const std::string& bootId,
+                            std::int64_t epoch) const {
+  const auto held = latest_.find(client);
+  return epoch != 0 && held != latest_.end() && held->second.bootId == bootId &&
+         epoch < held->second.epoch;
+}
+
+void PeerHost::endLatest(const std::string& client) {
+  if (const auto held = latest_.find(client); held != latest_.end()) held->second.end->end();
+}
+
+void PeerHost::forget(const rpc::ProviderEnd& end) {
+  std::erase_if(latest_, [&](const auto& one) { return one.second.end == &end; });
+}
+
+std::shared_ptr<Ledger> PeerHost::ledgerOf(const std::string& name, std::uint64_t client) {
+  if (accounts_.size() >= kMostAccounts) {
+    history_ = Ledger::History::Forgotten;
+    std::erase_if(accounts_, [](const auto& one) { return one.second.ledger.use_count() == 1; });
+  }
+  Account& account = accounts_[name];
+  const bool unnamed = client == 0;  // a process of before incarnations were told
+  if (account.ledger == nullptr || account.client != client || unnamed) {
+    account = {client, std::make_shared<Ledger>(ConnectionEnd::Provider, history_)};
+  }
+  return account.ledger;
+}
+
+void PeerHost::remember(std::shared_ptr<Channel> channel) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(served_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
+  served_.push_back(std::move(channel));
+}
+
+}  // namespace suture

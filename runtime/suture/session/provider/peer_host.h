@@ -1,0 +1,91 @@
+#pragma once
+// What a process is to its peers: an address at which they connect to its provided interfaces.
+
+#include <suture/component/channel/ledger.h>
+#include <suture/framing/link_server.h>
+#include <suture/lane/lanes.h>
+#include <suture/loop/control_thread.h>
+#include <suture/names/security.h>
+#include <suture/peer.capnp.h>
+#include <suture/session/network.h>
+#include <suture/session/provider/awaited_sockets.h>
+#include <suture/wiring/directory.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Listens and serves. Belongs to the control thread except where noted.
+class PeerHost {
+ public:
+  /// Throws SetupError as LinkServer does.
+  PeerHost(rpc::ControlThread& control, const Lanes& lanes, const Directory& directory,
+           Network::ServerOf serverOf, Network::TaskOf taskOf, const rpc::Address& address,
+           const Security& security, std::uint64_t incarnation);
+
+  const rpc::Address& address() const { return server_.address(); }
+
+  /// All components are in the directory: what is not there now does not exist.
+  void publish() { published_->fulfill(); }
+
+  /// Any thread may ask how many peers and requests this process has turned away.
+  rpc::Refusals::Summary refusals() const { return refusals_.summary(); }
+
+  /// Any thread: the provider ends of the connections that stand.
+  std::vector<std::shared_ptr<Channel>> served() const;
+
+ private:
+  friend class PeerServer;
+
+  /// What serves a new link: this process, or the reason why not.
+  capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller);
+
+  /// The latest connection of a required interface of a peer.
+  struct Latest {
+    std::string bootId;  // of the peer's machine: its clock gave the epoch
+    std::int64_t epoch;
+    rpc::ProviderEnd* end;
+  };
+
+  /// True if there is a later one than a connection of this epoch, which may be 0: it has none.
+  bool isSuperseded(const std::string& client, const std::string& bootId, std::int64_t epoch) const;
+  /// Ends the latest connection, ahead of a later one.
+  void endLatest(const std::string& client);
+  void setLatest(const std::string& client, const Latest& latest) { latest_[client] = latest; }
+  void forget(const rpc::ProviderEnd& end);
+
+  /// The sums of the connection of that name with that start of its client's process.
+  std::shared_ptr<Ledger> ledgerOf(const std::string& name, std::uint64_t client);
+
+  /// Adds to served(), and forgets those that have been closed.
+  void remember(std::shared_ptr<Channel> channel);
+
+  rpc::ControlThread& control_;
+  const Lanes& lanes_;
+  const Directory& directory_;
+  const Network::ServerOf serverOf_;
+  const Network::TaskOf taskOf_;
+  const std::uint64_t incarnation_;  // of this process
+  const Policy policy_;
+  kj::Own<kj::PromiseFulfiller<void>> published_;
+  kj::ForkedPromise<void> whenPublished_;
+  struct Account {
+    std::uint64_t client;  // the incarnation of its process
+    std::shared_ptr<Ledger> ledger;
+  };
+  std::map<std::string, Account> accounts_;  // by connection
+  Ledger::History history_ = Ledger::History::Whole;
+  std::map<std::string, Latest> latest_;  // by required interface, with its process
+  mutable std::mutex mutex_;
+  std::vector<std::shared_ptr<Channel>> served_;
+  AwaitedSockets sockets_;
+  rpc::Refusals refusals_;
+  rpc::LinkServer server_;  // last: its links use the rest
+};
+
+}  // namespace suture

@@ -1,0 +1,395 @@
+#include <suture/component/task/task.h>
+#include <suture/lane/rpc/binding.h>
+#include <suture/lane/rpc/calls_server.h>
+#include <suture/loop/failure.h>
+#include <suture/names/describe.h>
+#include <suture/rt/state/state_table.h>
+#include <suture/session/boot_id.h>
+#include <suture/session/clock_offset.h>
+#include <suture/session/provider/explain.h>
+#include <suture/session/provider/notices_sender.h>
+#include <suture/session/provider/peer_server.h>
+#include <suture/session/tallies.h>
+#include <suture/session/task_pulse.h>
+#include <suture/wire/stamps.h>
+#include <suture/wiring/connect.h>
+#include <suture/wiring/frames.h>
+#include <suture/wiring/memory_layout.h>
+
+#include <algorithm>
+
+namespace suture {
+namespace {
+
+using Kind = wire::Refusal::Kind;
+using Type = kj::Exception::Type;
+
+// There is a bound, since each has a mailbox of its own for as long as the session stands.
+constexpr std::size_t kMostConnections = 1024;
+constexpr std::size_t kMostAwaitedSockets = 16;
+
+/// Ends the connection when the client lets go of it.
+class ConnectionServer final : public wire::Connection::Server {
+ public:
+  explicit ConnectionServer(kj::Own<rpc::ProviderEnd> end) : end_(kj::mv(end)) {}
+  ~ConnectionServer() noexcept(false) { end_->close(); }
+
+ private:
+  kj::Own<rpc::ProviderEnd> end_;
+};
+
+}  // namespace
+
+PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
+    : host_(host), caller_(std::move(caller)), leases_(host.control_) {}
+
+PeerServer::~PeerServer() noexcept(false) {
+  for (Held& held : held_) {
+    host_.forget(*held.accepted.end);
+    held.accepted.end->close();
+  }
+}
+
+kj::Promise<void> PeerServer::hello(HelloContext context) {
+  auto results = context.getResults();
+  results.setReceived(toNanoseconds(now()));
+  results.setProcess(textOf(host_.directory_.process()));
+  results.setBootId(textOf(bootId()));
+  results.setIncarnation(host_.incarnation_);
+  bootId_ = stringOf(context.getParams().getBootId());
+  incarnation_ = context.getParams().getIncarnation();
+  const std::uint16_t theirs = context.getParams().getVersion();
+  if (const auto refusal = whyNotProcess(stringOf(context.getParams().getProcess()))) {
+    refuse(*refusal, results.initRefused());
+  } else if (theirs == wire::PROTOCOL_VERSION) {
+    caller_->known = true;
+    results.setAccepted();
+  } else {
+    refuse({Kind::VERSION_MISMATCH,
+            "talk to process '" + host_.directory_.process() + "': it speaks version " +
+                std::to_string(wire::PROTOCOL_VERSION) + " of the protocol, the caller version " +
+                std::to_string(theirs) + ". Build both from the same release."},
+           results.initRefused());
+  }
+  results.setSent(toNanoseconds(now()));
+  return kj::READY_NOW;
+}
+
+kj::Promise<void> PeerServer::ping(PingContext context) {
+  auto results = context.getResults();
+  results.setReceived(toNanoseconds(now()));
+  const auto in = context.getParams();
+  leases_.hear(in.getHeard());
+  if (in.hasComponents()) {
+    if (in.getComponents().size() > kMostConnections) {
+      return rpc::failure(Type::FAILED, "more components are watched than can be connected to");
+    }
+    watched_.clear();
+    for (const auto name : in.getComponents()) watched_.push_back(stringOf(name));
+  }
+  forgetEnded();
+  for (Held& held : held_) held.accepted.end->tellEarlier();
+  putTasks(results);
+  results.setSent(leases_.answer());
+  return kj::READY_NOW;
+}
+
+void PeerServer::putTasks(wire::Peer::PingResults::Builder results) const {
+  auto tasks = results.initTasks(static_cast<unsigned>(watched_.size()));
+  for (unsigned i = 0; i < tasks.size(); ++i) {
+    const Component* const component = host_.directory_.findComponent(watched_[i]);
+    const Task* const task = component == nullptr ? nullptr : host_.taskOf_(*component);
+    toWire(task == nullptr ? Pulse::Reading{} : task->pulse().read(), tasks[i]);
+    if (task != nullptr) tasks[i].setCycles(task->statistics().cycles);
+  }
+}
+
+kj::Promise<void> PeerServer::describe(DescribeContext context) {
+  return host_.whenPublished_.addBranch().then([this, context]() mutable {
+    const auto components = describeComponents(host_.directory_);
+    toWire(components,
+           context.getResults().initComponents(static_cast<unsigned>(components.size())));
+  });
+}
+
+void PeerServer::refuse(const Refusal& refusal, wire::Refusal::Builder out) {
+  host_.refusals_.add(caller_->identity.text(), refusal.text);
+  toWire(refusal, out);
+}
+
+template <class Attempt, class Refuse>
+kj::Promise<void> PeerServer::whenThere(Attempt attempt, Refuse refuse) {
+  try {
+    return attempt();
+  } catch (const SetupError&) {
+    // The interface may still come, since the process is perhaps still adding components.
+  }
+  return host_.whenPublished_.addBranch().then([attempt, refuse]() mutable -> kj::Promise<void> {
+    try {
+      return attempt();
+    } catch (const SetupError& error) {
+      refuse(Refusal{Kind::NO_SUCH_INTERFACE, error.what()});
+      return kj::READY_NOW;
+    }
+  });
+}
+
+std::optional<Refusal> PeerServer::whyNotProcess(const std::string& name) const {
+  if (caller_->identity.mayBe(name)) return std::nullopt;
+  return Refusal{Kind::NOT_PERMITTED,
+                 "talk to process '" + host_.directory_.process() +
+                     "': the caller says that it is '" + name + "' and has the certificate of " +
+                     caller_->identity.text() + ". Give it its own name or its own keys."};
+}
+
+std::optional<Refusal> PeerServer::whyNotGiven(const Endpoint& endpoint) {
+  const rpc::PeerIdentity& who = caller_->identity;
+  forgetEnded();
+  if (held_.size() == kMostConnections) {
+    return Refusal{Kind::LIMIT_REACHED, "use '" + endpoint.toString() +
+                                            "': this process has been given " +
+                                            std::to_string(kMostConnections) +
+                                            " interfaces, and none is given more. Let go of some."};
+  }
+  if (host_.policy_.access(who, endpoint) != Access::None) return std::nullopt;
+  return Refusal{Kind::NOT_PERMITTED, "use '" + endpoint.toString() + "': the policy of process '" +
+                                          endpoint.process + "' does not give it to " + who.text() +
+                                          ". Add it to the role of that rule."};
+}
+
+bool PeerServer::mayOnlyRead(const Endpoint& endpoint) const {
+  return host_.policy_.access(caller_->identity, endpoint) == Access::Read;
+}
+
+kj::Promise<void> PeerServer::connect(ConnectContext context) {
+  auto in = context.getParams();
+  const Endpoint endpoint = endpointOf(in.getToComponent(), in.getProvided());
+  auto withheld = whyNotProcess(stringOf(in.getFromProcess()));
+  if (!withheld) withheld = whyNotGiven(endpoint);
+  if (withheld) {
+    refuse(*withheld, context.getResults().initRefused());
+    return kj::READY_NOW;
+  }
+  caller_->known = true;
+  return whenThere(
+      [this, context, endpoint]() mutable {
+        return decide(host_.directory_.provided(endpoint), endpoint, context);
+      },
+      [this, context](const Refusal& refusal) mutable {
+        refuse(refusal, context.getResults().initRefused());
+      });
+}
+
+/// A request that may be accepted.
+struct PeerServer::Asked {
+  std::string client;  // the required interface, with its process
+  IncomingConnection connection;
+  Match match;
+  ConnectContext context;
+};
+
+kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& endpoint,
+                                     ConnectContext& context) {
+  auto in = context.getParams();
+  const Endpoint client{stringOf(in.getFromProcess()), stringOf(in.getFromComponent()),
+                        stringOf(in.getRequired())};
+  const std::string name = client.toString() + " -> " + endpoint.toString();
+  const std::string contract = stringOf(in.getContract()), hash = stringOf(in.getHash()),
+                    description = stringOf(in.getDescription());
+  try {
+    const Match match = requireCompatibleContract(describedInfo(contract, hash, description),
+                                                  provided.info(), name);
+    requireSameFrames(fromWire(in.getFrames()), provided.frames(), name);
+    if (in.getEpoch() == 0 || takesOver(client.toString(), name, context)) {
+      return accept(
+          {.client = client.toString(),
+           .connection = {.provided = provided,
+                          .contract = sameContract(provided.info(), hash),
+                          .name = name,
+                          .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
+                          .provider = host_.serverOf_(provided),
+                          .readOnly = mayOnlyRead(endpoint)},
+           .match = match,
+           .context = context});
+    }
+    return kj::READY_NOW;
+  } catch (const SetupError& error) {
+    refuse({Kind::CONTRACT_MISMATCH, error.what()}, context.getResults().initRefused());
+    return kj::READY_NOW;
+  }
+}
+
+// One required interface has one connection: the latest.
+bool PeerServer::takesOver(const std::string& client, const std::string& name,
+                           ConnectContext& context) {
+  if (host_.isSuperseded(client, bootId_, context.getParams().getEpoch())) {
+    refuse({Kind::ALREADY_CONNECTED,
+            "connecting " + name +
+                ": a later attempt of the same interface has come first. Nothing has to be done."},
+           context.getResults().initRefused());
+    return false;
+  }
+  host_.endLatest(client);
+  return true;
+}
+
+kj::Promise<void> PeerServer::accept(const Asked& asked) {
+  ConnectContext context = asked.context;
+  const std::string name = stringOf(context.getParams().getLane());
+  LaneServer* const lane = laneNamed(name);
+  auto decline = [context](const std::string& why) mutable {
+    context.getResults().setDeclined(textOf(why));
+  };
+  if (lane == nullptr) {
+    decline("the provider's process has no lane '" + name + "'");
+    return kj::READY_NOW;
+  }
+  auto answer = context.getResults().initAccepted().initAnswer();
+  return kj::evalNow([&] {
+           return lane->accept(asked.connection, context.getParams().getBrings(), answer);
+         })
+      .then([this, asked](AcceptedEnd&& end) { accepted(asked, kj::mv(end)); },
+            [decline](kj::Exception&& why) mutable { decline(rpc::describe(why)); });
+}
+
+LaneServer* PeerServer::laneNamed(const std::string& name) {
+  if (const auto found = lanes_.find(name); found != lanes_.end()) return found->second.get();
+  for (const auto& kind : host_.lanes_) {
+    if (name != kind->name()) continue;
+    return lanes_.emplace(name, kind->makeServer(*this)).first->second.get();
+  }
+  return nullptr;
+}
+
+// Keeps the end before it becomes the latest: what the caller sent may be anything, and throw.
+void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
+  ConnectContext context = asked.context;
+  const auto in = context.getParams();
+  rpc::ProviderEnd& end = *accepted.end;
+  enter(accepted.channel);
+  end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices(),
+                                          std::move(accepted.replays),
+                                          asked.match.contract->wireEvents));
+  const Duration silence(std::max<std::int64_t>(in.getSilence(), 0));
+  keep(accepted, std::min(silence, ClientLeases::kLongestSilence));
+  if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
+  auto out = context.getResults().getAccepted();
+  out.setLacking(kj::arrayPtr(asked.match.lacking.data(), asked.match.lacking.size()));
+  out.setRows(static_cast<std::uint32_t>(asked.connection.provided.state()->capacity()));
+  toWire(end.earlier(), out.initEarlier());
+  out.setConnection(kj::heap<ConnectionServer>(kj::addRef(end)));
+  attach(asked.connection.provided, std::move(accepted.channel));
+}
+
+void PeerServer::keep(AcceptedEnd& accepted, Duration silence) {
+  held_.push_back(Held{{kj::addRef(*accepted.end), accepted.channel, {}}, silence});
+  follow(held_.back());
+  leases_.grant(*accepted.end, silence);
+}
+
+void PeerServer::forgetEnded() {
+  std::erase_if(held_, [this](const Held& held) {
+    const bool ended = held.accepted.channel->status == ChannelStatus::Closed;
+    if (ended) host_.forget(*held.accepted.end);
+    return ended;
+  });
+}
+
+// The error until the next comparison; without one, the lease has ended by then.
+void PeerServer::follow(Held& held) const {
+  if (clockError_ == Duration{0}) return;
+  held.accepted.end->setClock(-clockOffset_, clockError_ + ClockOffset::drift(held.silence));
+}
+
+kj::Promise<void> PeerServer::compared(ComparedContext context) {
+  const auto in = context.getParams();
+  clockOffset_ = Duration(rpc::bounded(in.getClockOffset()));
+  clockError_ = Duration(std::max<std::int64_t>(rpc::bounded(in.getClockError()), 1));
+  for (Held& held : held_) follow(held);
+  return kj::READY_NOW;
+}
+
+kj::Promise<void> PeerServer::socket(SocketContext context) {
+  const std::string name = stringOf(context.getParams().getLane());
+  LaneServer* const lane = laneNamed(name);
+  if (lane == nullptr) {
+    return rpc::failure(Type::FAILED, "the provider's process has no lane '" + name + "'");
+  }
+  // A client gives up one that does not come, and asks for another.
+  if (sockets_.size() == kMostAwaitedSockets) sockets_.erase(sockets_.begin());
+  const std::uint32_t number = ++latestSocket_;
+  auto awaiting =
+      host_.sockets_.await(caller_->identity, [this, lane, number](rpc::ByteStream bytes) {
+        sockets_.erase(number);
+        lane->opened({number, kj::mv(bytes)});
+      });
+  context.getResults().setNumber(number);
+  context.getResults().setToken(
+      {reinterpret_cast<const kj::byte*>(awaiting->token().data()), awaiting->token().size()});
+  sockets_.emplace(number, kj::mv(awaiting));
+  return kj::READY_NOW;
+}
+
+kj::Promise<void> PeerServer::open(OpenContext context) {
+  auto in = context.getParams();
+  const Endpoint endpoint = endpointOf(in.getComponent(), in.getInterface());
+  if (const auto withheld = whyNotGiven(endpoint)) {
+    refuse(*withheld, context.getResults().initRefused());
+    return kj::READY_NOW;
+  }
+  caller_->known = true;
+  return whenThere(
+      [this, context, endpoint]() mutable -> kj::Promise<void> {
+        ProvidedBase& provided = host_.directory_.provided(endpoint);
+        const std::string name = "(a plain client) -> " + endpoint.toString();
+        const IncomingConnection connection{.provided = provided,
+                                            .contract = &provided.info(),
+                                            .name = name,
+                                            .events = ~EventSet{0},
+                                            .provider = host_.serverOf_(provided),
+                                            .readOnly = mayOnlyRead(endpoint)};
+        auto channel = rpc::callsChannel(host_.control_, connection);
+        auto port = rpc::serveCalls(host_.control_, connection, channel, caller_->counters);
+        AcceptedEnd opened{kj::addRef(*port), channel, {}};
+        keep(opened, Duration{0});
+        attach(provided, std::move(channel));
+        context.getResults().setContract(provided.info().binding().makeServant(kj::mv(port)));
+        return kj::READY_NOW;
+      },
+      [this, context](const Refusal& refusal) mutable {
+        refuse(refusal, context.getResults().initRefused());
+      });
+}
+
+kj::Promise<void> PeerServer::explain(ExplainContext context) {
+  auto in = context.getParams();
+  const Endpoint endpoint = endpointOf(in.getComponent(), in.getInterface());
+  const bool required = in.getSide() == wire::Peer::Side::REQUIRED;
+  return whenThere(
+      [this, context, endpoint, required]() mutable -> kj::Promise<void> {
+        const InterfaceInfo& info = required ? host_.directory_.required(endpoint).info()
+                                             : host_.directory_.provided(endpoint).info();
+        suture::explain(info, context.getResults().initExplained());
+        return kj::READY_NOW;
+      },
+      [this, context](const Refusal& refusal) mutable {
+        refuse(refusal, context.getResults().initRefused());
+      });
+}
+
+void PeerServer::enter(const std::shared_ptr<Channel>& channel) {
+  channel->ledger = host_.ledgerOf(channel->name, incarnation_);
+  channel->ledger->begin(channel, incarnation_);
+}
+
+Endpoint PeerServer::endpointOf(capnp::Text::Reader component,
+                                capnp::Text::Reader interface) const {
+  return {host_.directory_.process(), stringOf(component), stringOf(interface)};
+}
+
+void PeerServer::attach(ProvidedBase& provided, std::shared_ptr<Channel> channel) {
+  provided.attach(channel);
+  host_.remember(std::move(channel));
+}
+
+}  // namespace suture

@@ -1,0 +1,83 @@
+#pragma once
+// One peer's view of this process.
+
+#include <suture/lane/lanes.h>
+#include <suture/names/records.h>
+#include <suture/session/provider/client_leases.h>
+#include <suture/session/provider/peer_host.h>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace suture {
+
+/// The bootstrap capability of one link, and what this process keeps of the session that the link
+/// carries. When the link goes, so do the connections made through it.
+class PeerServer final : public wire::Peer::Server, private ServerSession {
+ public:
+  PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller);
+  ~PeerServer() noexcept(false);
+
+ protected:
+  kj::Promise<void> hello(HelloContext context) override;
+  kj::Promise<void> connect(ConnectContext context) override;
+  kj::Promise<void> describe(DescribeContext context) override;
+  kj::Promise<void> ping(PingContext context) override;
+  kj::Promise<void> open(OpenContext context) override;
+  kj::Promise<void> explain(ExplainContext context) override;
+  kj::Promise<void> socket(SocketContext context) override;
+  kj::Promise<void> compared(ComparedContext context) override;
+
+ private:
+  struct Asked;
+  /// A connection, or an interface that a plain client has opened.
+  struct Held {
+    AcceptedEnd accepted;
+    Duration silence;  // that its client bears; 0: it does not say
+  };
+
+  rpc::ControlThread& control() override { return host_.control_; }
+
+  /// Returns what `attempt()` does. If that throws SetupError, calls it once more when the process
+  /// has published, and `refuse(refusal)` if it throws again.
+  template <class Attempt, class Refuse>
+  kj::Promise<void> whenThere(Attempt attempt, Refuse refuse);
+
+  Endpoint endpointOf(capnp::Text::Reader component, capnp::Text::Reader interface) const;
+  kj::Promise<void> decide(ProvidedBase& provided, const Endpoint& endpoint,
+                           ConnectContext& context);
+  bool takesOver(const std::string& client, const std::string& name, ConnectContext& context);
+  /// Makes the connection by the lane that was asked for, or declines it.
+  kj::Promise<void> accept(const Asked& asked);
+  void accepted(const Asked& asked, AcceptedEnd accepted);
+  /// The lane of that name in this session; nullptr: this process has no such lane.
+  LaneServer* laneNamed(const std::string& name);
+  void keep(AcceptedEnd& accepted, Duration silence);
+  void forgetEnded();
+  void follow(Held& held) const;
+  void putTasks(wire::Peer::PingResults::Builder results) const;
+  void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
+  /// Enters it into the sums of its name.
+  void enter(const std::shared_ptr<Channel>& channel);
+  /// Why the caller is not the process that it says it is, or is not to have that interface.
+  std::optional<Refusal> whyNotProcess(const std::string& name) const;
+  std::optional<Refusal> whyNotGiven(const Endpoint& endpoint);
+  /// Tells the caller and, here, whoever runs this process.
+  void refuse(const Refusal& refusal, wire::Refusal::Builder out);
+  bool mayOnlyRead(const Endpoint& endpoint) const;
+
+  PeerHost& host_;
+  const std::shared_ptr<rpc::Caller> caller_;
+  std::string bootId_;                       // the peer's, as it said in hello
+  std::uint64_t incarnation_ = 0;            // likewise
+  Duration clockOffset_{0}, clockError_{0};  // the peer's, as it has compared them
+  std::vector<std::string> watched_;         // components that it is told of
+  std::vector<Held> held_;
+  ClientLeases leases_;
+  std::map<std::string, kj::Own<LaneServer>> lanes_;
+  std::map<std::uint32_t, kj::Own<AwaitedSockets::Awaiting>> sockets_;  // by number
+  std::uint32_t latestSocket_ = 0;
+};
+
+}  // namespace suture

@@ -1,0 +1,14 @@
+#pragma once
+// Texts of messages as this process's own.
+
+#include <capnp/blob.h>
+
+#include <string>
+
+namespace suture {
+
+/// Refers to `text`.
+inline kj::StringPtr textOf(const std::string& text) { return {text.c_str(), text.size()}; }
+inline std::string stringOf(capnp::Text::Reader text) { return {text.begin(), text.size()}; }
+
+}  // namespace suture

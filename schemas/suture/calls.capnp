@@ -1,0 +1,26 @@
+@0xa2b4c8d1e6f70912;
+# What the two ends of a connection by calls say to each other when it is made. Its session has a socket for calls.
+
+using Cxx = import "/capnp/c++.capnp";
+$Cxx.namespace("suture::wire");
+
+struct CallsRequest {
+  socket @0 :UInt32;  # the number of the session's socket that is to carry them
+}
+
+struct CallsAnswer {
+  connection @0 :UInt32;  # which of those on the socket this is
+}
+
+interface Calls {
+  # The bootstrap interface of a socket for calls.
+
+  contract @0 (connection :UInt32, replays :Replays) -> (contract :Capability);
+  # The capability of the contract's own interface (its generated schema).
+}
+
+interface Replays {
+  replayed @0 (event :UInt16, stamp :Int64) -> ();
+  # The next such event on this socket, numbered as in ConnectRequest, is the last value of a latched one, for a new
+  # subscriber; it was emitted at `stamp` of the provider's steady clock, ns.
+}

@@ -1,0 +1,14 @@
+@0xf65fd01f3c5f31cf;
+# What the two ends of a connection by frames say to each other when it is made. Its session has a socket for frames.
+
+using Cxx = import "/capnp/c++.capnp";
+$Cxx.namespace("suture::wire");
+
+struct FrameRequest {
+  layout @0 :Text;    # of the contract's slots; equal layouts may send them as they are
+  socket @1 :UInt32;  # the number of the session's socket that is to carry them, and the epoch of each frame on it
+}
+
+struct FrameAnswer {
+  connection @0 :UInt32;  # which of those on the socket this is
+}

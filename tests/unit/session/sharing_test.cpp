@@ -1,0 +1,91 @@
+// What the connections of a session share, on each lane and at each kind of address.
+
+#include <gtest/gtest.h>
+
+#include "reference/remote_arm.h"
+
+namespace suture {
+namespace {
+
+struct Way {
+  const char* name;
+  const char* address;  ///< "": a Unix socket
+  Lane lane;
+};
+
+class Sharing : public RemoteArm, public testing::WithParamInterface<Way> {
+ protected:
+  static constexpr std::size_t kMore = 8;
+
+  void beginAtAddress() { begin(*GetParam().address == '\0' ? unixAddress() : GetParam().address); }
+  void beginWithOthers() {
+    for (std::size_t i = 0; i < kMore; ++i) others.push_back(std::make_unique<Teleop>());
+    beginAtAddress();
+    connect(GetParam().lane);
+  }
+  void connectOthers() {
+    for (std::size_t i = 0; i < kMore; ++i) {
+      console->connect(nameOf(i), "robot:PSM/Arm", GetParam().lane);
+      ASSERT_TRUE(eventually([&] { return others[i]->seen.load(); })) << i;
+    }
+  }
+  static std::string nameOf(std::size_t i) { return "Other" + std::to_string(i) + "/Slave"; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Lanes, Sharing,
+                         testing::Values(Way{"Shm", "", Lane::Shm}, Way{"Frame", "", Lane::Frame},
+                                         Way{"FrameTcp", "tcp://127.0.0.1:0", Lane::Frame},
+                                         Way{"FrameTls", "tls://127.0.0.1:0", Lane::Frame},
+                                         Way{"Rpc", "", Lane::Rpc},
+                                         Way{"RpcTcp", "tcp://127.0.0.1:0", Lane::Rpc},
+                                         Way{"RpcTls", "tls://127.0.0.1:0", Lane::Rpc}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+/// Both ends of each socket are in this process.
+TEST_P(Sharing, MoreConnectionsNeedNoMoreSockets) {
+  beginWithOthers();
+  const std::size_t before = openSockets();
+  connectOthers();
+  EXPECT_EQ(openSockets(), before);
+  for (const auto& one : console->channels()) {
+    EXPECT_EQ(one->lane, toString(GetParam().lane)) << one->laneReason;
+  }
+  EXPECT_EQ(outcomeOf(0.5), Errc{});
+}
+
+TEST_P(Sharing, OneThatIsTakenDownLeavesTheOthersAlone) {
+  beginWithOthers();
+  connectOthers();
+  console->disconnect("Teleop/Slave");
+  ASSERT_TRUE(eventually([&] { return !teleop.reachable; }));
+  for (const auto& one : others) EXPECT_TRUE(one->reachable);
+  connect(GetParam().lane);
+  EXPECT_EQ(outcomeOf(0.5), Errc{});
+}
+
+TEST_P(Sharing, TheLastConnectionTakesTheSessionWithIt) {
+  beginAtAddress();
+  const std::size_t without = openSockets();
+  for (int lap = 0; lap < 3; ++lap) {
+    connect(GetParam().lane);
+    EXPECT_GT(openSockets(), without);
+    console->disconnect("Teleop/Slave");
+    EXPECT_TRUE(eventually([&] { return openSockets() == without; })) << openSockets();
+  }
+}
+
+TEST_P(Sharing, AllComeBackToASessionOfTheNextProcess) {
+  beginWithOthers();
+  connectOthers();
+  const std::size_t before = openSockets();
+  restartRobot();
+  EXPECT_TRUE(eventually([&] { return teleop.reachable.load(); }));
+  for (const auto& one : others) EXPECT_TRUE(eventually([&] { return one->reachable.load(); }));
+  EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
+  for (const auto& one : console->channels()) {
+    EXPECT_EQ(one->lane, toString(GetParam().lane)) << one->laneReason;
+  }
+}
+
+}  // namespace
+}  // namespace suture
