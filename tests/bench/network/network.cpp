@@ -6,10 +6,14 @@
 namespace bench {
 namespace {
 
-constexpr Part<NetworkOptions> kNetworkParts[] = {
-    {"round trips", roundTripRows},  {"reads", mirrorRows}, {"fan-out", networkFanOutRows},
-    {"allocations", allocationRows}, {"images", imageRows}, {"connections", linkTimeRows},
-    {"survivors", survivorRows}};
+constexpr Part<NetworkOptions> kNetworkParts[] = {{"round trips", roundTripRows},
+                                                  {"reads", mirrorRows},
+                                                  {"fan-out", networkFanOutRows},
+                                                  {"allocations", allocationRows},
+                                                  {"images", imageRows},
+                                                  {"connections", linkTimeRows},
+                                                  {"idle", idleRows},
+                                                  {"survivors", survivorRows}};
 
 }  // namespace
 

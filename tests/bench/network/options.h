@@ -29,6 +29,9 @@ struct NetworkOptions {
   std::chrono::milliseconds survivorWindow() const {
     return std::chrono::milliseconds(quick ? 1 : 1700);
   }
+  std::chrono::milliseconds idleWindow() const {
+    return std::chrono::milliseconds(quick ? 100 : 10'000);
+  }
   std::size_t readLoops() const { return quick ? 2 : 200; }
 };
 

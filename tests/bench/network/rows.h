@@ -33,6 +33,12 @@ std::string networkFanOutRows(const NetworkOptions& options, Report& report);
 /// same processes; ".growth.p50", ".growth.p99": the difference; ".seen": how many pairs came.
 std::string imageRows(const NetworkOptions& options, Report& report);
 
+/// "idle.shm.load.ratio", "idle.frame.wake_ups.ratio", "idle.rpc.bytes.ratio", ...: what 256
+/// connections between two processes cost in a second in which nothing is sent, to what one does;
+/// ".descriptors", ".memory", ".further": what each but the first takes of both processes, of the
+/// client's memory beyond its queues and rows, and of time.
+std::string idleRows(const NetworkOptions& options, Report& report);
+
 /// "connect.shm", ...: from nothing to a connection; "killed.shm", "silence.shm", ...: until a
 /// killed or a stopped process counts as lost, ".ratio": to the bound on silence; "threads.shm".
 std::string linkTimeRows(const NetworkOptions& options, Report& report);
