@@ -57,7 +57,7 @@ interface Peer {
   }
 
   socket @6 (lane :Text) -> (number :UInt32, token :Data);
-  # A second connection to the address of this link, for that lane of this session. It is awaited once: it says the eight
+  # A second connection to the address of this link, for that lane of this session; after hello. It is awaited once: it says the eight
   # letters SUTFRAME and the token, is told the same, and is the lane's from then on. number: what both call it.
 
   compared @7 (clockOffset :Int64, clockError :Int64);

@@ -142,6 +142,15 @@ class Caller {
     std::uint32_t number = 0;
     rpc::Token token;
   };
+  /// Says hello.
+  void greet() {
+    control_.run(kPatience, [this] {
+      auto request = session_->bootstrap<wire::Peer>().helloRequest();
+      request.setVersion(wire::PROTOCOL_VERSION);
+      request.setProcess("test");
+      return request.send().ignoreResult();
+    });
+  }
   /// Asks for a second connection.
   Socket socket() {
     return control_.run(kPatience, [this] {
@@ -218,6 +227,7 @@ bool isServed(int socket) {
 TEST_F(FrameConnections, ATokenIsGoodForOneConnection) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
+  caller.greet();
   const Caller::Socket socket = caller.socket();
   const kj::AutoCloseFd first = secondConnection(caller.provider(), socket.token);
   ASSERT_TRUE(isServed(first));
@@ -231,6 +241,7 @@ TEST_F(FrameConnections, ATokenIsGoodForOneConnection) {
 TEST_F(FrameConnections, OnlyThoseOfOneSessionShareASocket) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager()), other(manager());
+  caller.greet();
   const Caller::Socket socket = caller.socket();
   EXPECT_EQ(caller.connect(socket.number), "the session's frames have ended")
       << "nobody has shown its token";
@@ -238,9 +249,19 @@ TEST_F(FrameConnections, OnlyThoseOfOneSessionShareASocket) {
   EXPECT_EQ(other.connect(socket.number), "the session's frames have ended");
 }
 
+// Of a stranger only a little is read; on a second connection nothing would bound it.
+TEST_F(FrameConnections, ATokenIsForWhoHasSaidHello) {
+  begin("tcp://127.0.0.1:0");
+  Caller caller(manager());
+  EXPECT_THROW(caller.socket(), rpc::ControlFailure);
+  caller.greet();
+  caller.socket();
+}
+
 TEST_F(FrameConnections, ATokenThatNobodyGaveIsGoodForNothing) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
+  caller.greet();
   rpc::Token token = caller.socket().token;
   token[7] ^= std::byte{1};
   EXPECT_FALSE(isServed(secondConnection(caller.provider(), token)));

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/task/event_task.h>
+#include <suture/lane/shm/shared_memory.h>
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
 #include <suture/names/manager_link.h>
 #include <suture/net/dialer.h>
 #include <suture/peer.capnp.h>
+#include <suture/wiring/memory_layout.h>
 
 #include <atomic>
 #include <string>
@@ -60,7 +62,7 @@ class Caller {
   }
   ~Caller() {
     control_.run(kPatience, [this] {
-      held_ = nullptr;
+      held_.clear();
       calls_ = nullptr;
       link_ = nullptr;
     });
@@ -70,29 +72,18 @@ class Caller {
 
   /// Connects "left:Teleop/Slave" to PSM/Arm: the refusal, or "".
   std::string connect(std::int64_t epoch) {
-    return control_.run(kPatience, [this, epoch] {
-      auto peer = link_->bootstrap<wire::Peer>();
-      auto hello = peer.helloRequest();
-      hello.setVersion(wire::PROTOCOL_VERSION);
-      hello.setProcess("left");
-      hello.setBootId(textOf(bootId_));
-      return hello.send()
-          .then([this, peer](auto&&) mutable {
-            return reference::openCallsSocket(control_.port(), provider_, peer);
-          })
-          .then([this, peer, epoch](reference::CallsSocket socket) mutable {
-            auto request = peer.connectRequest();
-            reference::askForArm(request, "left");
-            request.setEpoch(epoch);
-            request.setNotices(kj::heap<Notices>(closed));
-            request.initBrings().initAs<wire::CallsRequest>().setSocket(socket.number);
-            calls_ = kj::mv(socket);
-            return request.send().then([this](auto&& results) {
-              if (results.isRefused()) return fromWire(results.getRefused()).text;
-              held_ = results.getAccepted().getConnection();
-              return std::string();
-            });
-          });
+    return control_.run(
+        kPatience, [this, epoch] { return greet().then([this, epoch] { return ask(epoch); }); });
+  }
+
+  /// Does so twice by shared memory, whose provider waits for a descriptor, and for no answer.
+  void connectTwice(std::int64_t first, std::int64_t second) {
+    control_.run(kPatience, [=, this] {
+      return greet().then([=, this] {
+        auto one = ask(first, Lane::Shm).ignoreResult(),
+             other = ask(second, Lane::Shm).ignoreResult();
+        return one.then([other = kj::mv(other)]() mutable { return kj::mv(other); });
+      });
     });
   }
 
@@ -111,12 +102,46 @@ class Caller {
   std::atomic<int> closed{0};
 
  private:
+  kj::Promise<void> greet() {
+    auto peer = link_->bootstrap<wire::Peer>();
+    auto hello = peer.helloRequest();
+    hello.setVersion(wire::PROTOCOL_VERSION);
+    hello.setProcess("left");
+    hello.setBootId(textOf(bootId_));
+    return hello.send()
+        .then([this, peer](auto&&) mutable {
+          return reference::openCallsSocket(control_.port(), provider_, peer);
+        })
+        .then([this](reference::CallsSocket socket) { calls_ = kj::mv(socket); });
+  }
+
+  kj::Promise<std::string> ask(std::int64_t epoch, Lane lane = Lane::Rpc) {
+    auto request = link_->bootstrap<wire::Peer>().connectRequest();
+    reference::askForArm(request, "left");
+    request.setEpoch(epoch);
+    request.setNotices(kj::heap<Notices>(closed));
+    request.setLane(toString(lane));
+    if (lane == Lane::Shm) {
+      auto memory = request.initBrings().initAs<wire::SharedRequest>();
+      memory.setLayout(textOf(memoryLayout(interfaceInfo<reference::ArmLike>())));
+      memory.setBell(handOut(std::make_shared<MemoryBlock>("bell", sizeof(std::uint64_t))));
+    } else {
+      const std::uint32_t socket = KJ_ASSERT_NONNULL(calls_).number;
+      request.initBrings().initAs<wire::CallsRequest>().setSocket(socket);
+    }
+    return request.send().then([this](auto&& results) {
+      if (results.isRefused()) return fromWire(results.getRefused()).text;
+      held_.add(results.getAccepted().getConnection());
+      return std::string();
+    });
+  }
+
   const std::string bootId_;
   const rpc::Address provider_;
   rpc::ControlThread control_;
   kj::Own<rpc::Link> link_;
   kj::Maybe<reference::CallsSocket> calls_;
-  kj::Maybe<wire::Connection::Client> held_;
+  kj::Vector<wire::Connection::Client> held_;
 };
 
 class Epochs : public testing::Test {
@@ -158,6 +183,15 @@ TEST_F(Epochs, ALaterConnectionEndsTheOneBefore) {
   EXPECT_TRUE(eventually([&] { return first.closed == 1; })) << "it is told, if it still lives";
   EXPECT_EQ(second.closed, 0);
   EXPECT_EQ(standing(), 1u);
+}
+
+// Lanes may take their time to get ready, so both are under way.
+TEST_F(Epochs, OfTwoThatAreMadeAtOnceTheLaterStands) {
+  for (const auto& [first, second] : {std::pair(5, 6), std::pair(8, 7)}) {
+    Caller caller(provider_, "a");
+    caller.connectTwice(first, second);
+    EXPECT_EQ(standing(), 1u) << first << " and " << second;
+  }
 }
 
 TEST_F(Epochs, OneThatComesTooLateIsRefused) {

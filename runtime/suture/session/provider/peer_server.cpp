@@ -261,11 +261,15 @@ LaneServer* PeerServer::laneNamed(const std::string& name) {
   return nullptr;
 }
 
-// Keeps the end before it becomes the latest: what the caller sent may be anything, and throw.
+// Another attempt of the same interface may have come while the lane was getting ready. Keeps the
+// end before it becomes the latest: what the caller sent may be anything, and throw.
 void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   ConnectContext context = asked.context;
   const auto in = context.getParams();
   rpc::ProviderEnd& end = *accepted.end;
+  if (in.getEpoch() != 0 && !takesOver(asked.client, asked.connection.name, context)) {
+    return end.close();
+  }
   enter(accepted.channel);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices(),
                                           std::move(accepted.replays),
@@ -310,6 +314,9 @@ kj::Promise<void> PeerServer::compared(ComparedContext context) {
 }
 
 kj::Promise<void> PeerServer::socket(SocketContext context) {
+  if (!caller_->known) {
+    return rpc::failure(Type::FAILED, "a second connection is for whoever has said hello");
+  }
   const std::string name = stringOf(context.getParams().getLane());
   LaneServer* const lane = laneNamed(name);
   if (lane == nullptr) {
