@@ -30,7 +30,7 @@ interface Peer {
 
   describe @2 () -> (components :List(Manager.ComponentRecord));
 
-  ping @3 (heard :Int64, components :List(Text)) -> (received :Int64, sent :Int64, tasks :List(TaskPulse));
+  ping @3 (heard :Int64, components :List(Text)) -> (received :Int64, sent :Int64, tasks :List(TaskActivity));
   # Clock stamps as in hello, at any time; also the heartbeat of the session. heard: `sent` of the answer before, which
   # this answers; 0: none. components: those whose tasks every answer tells of, in this order, from this one on; null: as before.
 
@@ -73,7 +73,7 @@ struct Explanation {
   bases @3 :List(Text);  # descriptions of the contracts it derives from, the nearest first
 }
 
-struct TaskPulse {
+struct TaskActivity {
   # How the thread that serves a component does: one that is running, or due, for too long hangs.
   activity @0 :Activity;
   due @1 :Int64;

@@ -44,10 +44,10 @@ void CallBase::passOnTo(RequiredBase::Follower follower) {
 
 RequiredBase::PendingCall* RequiredBase::openCall(std::uint16_t command) {
   collectReplies();
-  const auto free = std::find_if(books_->calls.begin(), books_->calls.end(),
+  const auto free = std::find_if(tables_->calls.begin(), tables_->calls.end(),
                                  [](const PendingCall& call) { return call.number == 0; });
-  if (free == books_->calls.end()) return nullptr;
-  const auto index = static_cast<std::uint32_t>(free - books_->calls.begin());
+  if (free == tables_->calls.end()) return nullptr;
+  const auto index = static_cast<std::uint32_t>(free - tables_->calls.begin());
   ++callsOpened_;
   free->number = callsOpened_ % (1u << 27) * Channel::kMaxCalls + index + Channel::kMaxCalls;
   free->command = command;
@@ -69,7 +69,7 @@ void RequiredBase::collectReplies() {
   if (channel_ == nullptr) return;
   noteTaking();
   // Take no more than there may be calls: a foreign provider may write without end.
-  for (std::size_t i = 0; i < books_->calls.size(); ++i) {
+  for (std::size_t i = 0; i < tables_->calls.size(); ++i) {
     ReplyRecord* const reply = channel_->nextReply();
     if (reply == nullptr) return;
     collect(*reply, channel_->replies.frontSize() - sizeof(ReplyRecord));
@@ -86,8 +86,8 @@ void RequiredBase::noteTaking() {
 void RequiredBase::collect(ReplyRecord& reply, std::size_t size) {
   channel_->countReceived(rt::SpscRing::recordSize(sizeof(reply) + size));
   const std::size_t index = reply.call % Channel::kMaxCalls;
-  if (index >= books_->calls.size()) return;  // no call of ours: the provider made it up
-  PendingCall& call = books_->calls[index];
+  if (index >= tables_->calls.size()) return;  // no call of ours: the provider made it up
+  PendingCall& call = tables_->calls[index];
   if (call.number != reply.call) return;
   call.done = true;
   if (!std::exchange(call.fresh, true)) ++fresh_;
@@ -139,13 +139,13 @@ void RequiredBase::follow(PendingCall& call, Follower follower) {
 bool RequiredBase::followedMayBeDone() const {
   if (followed_ == 0) return false;
   return endOfCalls() != Errc{} || channel_->nextReply() != nullptr ||
-         std::any_of(books_->calls.begin(), books_->calls.end(),
+         std::any_of(tables_->calls.begin(), tables_->calls.end(),
                      [](const PendingCall& call) { return call.follower != nullptr && call.done; });
 }
 
 void RequiredBase::finishFollowed() {
   if (followed_ == 0) return;
-  for (PendingCall& call : books_->calls) {
+  for (PendingCall& call : tables_->calls) {
     if (call.follower == nullptr || !isDone(call)) continue;
     --followed_;
     std::exchange(call.follower, nullptr)(*this, call);
@@ -165,7 +165,7 @@ void RequiredBase::offerNews() {
   collectReplies();
   handledInWait_ = false;
   if (fresh_ == 0) return;
-  for (PendingCall& call : books_->calls) call.fresh = false;
+  for (PendingCall& call : tables_->calls) call.fresh = false;
   fresh_ = 0;
 }
 

@@ -39,7 +39,7 @@ Result<void> RequiredBase::handle(std::uint16_t event,
 Errc RequiredBase::subscribe(std::uint16_t event, EventHandler handler, bool direct) {
   if (owner_.ownedByAnotherThread()) return Errc::WrongThread;
   if (handler == nullptr) return unsubscribe(event);
-  Books::HeardEvent& heard = books_->events[event];
+  Tables::HeardEvent& heard = tables_->events[event];
   const bool joins = heard.handler == nullptr;
   if (joins) heard.since = now();
   heard.handler = std::make_shared<const EventHandler>(std::move(handler));
@@ -53,8 +53,8 @@ Errc RequiredBase::subscribe(std::uint16_t event, EventHandler handler, bool dir
 
 Errc RequiredBase::unsubscribe(std::uint16_t event) {
   if (owner_.ownedByAnotherThread()) return Errc::WrongThread;
-  books_->events[event].handler = nullptr;
-  books_->events[event].direct = false;
+  tables_->events[event].handler = nullptr;
+  tables_->events[event].direct = false;
   lendHandler(event);
   if (!isAwaited(event)) {
     subscribed_.fetch_and(~(EventSet{1} << event), std::memory_order_relaxed);
@@ -65,7 +65,7 @@ Errc RequiredBase::unsubscribe(std::uint16_t event) {
 
 void RequiredBase::lendHandler(std::uint16_t event) {
   if (channel_ == nullptr || channel_->ends.here == nullptr) return;
-  const Books::HeardEvent& heard = books_->events[event];
+  const Tables::HeardEvent& heard = tables_->events[event];
   if (!heard.direct && (channel_->direct.events() >> event & 1) == 0) return;
   channel_->direct.set(event, owner_, heard.direct ? heard.handler : nullptr);
   if (heard.direct) refuseAwaited(event);
@@ -120,7 +120,7 @@ void RequiredBase::deliver(const rt::EventRecord& record) {
     return channel_->events.countDropped();
   }
   satisfyAwaited(record);
-  const Books::HeardEvent& heard = books_->events[record.event];
+  const Tables::HeardEvent& heard = tables_->events[record.event];
   // The value of a latched event may be older than its subscription, for it is a replay.
   if (record.stamp < heard.since && !info.latched) return;
   if (VirtualTime* const time = virtualTime(); time != nullptr) {

@@ -71,7 +71,7 @@ void AwaitedEvent::wait(Duration limit) {
 Errc RequiredBase::arm(AwaitedEvent& event) {
   const Errc error = unusable();
   if (error != Errc{} && error != Errc::Suspended) return error;
-  const Books::HeardEvent& heard = books_->events[event.event_];
+  const Tables::HeardEvent& heard = tables_->events[event.event_];
   if (heard.direct && channel_->ends.here != nullptr) return Errc::CannotWait;
   event.next_ = std::exchange(awaited_, &event);
   const EventSet bit = EventSet{1} << event.event_;

@@ -9,7 +9,7 @@
 
 namespace suture {
 
-RequiredBase::Books::Books(const InterfaceInfo& info)
+RequiredBase::Tables::Tables(const InterfaceInfo& info)
     : calls(callLimitOf(info).calls), events(info.events.size()) {
   const std::size_t words = (callLimitOf(info).largestResult + 7) / 8;
   results.resize(words * calls.size());
@@ -19,7 +19,7 @@ RequiredBase::Books::Books(const InterfaceInfo& info)
 }
 
 RequiredBase::RequiredBase(Component& owner, std::string_view name, const InterfaceInfo& info)
-    : name_(name), owner_(owner), info_(info), books_(std::make_shared<Books>(info)) {
+    : name_(name), owner_(owner), info_(info), tables_(std::make_shared<Tables>(info)) {
   refuseUnbounded(info, owner.ownsThread());
   owner.required_.push_back(this);
 }
@@ -28,7 +28,7 @@ RequiredBase::~RequiredBase() {
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
       incoming_.load(std::memory_order_acquire));
   if (unadopted != nullptr) close(*unadopted);
-  for (PendingCall& call : books_->calls) discard(call);
+  for (PendingCall& call : tables_->calls) discard(call);
   close(channel_);
   awaitDirectHandlers();
 }
@@ -61,7 +61,7 @@ void RequiredBase::adopt() {
       incoming_.exchange(nullptr, std::memory_order_acq_rel));
   collectReplies();
   // Calls under way went to the old connection; nobody will answer them here.
-  for (PendingCall& call : books_->calls) {
+  for (PendingCall& call : tables_->calls) {
     if (call.number == 0 || call.done) continue;
     call.error = Errc::OutcomeUnknown;
     call.done = true;
@@ -74,7 +74,7 @@ void RequiredBase::adopt() {
   close(channel_);
   owner_.ringNow();  // a bell that is due may go with its channel
   channel_ = std::move(*arrived);
-  for (std::uint16_t event = 0; event < books_->events.size(); ++event) lendHandler(event);
+  for (std::uint16_t event = 0; event < tables_->events.size(); ++event) lendHandler(event);
   // Pass on what has been subscribed to since the channel was made.
   if (channel_ != nullptr) passSubscriptionsOn(subscribed() & ~channel_->subscribed());
   lossNoticed_ = false;

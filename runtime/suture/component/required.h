@@ -259,8 +259,8 @@ class RequiredBase {
   const InterfaceInfo& info_;
   std::shared_ptr<Channel> channel_;
   std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
-  struct Books;                         // of its calls and events
-  const std::shared_ptr<Books> books_;  // nobody else's; a unique_ptr compiles longer
+  struct Tables;                          // of its calls and events
+  const std::shared_ptr<Tables> tables_;  // nobody else's; a unique_ptr compiles longer
   std::uint32_t callsOpened_ = 0;
   unsigned fresh_ = 0;                   // calls that are
   bool handledInWait_ = false;           // events, other than the one waited for

@@ -10,14 +10,14 @@
 
 namespace suture {
 
-struct RequiredBase::Books {
+struct RequiredBase::Tables {
   struct HeardEvent {
     std::shared_ptr<const EventHandler> handler;
     Time since{};  // when it got a handler, after having had none
     bool direct = false;
   };
 
-  explicit Books(const InterfaceInfo& info);
+  explicit Tables(const InterfaceInfo& info);
 
   std::vector<PendingCall> calls;
   std::vector<std::uint64_t> results;  // the memory of the calls'

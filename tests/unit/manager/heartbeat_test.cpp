@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/loop/event_port.h>
 #include <suture/session/client/heartbeat.h>
-#include <suture/session/task_pulse.h>
+#include <suture/session/task_activity.h>
 
 #include <limits>
 #include <vector>

@@ -19,16 +19,16 @@ void CallbackTask::stop() {
   while (cycling_.test_and_set(std::memory_order_seq_cst)) cycleEnded_.wait();
   claimThread();
   leave();
-  mutablePulse().suspend();
+  mutableActivity().suspend();
   cycling_.clear(std::memory_order_release);
 }
 
 // Gives no due time, since nobody here knows when it is called next.
 void CallbackTask::restUntilTriggered() {
   if (allRest()) {
-    mutablePulse().suspend();
+    mutableActivity().suspend();
   } else {
-    mutablePulse().sleep();
+    mutableActivity().sleep();
   }
 }
 

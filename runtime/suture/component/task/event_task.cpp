@@ -8,7 +8,7 @@ bool EventTask::awaitCycle() {
   const bool work = doorbell().takeRing() == rt::RungFor::Work;
   if (work || workPending()) return !ending();
   const Time due = now() + longestSleep_;
-  mutablePulse().sleep(due);
+  mutableActivity().sleep(due);
   sleepForWork(due);
   return !ending();
 }

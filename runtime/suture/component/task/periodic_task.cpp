@@ -18,7 +18,7 @@ void PeriodicTask::beginCycles() { period_.begin(now()); }
 
 bool PeriodicTask::awaitCycle() {
   const Time due = period_.advance(now());
-  mutablePulse().sleep(due);
+  mutableActivity().sleep(due);
   while (!ending() && now() < due) stopBell().waitUntil(due);
   mutableStatistics().lateness.record(now() - due);
   mutableStatistics().skipped.store(period_.skipped(), std::memory_order_relaxed);

@@ -53,7 +53,7 @@ void Task::enter() {
   setEnding(false);
   claimForThisThread();
   makeRoom(provided(), required());
-  pulse_.run(now());
+  activity_.run(now());
   if (after(state(), Transition::Start)) makeTransition(Transition::Start);
   makeSafe();
   ringNow();
@@ -83,7 +83,7 @@ void Task::makeRequestedTransition() {
   if (!requested_.load(std::memory_order_relaxed)) return;
   const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
   if (!after(state(), *requested)) return;  // it has been parked since it was asked
-  pulse_.run(now());
+  activity_.run(now());
   makeTransition(*requested);
   if (state() != ComponentState::Running) rest();
 }
@@ -111,7 +111,7 @@ void Task::restartAfterFaults(const RestartBudget& budget) {
 void Task::makeSafe() {
   while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
     safeAfter_ = faults();
-    pulse_.run(now());
+    activity_.run(now());
     const bool restarted = tryOnFault() && mayRestart();
     if (restarted) restart();
     staysFaulted_.store(!restarted, std::memory_order_release);
@@ -142,7 +142,7 @@ bool Task::goesOn() const { return state() == ComponentState::Running && !ending
 
 void Task::work() {
   const Time begin = now();
-  pulse_.run(begin);
+  activity_.run(begin);
   handleEvents();
   if (!goesOn()) return;
   for (ProvidedBase* interface : provided()) interface->drain();

@@ -70,8 +70,8 @@ class Task : public Component {
 
   const TaskStatistics& statistics() const { return statistics_; }
   /// Whether its thread works, sleeps or hangs: that of its host, if it is a guest. Any thread.
-  const Pulse& pulse() const {
-    return lender_ == nullptr ? pulse_ : static_cast<const Task*>(lender_)->pulse();
+  const TaskActivity& activity() const {
+    return lender_ == nullptr ? activity_ : static_cast<const Task*>(lender_)->activity();
   }
   /// Before start(): a fault is followed by onFault() and then by a restart, as long as the budget
   /// lasts; then the task stays faulted. Without, it stays so at once. Throws SetupError for more
@@ -115,7 +115,7 @@ class Task : public Component {
   bool allRest() const;
   TaskStatistics& mutableStatistics() { return statistics_; }
   /// For its thread, around each sleep; a cycle says itself when it begins.
-  Pulse& mutablePulse() { return pulse_; }
+  TaskActivity& mutableActivity() { return activity_; }
 
  private:
   friend class GuestTask;
@@ -140,7 +140,7 @@ class Task : public Component {
   std::string failure_;
   std::atomic<bool> failed_{false};  // failure_ says why
   TaskStatistics statistics_;
-  Pulse pulse_;
+  TaskActivity activity_;
   std::uint64_t safeAfter_ = 0;  // the fault that onFault() was called for
   std::atomic<bool> staysFaulted_{false};
   RestartBudget restarts_;

@@ -16,7 +16,7 @@ enum class Activity : std::uint8_t {
 
 /// Written by the thread that runs the task, readable by any. One word, so that neither waits and
 /// both halves are of one moment.
-class Pulse {
+class TaskActivity {
  public:
   struct Reading {
     Activity activity = Activity::Suspended;

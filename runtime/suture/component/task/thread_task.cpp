@@ -55,7 +55,7 @@ void ThreadTask::loop() {
   beginCycles();
   while (!ending()) {
     if (allRest()) {
-      mutablePulse().suspend();
+      mutableActivity().suspend();
       awaitWork();
       cycle();
       if (!allRest()) beginCycles();
@@ -64,7 +64,7 @@ void ThreadTask::loop() {
     }
   }
   leave();
-  mutablePulse().suspend();
+  mutableActivity().suspend();
 }
 
 // A ring may announce what is not work pending: somebody asks for the first time for a read of an

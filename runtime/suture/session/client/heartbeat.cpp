@@ -1,6 +1,6 @@
 #include <suture/loop/deadline.h>
 #include <suture/session/client/heartbeat.h>
-#include <suture/session/task_pulse.h>
+#include <suture/session/task_activity.h>
 #include <suture/wire/stamps.h>
 #include <suture/wire/text.h>
 
@@ -44,7 +44,7 @@ void Heartbeat::Watch::look(BootTime present, BootTime begun) {
                                       milliseconds(bounds_.silence));
 }
 
-void Heartbeat::Watch::heard(wire::TaskPulse::Reader task, Time then) {
+void Heartbeat::Watch::heard(wire::TaskActivity::Reader task, Time then) {
   if (!hangs(task, then)) well_.fulfiller->fulfill();
   if (answered_) answered_();
 }
@@ -52,11 +52,11 @@ void Heartbeat::Watch::heard(wire::TaskPulse::Reader task, Time then) {
 // Compares times of the peer's clock alone, so that neither its offset nor the way of the answer
 // matters. A process that was stopped as a whole answers before its tasks have had a turn, so a
 // task hangs only if it has not moved between two answers.
-bool Heartbeat::Watch::hangs(wire::TaskPulse::Reader task, Time then) {
-  const Pulse::Reading pulse = fromWire(task);
-  const bool running = pulse.activity == Activity::Running;
-  const Duration overdue = pulse.overdue(then);
-  const bool moved = std::exchange(due_, pulse.due) != pulse.due;
+bool Heartbeat::Watch::hangs(wire::TaskActivity::Reader task, Time then) {
+  const TaskActivity::Reading activity = fromWire(task);
+  const bool running = activity.activity == Activity::Running;
+  const Duration overdue = activity.overdue(then);
+  const bool moved = std::exchange(due_, activity.due) != activity.due;
   if (overdue <= bounds_.hang) return false;
   if (moved) return true;
   lost_.fulfiller->fulfill(

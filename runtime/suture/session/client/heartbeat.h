@@ -46,8 +46,8 @@ class Heartbeat {
     friend class Heartbeat;
     BootTime silentAt() const;
     void look(BootTime present, BootTime begun);
-    void heard(wire::TaskPulse::Reader task, Time then);
-    bool hangs(wire::TaskPulse::Reader task, Time then);
+    void heard(wire::TaskActivity::Reader task, Time then);
+    bool hangs(wire::TaskActivity::Reader task, Time then);
 
     Heartbeat& heartbeat_;
     const std::string component_;

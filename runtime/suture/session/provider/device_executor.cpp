@@ -39,7 +39,7 @@ bool DeviceExecutor::awaitCycle() {
     return served.interface->pending();
   });
   if (ending() || waiting) return !ending();
-  mutablePulse().sleep(due);
+  mutableActivity().sleep(due);
   doorbell().waitUntil(due);
   return !ending();
 }

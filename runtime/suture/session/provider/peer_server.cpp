@@ -10,7 +10,7 @@
 #include <suture/session/provider/notices_sender.h>
 #include <suture/session/provider/peer_server.h>
 #include <suture/session/tallies.h>
-#include <suture/session/task_pulse.h>
+#include <suture/session/task_activity.h>
 #include <suture/wire/stamps.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/frames.h>
@@ -99,7 +99,7 @@ void PeerServer::putTasks(wire::Peer::PingResults::Builder results) const {
   for (unsigned i = 0; i < tasks.size(); ++i) {
     const Component* const component = host_.directory_.findComponent(watched_[i]);
     const Task* const task = component == nullptr ? nullptr : host_.taskOf_(*component);
-    toWire(task == nullptr ? Pulse::Reading{} : task->pulse().read(), tasks[i]);
+    toWire(task == nullptr ? TaskActivity::Reading{} : task->activity().read(), tasks[i]);
     if (task != nullptr) tasks[i].setCycles(task->statistics().cycles);
   }
 }

@@ -6,8 +6,8 @@
 
 namespace suture {
 
-void toWire(const Pulse::Reading& pulse, wire::TaskPulse::Builder out);
+void toWire(const TaskActivity::Reading& activity, wire::TaskActivity::Builder out);
 /// What a peer says may be anything.
-Pulse::Reading fromWire(wire::TaskPulse::Reader in);
+TaskActivity::Reading fromWire(wire::TaskActivity::Reader in);
 
 }  // namespace suture

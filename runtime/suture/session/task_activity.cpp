@@ -1,20 +1,20 @@
-#include <suture/session/task_pulse.h>
+#include <suture/session/task_activity.h>
 #include <suture/wire/stamps.h>
 
 namespace suture {
 
-using WireActivity = wire::TaskPulse::Activity;
+using WireActivity = wire::TaskActivity::Activity;
 
-void toWire(const Pulse::Reading& pulse, wire::TaskPulse::Builder out) {
-  switch (pulse.activity) {
+void toWire(const TaskActivity::Reading& activity, wire::TaskActivity::Builder out) {
+  switch (activity.activity) {
     case Activity::Running: out.setActivity(WireActivity::RUNNING); break;
     case Activity::Asleep: out.setActivity(WireActivity::ASLEEP); break;
     case Activity::Suspended: out.setActivity(WireActivity::SUSPENDED); break;
   }
-  out.setDue(toNanoseconds(pulse.due));
+  out.setDue(toNanoseconds(activity.due));
 }
 
-Pulse::Reading fromWire(wire::TaskPulse::Reader in) {
+TaskActivity::Reading fromWire(wire::TaskActivity::Reader in) {
   const bool running = in.getActivity() == WireActivity::RUNNING;
   return {running ? Activity::Running : Activity::Asleep,
           fromNanoseconds(rpc::bounded(in.getDue()))};
