@@ -86,7 +86,7 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
       owner_(owner),
       info_(info),
       implementation_(implementation),
-      state_(makeStateTable(info)),
+      state_(makeStateTable(info, rt::StateTable::Readers::Elsewhere)),
       channels_(owner.ownsThread() ? ChannelList::Walkers::Owner : ChannelList::Walkers::Any),
       replayed_(payloadWords(info)) {
   for (const EventInfo& event : info.events) {

@@ -17,8 +17,6 @@ class ClientEnd : public kj::Refcounted {
 
   /// Tells the client how it stands with the provider's component.
   void tell(ChannelStatus status) { channel_->tell(status); }
-  /// Takes over how the provider's clock stands to this process's.
-  void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
   /// Takes over what the provider's end has counted.
   void tally(const Tally& tally) { channel_->counts->told.store(tally); }
   /// The connection is over: the client is told `why`, calls under way end with their outcome

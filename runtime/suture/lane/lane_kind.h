@@ -46,6 +46,8 @@ struct OutgoingConnection {
   std::string name;               ///< "console:Teleop/Slave -> psm-host:PSM/Arm"
   EventSet events = 0;            ///< that the client wants
   std::shared_ptr<rt::Doorbell> client;
+  std::shared_ptr<const PeerState> peer;
+  Duration silence{0};  ///< that the client bears
 };
 
 /// A client's end that has been made. Its channel is not attached to the client yet.
@@ -96,6 +98,8 @@ struct IncomingConnection {
   EventSet events = 0;     ///< that the client wants, as this process numbers them
   rt::Doorbell& provider;  ///< of the thread that serves it
   bool readOnly = false;   ///< the client may give no commands
+  std::shared_ptr<const PeerState> peer = nullptr;
+  Duration silence{0};  ///< that the client bears; 0: it does not say
 };
 
 /// Tells a client that the next such event, as its contract numbers them on the wire, repeats one

@@ -1,6 +1,7 @@
 #include <suture/lane/mirrored_channel.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suture {
 
@@ -8,10 +9,14 @@ std::shared_ptr<Channel> mirroredChannel(const OutgoingConnection& connection, c
                                          rt::Doorbell& carrier, rpc::ControlThread& control,
                                          std::uint32_t rows) {
   constexpr std::size_t kMostBytes = std::size_t{64} << 20;
-  const Channel::Ends ends{
-      .client = connection.client.get(), .provider = &carrier, .watcher = &control.doorbell()};
+  const Channel::Ends ends{.client = connection.client.get(),
+                           .provider = &carrier,
+                           .watcher = &control.doorbell(),
+                           .peer = connection.peer,
+                           .silence = connection.silence};
+  auto rowsHere = makeStateTable(connection.contract, rt::StateTable::Readers::Here);
   auto channel = std::make_shared<Channel>(connection.contract, connection.name, lane, ends,
-                                           makeStateTable(connection.contract), connection.events);
+                                           std::move(rowsHere), connection.events);
   channel->clientsBell = connection.client;
   rt::StateTable& mirror = *channel->state;
   const std::size_t most = std::max<std::size_t>(kMostBytes / mirror.rowBytes(), 1);

@@ -1,29 +1,6 @@
 #include <suture/lane/provider_end.h>
 
-#include <algorithm>
-
 namespace suture::rpc {
-namespace {
-
-// Ends earlier by as much as the two clocks may drift apart, so that the provider stops first.
-BootTime leaseFrom(BootTime sent, Duration silence) {
-  constexpr int kDrift = 1000;
-  return sent + silence - silence / kDrift;
-}
-
-}  // namespace
-
-void ProviderEnd::grant(Duration silence) {
-  silence_ = silence;
-  channel_->lease.renew(leaseFrom(BootClock::now(), silence));
-}
-
-// What was sent before the connection was made does not end its lease earlier.
-void ProviderEnd::hear(BootTime sent) {
-  if (silence_ == Duration{0}) return;
-  channel_->lease.renew(std::max(leaseFrom(sent, silence_), channel_->lease.end()));
-}
-
 Earlier ProviderEnd::earlier() {
   const Earlier earlier = channel_->ledger->before(*channel_);
   earlierTold_ = earlier.ended;

@@ -32,14 +32,7 @@ class ProviderEnd : public kj::Refcounted {
 
   void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }
 
-  /// Takes over how the client's clock stands to this process's.
-  void setClock(Duration shift, Duration error) { channel_->setClock(shift, error); }
-  /// The client says that it waits for `silence` before it gives the provider up: without a word
-  /// from it for so long, counted from now, the provider executes nothing of it any more.
-  void grant(Duration silence);
-  /// The client has answered what was sent at `sent`.
-  void hear(BootTime sent);
-  /// When it is too late to hear(); never, if the connection is over.
+  /// When it is too late to hear of the client; never, if the connection is over.
   BootTime endOfLease() const;
   /// What there is to tell the client of the connections of the same name before.
   Earlier earlier();
@@ -70,7 +63,6 @@ class ProviderEnd : public kj::Refcounted {
   void passOn(ChannelStatus status);
 
   bool closed_ = false;
-  Duration silence_{0};  // 0: the client has not said how long it waits
   ChannelStatus told_ = ChannelStatus::Connected;
   std::uint32_t faultsTold_ = 0;
   bool earlierTold_ = false;  // the last word

@@ -60,8 +60,8 @@ ConnectionReport reportOf(const std::shared_ptr<Channel>& shared, ConnectionEnd 
   report.name = channel.name;
   report.lane = channel.lane;
   report.laneReason = channel.laneReason;
-  report.clockShift = channel.clockShift;
-  report.clockError = channel.clockError;
+  report.clockShift = channel.clockShift();
+  report.clockError = channel.clockError();
   report.end = end;
   report.status = channel.status.load(std::memory_order_acquire);
   report.bytesSent = rt::count(channel.bytesSent);

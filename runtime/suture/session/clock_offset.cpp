@@ -1,3 +1,4 @@
+#include <suture/component/channel/peer_state.h>
 #include <suture/session/clock_offset.h>
 #include <suture/wire/stamps.h>
 
@@ -5,19 +6,10 @@
 
 namespace suture {
 
-namespace {
-
-// Two clocks of quartz drift apart, each off by up to 50 us in a second.
-constexpr int kMicrosecondsOfDrift = 100;
-
-}  // namespace
-
 Duration ClockOffset::error(Time present) const {
   if (one_ || error_ == Duration::max()) return error_;
-  return error_ + drift(present - compared_);
+  return error_ + clockDrift(present - compared_);
 }
-
-Duration ClockOffset::drift(Duration elapsed) { return elapsed * kMicrosecondsOfDrift / 1'000'000; }
 
 // True if a clock was stepped, or slewed faster than quartz drifts.
 bool ClockOffset::contradicts(Duration offset, Duration errors) const {

@@ -31,8 +31,6 @@ class ClockOffset {
   /// How wrong that may be at `present`, either way: half of the time for which the question was
   /// under way, and what the clocks may have drifted apart since.
   Duration error(Time present) const;
-  /// How far two clocks may drift apart in so long.
-  static Duration drift(Duration elapsed);
 
  private:
   bool contradicts(Duration offset, Duration errors) const;

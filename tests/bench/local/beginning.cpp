@@ -19,15 +19,19 @@ constexpr suture::Duration kSilence = std::chrono::hours(1);
 /// The provider's end of a connection, on memory of its own or on memory that its client may write.
 class ProvidersEnd {
  public:
-  explicit ProvidersEnd(Arena memory = {})
-      : channel_(contract(), "client -> provider", "", {.client = &bell_, .provider = &bell_},
-                 makeStateTable(contract()), suture::EventSet{0}, std::move(memory)) {}
+  explicit ProvidersEnd(suture::Duration silence, Arena memory = {})
+      : channel_(contract(), "client -> provider", "",
+                 {.client = &bell_,
+                  .provider = &bell_,
+                  .peer = std::make_shared<suture::PeerState>(),
+                  .silence = silence},
+                 makeStateTable(contract(), suture::rt::StateTable::Readers::Here),
+                 suture::EventSet{0}, std::move(memory)) {}
 
   static Arena sharedMemory() {
     return {std::make_shared<MemoryBlock>("bench-channel", Channel::bytesFor(contract())),
             Arena::Content::Zeros};
   }
-  void grantLease() { channel_.lease.renew(suture::BootClock::now() + kSilence); }
 
   Statistics measure(const LocalOptions& options, bool looksAtClock) {
     return timedLoops(options.count(200), 100'000, [&] {
@@ -59,13 +63,11 @@ std::string beginningRows(const LocalOptions& options, Report& report) {
     report.add("begin." + figure + ".extra", "ns", cost.p50 - loop.p50);
     table.row(joined({title}, cellsOf(cost, 1)));
   };
-  ProvidersEnd local;
+  ProvidersEnd local(suture::Duration{0});
   row("`local`", "local", local.measure(options, true));
-  ProvidersEnd remote;
-  remote.grantLease();
+  ProvidersEnd remote(kSilence);
   row("`frame` and `rpc`", "remote", remote.measure(options, true));
-  ProvidersEnd shared(ProvidersEnd::sharedMemory());
-  shared.grantLease();
+  ProvidersEnd shared(kSilence, ProvidersEnd::sharedMemory());
   row("`shm` without a ttl", "shm", shared.measure(options, false));
   row("`shm` with a ttl", "shm_ttl", shared.measure(options, true));
   return table.toString();

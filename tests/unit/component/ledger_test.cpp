@@ -17,7 +17,8 @@ std::shared_ptr<Channel> makeChannel() {
   static rt::Doorbell bell;
   const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
   return std::make_shared<Channel>(info, "a -> b", "frame", Channel::Ends{&bell, &bell},
-                                   makeStateTable(info), EventSet{0});
+                                   makeStateTable(info, rt::StateTable::Readers::Here),
+                                   EventSet{0});
 }
 
 void send(Channel& channel, std::uint64_t commands) { channel.commands.counters.sent += commands; }

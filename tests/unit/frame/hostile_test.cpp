@@ -27,7 +27,7 @@ struct Played {
       : channel(std::make_shared<Channel>(
             contract(), "client -> provider", "frame",
             Channel::Ends{.client = &client, .provider = &provider, .watcher = &watcher},
-            makeStateTable(contract()), ~EventSet{0})) {}
+            makeStateTable(contract(), rt::StateTable::Readers::Here), ~EventSet{0})) {}
 
   rt::Doorbell client, provider, watcher;
   std::shared_ptr<Channel> channel;

@@ -36,7 +36,7 @@ struct Pair {
     return std::make_shared<Channel>(
         contract, "client -> provider", "frame",
         Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell},
-        makeStateTable(contract), ~EventSet{0});
+        makeStateTable(contract, rt::StateTable::Readers::Here), ~EventSet{0});
   }
   bool hold() {
     if (!near->commands.claim(kHold, now(), 0)) return false;
@@ -114,7 +114,7 @@ TEST_F(LinkTest, TellsWhatHasBecomeOfTheCommandsOfATinyContract) {
     return std::make_shared<Channel>(
         contract, "client -> provider", "frame",
         Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell},
-        makeStateTable(contract), EventSet{0});
+        makeStateTable(contract, rt::StateTable::Readers::Here), EventSet{0});
   };
   const auto client = makeEnd(), provider = makeEnd();
   far->join(std::make_shared<ProviderSide>(provider, 1));

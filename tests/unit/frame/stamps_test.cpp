@@ -14,12 +14,16 @@ using namespace std::chrono_literals;
 
 constexpr std::uint16_t kHoldMethod = 2, kStoppedMethod = 2;
 
-std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
+/// A channel to a process whose clock stands so to this one's.
+std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell, Duration shift) {
+  const auto peer = std::make_shared<PeerState>();
+  peer->clockShift = shift;
+  peer->clockError = 1ms;
   const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
   return std::make_shared<Channel>(
       contract, "client -> provider", "frame",
-      Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell}, makeStateTable(contract),
-      ~EventSet{0});
+      Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell, .peer = peer},
+      makeStateTable(contract, rt::StateTable::Readers::Here), ~EventSet{0});
 }
 
 struct StampedEnds {
@@ -27,8 +31,6 @@ struct StampedEnds {
   explicit StampedEnds(rpc::SocketPair pair)
       : client(rpc::ByteStream(kj::mv(pair.ours)), 1),
         provider(rpc::ByteStream(kj::mv(pair.theirs)), 1) {
-    far->setClock(-5s, 1ms);
-    near->setClock(-7s, 1ms);
     provider.join(std::make_shared<ProviderSide>(far, 1));
     client.join(std::make_shared<ClientSide>(near, 1));
   }
@@ -42,7 +44,7 @@ struct StampedEnds {
   }
 
   rt::Doorbell bell;
-  const std::shared_ptr<Channel> near = makeChannel(bell), far = makeChannel(bell);
+  const std::shared_ptr<Channel> near = makeChannel(bell, -7s), far = makeChannel(bell, -5s);
   Link client, provider;
 };
 

@@ -101,7 +101,8 @@ class InvalidEvents : public testing::Test {
   const std::shared_ptr<Channel> channel_ = std::make_shared<Channel>(
       interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
       Channel::Ends{.client = &clientsBell_, .provider = &control_.doorbell()},
-      makeStateTable(interfaceInfo<reference::ArmLike>()), ~EventSet{0});
+      makeStateTable(interfaceInfo<reference::ArmLike>(), rt::StateTable::Readers::Here),
+      ~EventSet{0});
   kj::Maybe<Events> subscriber_;
   kj::Own<rpc::ProxyPort> port_;
 };
@@ -208,7 +209,8 @@ class InvalidCommands : public testing::Test {
   const std::shared_ptr<Channel> channel_ = std::make_shared<Channel>(
       interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
       Channel::Ends{.client = &control_.doorbell(), .provider = &provider_},
-      makeStateTable(interfaceInfo<reference::ArmLike>()), EventSet{0});
+      makeStateTable(interfaceInfo<reference::ArmLike>(), rt::StateTable::Readers::Here),
+      EventSet{0});
   kj::Maybe<reference::wire::ArmLike::Client> arm_;
 };
 

@@ -23,7 +23,7 @@ struct Provider {
       : channel(std::make_shared<Channel>(
             info, "client -> provider", "rpc",
             Channel::Ends{.client = &control.doorbell(), .provider = &bell, .watcher = &bell},
-            makeStateTable(info), ~EventSet{0})),
+            makeStateTable(info, rt::StateTable::Readers::Here), ~EventSet{0})),
         port(kj::refcounted<ServantPort>(control, channel, std::make_shared<LinkCounters>())) {}
   ~Provider() noexcept(false) { port->close(); }
 

@@ -134,8 +134,12 @@ struct SharedConnection {
   Teleop teleop;
   rt::Doorbell watcher;
   const InterfaceInfo& contract = interfaceInfo<ArmLike>();
-  shm::SharedOffer offer = shm::offerShared(psm.port, contract, "test", ~EventSet{0},
-                                            psm.doorbell(), teleop.doorbell().share(), watcher);
+  shm::SharedOffer offer = shm::offerShared({.provided = psm.port,
+                                             .contract = &contract,
+                                             .name = "test",
+                                             .events = ~EventSet{0},
+                                             .provider = psm.doorbell()},
+                                            teleop.doorbell().share(), watcher);
   std::shared_ptr<Channel> client = shm::takeShared(contract, "test", teleop.sharedDoorbell(),
                                                     mappedAgain(offer.parts, contract));
 };

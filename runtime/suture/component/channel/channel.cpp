@@ -63,6 +63,7 @@ Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::st
                                              foreign)),
       direct(contract.events.size()),
       wantsRows(words_->wantsRows),
+      lease(ends.peer, ends.silence),
       untaken(words_->untaken) {
   if (!memory.fresh()) return;
   words_->subscribed.store(subscribedEvents, std::memory_order_relaxed);
@@ -94,6 +95,12 @@ bool Channel::admits(const EventInfo& event, const std::byte* payload) {
   FieldPath path;
   if (event.admits(payload, &path)) return true;
   return lastInvalid.note(path), false;
+}
+
+Duration Channel::clockError() const {
+  if (ends.peer == nullptr) return Duration{0};
+  const Duration compared = ends.peer->clockError.load(std::memory_order_relaxed);
+  return compared == Duration{0} ? compared : compared + clockDrift(ends.silence);
 }
 
 void Channel::subscribe(EventSet wanted, EventSet newlyWanted) {
@@ -206,7 +213,8 @@ ChannelStatus statusIn(ComponentState state) {
   }
 }
 
-std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info) {
+std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,
+                                               rt::StateTable::Readers readers) {
   std::vector<std::uint32_t> sizes;
   rt::ColumnSet shared = 0;
   for (const CommandInfo& command : info.commands) {
@@ -214,7 +222,8 @@ std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info) {
     shared |= rt::ColumnSet{command.sharedResult} << sizes.size();
     sizes.push_back(command.resultSize);
   }
-  return std::make_shared<rt::StateTable>(sizes, rowsOf(sizes), shared);
+  if (shared != 0) readers = rt::StateTable::Readers::Here;  // pointers mean nothing elsewhere
+  return std::make_shared<rt::StateTable>(sizes, rowsOf(sizes), shared, readers);
 }
 
 }  // namespace suture

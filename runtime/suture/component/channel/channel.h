@@ -10,6 +10,7 @@
 #include <suture/component/channel/direct_handlers.h>
 #include <suture/component/channel/last_invalid.h>
 #include <suture/component/channel/lease.h>
+#include <suture/component/channel/peer_state.h>
 #include <suture/component/contract/connection_contract.h>
 #include <suture/component/contract/interface_info.h>
 #include <suture/rt/doorbell.h>
@@ -74,6 +75,10 @@ class Channel {
     ProvidedBase* here = nullptr;    ///< in this process, for what runs in the caller's thread
     /// It is rung too when the status changes, so that its owner can tell another process.
     rt::Doorbell* watcher = nullptr;
+    /// The process at the other end; nullptr: it is this one, or a client that says nothing.
+    std::shared_ptr<const PeerState> peer = nullptr;
+    /// How long the client bears its provider's silence; 0: for ever, or it has not said so.
+    Duration silence{0};
   };
 
   /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the
@@ -109,10 +114,6 @@ class Channel {
   /// Why it is not a faster lane that had been hoped for; "" if there was none. Set before either
   /// end is attached.
   std::string laneReason;
-  /// The first is added to the stamps of the other end, to have them on this process's clock; the
-  /// second is how wrong that, and so an age, may be, either way. Zero where both have one clock.
-  /// Set before either end is attached, and again and again while the connection stands.
-  std::atomic<Duration> clockShift{Duration{0}}, clockError{Duration{0}};
   /// The first keeps what `ends.client` belongs to, so that it can be rung as long as somebody has
   /// this; the second does the same for `ends.provider`, where the client may outlive it. Set
   /// before the end that rings it is attached.
@@ -162,11 +163,15 @@ class Channel {
   void countSent(std::size_t bytes) { count(bytesSent, bytes); }
   void countReceived(std::size_t bytes) { count(bytesReceived, bytes); }
 
-  /// The control thread, for a connection to another process.
-  void setClock(Duration shift, Duration error) {
-    clockShift.store(shift, std::memory_order_relaxed);
-    clockError.store(error, std::memory_order_relaxed);
+  /// Any thread: what is added to the stamps of the other end, to have them on this process's
+  /// clock. Zero where both have one.
+  Duration clockShift() const {
+    if (ends.peer == nullptr) return Duration{0};
+    return ends.peer->clockShift.load(std::memory_order_relaxed);
   }
+  /// Any thread: how wrong that, and so an age, may be, either way, until the clocks are compared
+  /// again; without that, the connection is lost by then.
+  Duration clockError() const;
 
   /// Client endpoint: keeps the age of a value that has just been read from the row of `stamp`.
   void noteRead(Time stamp) {
@@ -195,7 +200,7 @@ class Channel {
   void noteStatus(ChannelStatus news) const;
 
   /// Provider endpoint: how long its client's commands may be executed.
-  Lease lease;
+  const Lease lease;
   /// Client endpoint, any thread, before the client is told that the connection is over: where both
   /// share memory, the provider begins nothing more of it.
   void cut() { words_->cut.raise(); }
@@ -265,7 +270,8 @@ Errc endOfCalls(ChannelStatus status);
 /// The status of a connection to a component in this state; Connected also before its first cycle.
 ChannelStatus statusIn(ComponentState state);
 
-/// Column sizes of a contract's state table: one column a read.
-std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info);
+/// A contract's state table: one column a read. `readers`: whether another process may map it.
+std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,
+                                               rt::StateTable::Readers readers);
 
 }  // namespace suture

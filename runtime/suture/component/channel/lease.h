@@ -2,27 +2,41 @@
 // Until when a provider may execute what a client in another process has sent.
 
 #include <suture/base/boot_time.h>
+#include <suture/component/channel/peer_state.h>
 
+#include <algorithm>
 #include <atomic>
+#include <memory>
+#include <utility>
 
 namespace suture {
 
 /// A client that hears nothing for long enough says that its provider is lost. After that, the
 /// provider's end must execute nothing of the connection, also if it was stopped as a whole
 /// meanwhile: so the thread that executes looks at the clock itself, and trusts no other thread's
-/// word. As long as no client has said how long it waits, there is no end.
+/// word. Any thread may look. Constant: whatever is heard of the client is in its PeerState.
 class Lease {
  public:
-  /// The control thread.
-  void renew(BootTime end) { end_.store(end, std::memory_order_relaxed); }
+  /// Has no end: the client is in this process, or has not said how long it waits.
+  Lease() = default;
+  /// The client waits for `silence` before it gives its provider up, from now on at first.
+  Lease(std::shared_ptr<const PeerState> client, Duration silence)
+      : client_(std::move(client)), silence_(silence), begun_(BootClock::now()) {}
 
-  /// Any thread.
-  BootTime end() const { return end_.load(std::memory_order_relaxed); }
-  bool limited() const { return end() != BootTime::max(); }
+  bool limited() const { return client_ != nullptr && silence_ > Duration{0}; }
+  /// Earlier than the client's end by as much as the two clocks may drift apart.
+  BootTime end() const {
+    if (!limited()) return BootTime::max();
+    constexpr int kDrift = 1000;
+    const BootTime heard = std::max(begun_, client_->heard.load(std::memory_order_relaxed));
+    return heard + silence_ - silence_ / kDrift;
+  }
   bool lapsed() const { return limited() && BootClock::now() >= end(); }
 
  private:
-  std::atomic<BootTime> end_{BootTime::max()};
+  std::shared_ptr<const PeerState> client_;
+  Duration silence_{0};
+  BootTime begun_{};
 };
 
 }  // namespace suture

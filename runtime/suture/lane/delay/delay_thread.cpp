@@ -29,10 +29,13 @@ void DelayThread::requireBounded(const InterfaceInfo& contract) {
 std::shared_ptr<Channel> DelayThread::interpose(const RequiredBase& required,
                                                 std::shared_ptr<Channel> far,
                                                 const ConnectionDelay& delay) {
-  auto state = makeStateTable(required.info());
+  auto state = makeStateTable(required.info(), rt::StateTable::Readers::Here);
   state->resize(static_cast<unsigned>(far->state->capacity()));
   const std::shared_ptr<rt::Doorbell> bell = required.owner().sharedDoorbell();
-  const Channel::Ends ends{.client = bell.get(), .provider = &doorbell()};
+  const Channel::Ends ends{.client = bell.get(),
+                           .provider = &doorbell(),
+                           .peer = far->ends.peer,
+                           .silence = far->ends.silence};
   auto near = std::make_shared<Channel>(required.info(), far->name,
                                         far->lane + (delay.faults.any() ? "+fault" : "+delay"),
                                         ends, std::move(state), far->subscribed());

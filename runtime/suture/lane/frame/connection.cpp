@@ -72,13 +72,12 @@ void Connection::send(const Header& header, std::span<const std::byte> payload) 
 }
 
 Time Connection::here(std::int64_t stamp) const {
-  const Duration ahead = channel_->clockShift.load(std::memory_order_relaxed);
-  return std::clamp(fromNanoseconds(rpc::shifted(stamp, ahead)), Time{}, now());
+  return std::clamp(fromNanoseconds(rpc::shifted(stamp, channel_->clockShift())), Time{}, now());
 }
 
 void Connection::bringHere(StampShift shift, std::byte* slot) const {
   if (shift == nullptr) return;
-  const Duration ahead = channel_->clockShift.load(std::memory_order_relaxed);
+  const Duration ahead = channel_->clockShift();
   if (ahead != Duration{0}) shift(slot, ahead);
 }
 

@@ -148,7 +148,9 @@ class FrameServer final : public LaneServer {
     const Channel::Ends ends{.client = bell.get(),
                              .provider = &connection.provider,
                              .here = &connection.provided,
-                             .watcher = &session_.control().doorbell()};
+                             .watcher = &session_.control().doorbell(),
+                             .peer = connection.peer,
+                             .silence = connection.silence};
     auto channel = std::make_shared<Channel>(*connection.contract, connection.name, "frame", ends,
                                              connection.provided.state(), connection.events);
     channel->clientsBell = bell;

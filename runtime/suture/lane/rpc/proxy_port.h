@@ -40,7 +40,7 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   // --- for generated code
 
   /// Turns the peer's steady clock into this process's.
-  Duration shift() const { return channel_->clockShift.load(std::memory_order_relaxed); }
+  Duration shift() const { return channel_->clockShift(); }
 
   /// Answers call `call`: `produce(Slot&)` converts the result and returns an Errc. `stamp`: when
   /// the provider produced it, on its clock, ns; 0: not said.

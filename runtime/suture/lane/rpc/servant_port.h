@@ -37,7 +37,7 @@ class ServantPort final : public ProviderEnd, private Pump, private kj::TaskSet:
   void setReadOnly() { readOnly_ = true; }
   const InterfaceInfo& info() const { return channel_->info; }
   /// Turns the peer's steady clock into this process's.
-  Duration shift() const { return channel_->clockShift.load(std::memory_order_relaxed); }
+  Duration shift() const { return channel_->clockShift(); }
 
   // --- for generated servants
 

@@ -40,24 +40,27 @@ std::size_t stateBytes(const SharedParts& parts) {
   return rt::StateTable::bytesFor(parts.columns, parts.rows);
 }
 
-SharedOffer offerShared(ProvidedBase& provided, const InterfaceInfo& contract,
-                        const std::string& name, EventSet events, rt::Doorbell& provider,
-                        std::shared_ptr<MemoryBlock> client, rt::Doorbell& watcher) {
+SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<MemoryBlock> client,
+                        rt::Doorbell& watcher) {
+  const InterfaceInfo& contract = *connection.contract;
+  ProvidedBase& provided = connection.provided;
   SharedOffer offer;
   offer.parts.channel = std::make_shared<MemoryBlock>("suture-channel", channelBytes(contract));
   offer.parts.state = provided.state()->memory();
-  offer.parts.bell = provider.share();
+  offer.parts.bell = connection.provider.share();
   offer.parts.columns = columnSizes(*provided.state());
   offer.parts.rows = static_cast<std::uint32_t>(provided.state()->capacity());
   const auto clientsBell = std::make_shared<rt::Doorbell>(std::move(client), kElsewhere);
   Arena arena(offer.parts.channel, Arena::Content::Zeros);
   const auto asked = arena.make<Asked>();
-  offer.channel = std::make_shared<Channel>(contract, name, "shm",
-                                            Channel::Ends{.client = clientsBell.get(),
-                                                          .provider = &provider,
-                                                          .here = &provided,
-                                                          .watcher = &watcher},
-                                            provided.state(), events, arena);
+  const Channel::Ends ends{.client = clientsBell.get(),
+                           .provider = &connection.provider,
+                           .here = &provided,
+                           .watcher = &watcher,
+                           .peer = connection.peer,
+                           .silence = connection.silence};
+  offer.channel = std::make_shared<Channel>(contract, connection.name, "shm", ends,
+                                            provided.state(), connection.events, arena);
   offer.channel->clientsBell = clientsBell;
   offer.channel->asked = asked;
   return offer;

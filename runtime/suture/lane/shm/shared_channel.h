@@ -2,7 +2,7 @@
 // The two ends of a connection between two processes that share memory.
 
 #include <suture/component/channel/channel.h>
-#include <suture/component/provided.h>
+#include <suture/lane/lane_kind.h>
 
 #include <cstdint>
 #include <memory>
@@ -26,12 +26,10 @@ struct SharedOffer {
   SharedParts parts;
 };
 
-/// `contract`: that of the client, the provider's or one that it derives from. `provider`: the
-/// doorbell of the thread that serves it, in shared memory; `client`: the memory of the client's.
-/// `watcher` is rung when the status changes. Throws SetupError if there is no memory.
-SharedOffer offerShared(ProvidedBase& provided, const InterfaceInfo& contract,
-                        const std::string& name, EventSet events, rt::Doorbell& provider,
-                        std::shared_ptr<MemoryBlock> client, rt::Doorbell& watcher);
+/// `client`: the memory of its doorbell. `watcher` is rung when the status changes. Throws
+/// SetupError if there is no memory.
+SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<MemoryBlock> client,
+                        rt::Doorbell& watcher);
 
 /// How many bytes the blocks of `parts` must have.
 std::size_t channelBytes(const InterfaceInfo& contract);

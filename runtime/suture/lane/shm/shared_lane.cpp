@@ -68,9 +68,8 @@ class SharedServer final : public LaneServer {
     if (!why.empty()) return rpc::failure(kj::Exception::Type::FAILED, why);
     return receive(request.getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
         .then([this, connection, answer](std::shared_ptr<MemoryBlock> bell) mutable {
-          SharedOffer offer = offerShared(connection.provided, *connection.contract,
-                                          connection.name, connection.events, connection.provider,
-                                          std::move(bell), session_.control().doorbell());
+          SharedOffer offer =
+              offerShared(connection, std::move(bell), session_.control().doorbell());
           toWire(offer.parts, answer.initAs<wire::SharedChannel>());
           return AcceptedEnd{
               kj::refcounted<StatusPort>(session_.control(), offer.channel), offer.channel, {}};

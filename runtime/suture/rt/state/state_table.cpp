@@ -53,8 +53,10 @@ Time possible(std::uint64_t stamp) {
 
 }  // namespace
 
-StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared)
-    : rowBytes_(bytesOfRow(columnSizes)),
+StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared,
+                       Readers readers)
+    : readers_(readers),
+      rowBytes_(bytesOfRow(columnSizes)),
       draft_(payloadBytes(columnSizes)),
       shared_(shared, columnSizes.size()),
       demand_(std::make_shared<std::atomic<ColumnSet>>(0)) {
@@ -65,7 +67,8 @@ StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows
 StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows,
                        std::shared_ptr<MemoryBlock> memory,
                        std::shared_ptr<std::atomic<ColumnSet>> demand)
-    : rowBytes_(bytesOfRow(columnSizes)),
+    : readers_(Readers::Elsewhere),
+      rowBytes_(bytesOfRow(columnSizes)),
       rowMask_(std::bit_ceil(rows) - 1),
       shared_(0, columnSizes.size()),
       demand_(std::move(demand)) {
@@ -103,8 +106,10 @@ void StateTable::layOut(std::shared_ptr<MemoryBlock> memory) {
 
 void StateTable::resize(unsigned rows) {
   rowMask_ = std::bit_ceil(rows) - 1;
+  const auto others =
+      readers_ == Readers::Here ? MemoryBlock::Others::None : MemoryBlock::Others::Read;
   layOut(std::make_shared<MemoryBlock>("suture-state", kHeaderBytes + rowBytes_ * (rowMask_ + 1),
-                                       MemoryBlock::Others::Read));
+                                       others));
   new (newest_) Word{0};
   for (std::size_t i = 0; i <= rowMask_; ++i) new (rows_ + i * rowBytes_) RowHeader{};
 }

@@ -17,21 +17,27 @@
 
 namespace suture::rt {
 
-/// A ring of rows in a sealed memory block, prefaulted, so that another process can map it
-/// read-only. One writer thread; any number of readers, disturbed only if they are stopped for
-/// nearly a whole lap.
+/// A ring of rows in a prefaulted memory block, which another process may be let map, read-only.
+/// One writer thread; any number of readers, disturbed only if they are stopped for nearly a whole
+/// lap.
 ///
 /// Every word is an atomic: correct under the C++ memory model, and on x86 plain moves.
 class StateTable {
  public:
   static constexpr unsigned kDefaultRows = 64;
 
+  /// Who reads it.
+  enum class Readers : std::uint8_t {
+    Here,       ///< this process only: the memory has no descriptor
+    Elsewhere,  ///< other processes too
+  };
+
   /// A column for each read of the contract: `columnSizes[i]` is the size of the slot of read i. At
   /// least `rows` rows: a power of two.
   /// Columns in `shared` hold counted pointers (base/slots/shared_slot.h): of those only the newest
   /// value is kept, and the table is used under a lock.
   explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows,
-                      ColumnSet shared = 0);
+                      ColumnSet shared = 0, Readers readers = Readers::Elsewhere);
   /// For readers only: a table that another process writes, in memory() of it. What is asked of it
   /// is put into `demand`, for somebody to ask there. Throws SetupError if the memory has no room
   /// for `rows` rows.
@@ -95,7 +101,7 @@ class StateTable {
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
   /// True if a copy of the column has to be released.
   bool isShared(unsigned column) const { return shared_.contains(column); }
-  /// Where the rows lie, for other processes to read. Not if a column is shared.
+  /// Where the rows lie, for other processes to read, if they may. Not if a column is shared.
   const std::shared_ptr<MemoryBlock>& memory() const { return memory_; }
   /// How much memory a table takes up.
   static std::size_t bytesFor(std::span<const std::uint32_t> columnSizes, unsigned rows);
@@ -131,6 +137,7 @@ class StateTable {
   auto copying(std::span<std::byte* const> slots) const;
 
   std::vector<Column> columns_;
+  const Readers readers_;
   std::size_t rowBytes_;
   std::size_t rowMask_ = 0;
   std::vector<std::byte> draft_;

@@ -46,7 +46,6 @@ void Heartbeat::Watch::look(BootTime present, BootTime begun) {
 
 void Heartbeat::Watch::heard(wire::TaskActivity::Reader task, Time then) {
   if (!hangs(task, then)) well_.fulfiller->fulfill();
-  if (answered_) answered_();
 }
 
 // Compares times of the peer's clock alone, so that neither its offset nor the way of the answer
@@ -71,12 +70,21 @@ bool Heartbeat::Watch::hangs(wire::TaskActivity::Reader task, Time then) {
 kj::Own<Heartbeat::Watch> Heartbeat::watch(std::string component, Bounds bounds) {
   auto watch = kj::heap<Watch>(*this, std::move(component), bounds);
   watches_.push_back(watch.get());
+  name();
+  looking_ = look().eagerlyEvaluate(nullptr);
+  return watch;
+}
+
+// The places of all change with a name, and only then.
+void Heartbeat::name() {
   if (std::vector<std::string> now = components(); now != named_) {
     named_ = std::move(now);
     renamed_ = true;
   }
-  looking_ = look().eagerlyEvaluate(nullptr);
-  return watch;
+  for (Watch* watch : watches_) {
+    const auto place = std::lower_bound(named_.begin(), named_.end(), watch->component_);
+    watch->place_ = static_cast<std::size_t>(place - named_.begin());
+  }
 }
 
 std::vector<std::string> Heartbeat::components() const {
@@ -145,10 +153,7 @@ void Heartbeat::heard(Time asked, wire::Peer::PingResults::Reader told) {
   const auto tasks = told.getTasks();
   if (tasks.size() != named_.size()) return;
   const Time then = fromNanoseconds(rpc::bounded(told.getSent()));
-  for (Watch* watch : watches_) {
-    const auto place = std::lower_bound(named_.begin(), named_.end(), watch->component_);
-    watch->heard(tasks[static_cast<unsigned>(place - named_.begin())], then);
-  }
+  for (Watch* watch : watches_) watch->heard(tasks[static_cast<unsigned>(watch->place_)], then);
 }
 
 }  // namespace suture

@@ -35,8 +35,6 @@ class Heartbeat {
     ~Watch();
     KJ_DISALLOW_COPY(Watch);
 
-    /// To be set at once: called with each answer.
-    void onAnswer(std::function<void()> answered) { answered_ = std::move(answered); }
     /// Resolves, in words for people, when a bound has passed. Call it once.
     kj::Promise<std::string> whenLost() { return kj::mv(lost_.promise); }
     /// Resolves at the first answer by which the component does not hang. Call it once.
@@ -53,8 +51,8 @@ class Heartbeat {
     const std::string component_;
     const Bounds bounds_;
     const BootTime begun_ = BootClock::now();
-    std::function<void()> answered_;
-    Time due_{};  // of the component's thread, by the latest answer
+    std::size_t place_ = 0;  // of the component among those that are told of
+    Time due_{};             // of the component's thread, by the latest answer
     kj::PromiseFulfillerPair<std::string> lost_ = kj::newPromiseAndFulfiller<std::string>();
     kj::PromiseFulfillerPair<void> well_ = kj::newPromiseAndFulfiller<void>();
   };
@@ -77,6 +75,7 @@ class Heartbeat {
   kj::Promise<void> look();
   void ask();
   std::vector<std::string> components() const;
+  void name();
   void heard(Time asked, wire::Peer::PingResults::Reader told);
 
   kj::Timer& timer_;

@@ -59,6 +59,7 @@ kj::Promise<void> PeerSession::greet(const SessionIdentity& self) {
 
 kj::Promise<void> PeerSession::compareClocks(unsigned times) {
   if (times == 0) {
+    noteClock();
     tellClock();
     return kj::READY_NOW;
   }
@@ -72,7 +73,13 @@ kj::Promise<void> PeerSession::compareClocks(unsigned times) {
 // Clocks drift apart, so the peer is told what is known better now, or much worse.
 void PeerSession::follow(Time asked, wire::Peer::PingResults::Reader answer) {
   const bool better = clock_.add(asked, answer.getReceived(), answer.getSent(), now());
+  noteClock();
   if (better || clock_.error(now()) >= toldError_ + toldError_ / 2) tellClock();
+}
+
+void PeerSession::noteClock() {
+  state_->clockShift.store(-clock_.offset(), std::memory_order_relaxed);
+  state_->clockError.store(clock_.error(now()), std::memory_order_relaxed);
 }
 
 void PeerSession::tellClock() {

@@ -1,6 +1,7 @@
 #pragma once
 // The session of this process with a peer whose components it uses.
 
+#include <suture/component/channel/peer_state.h>
 #include <suture/framing/link.h>
 #include <suture/lane/lanes.h>
 #include <suture/names/manager_link.h>
@@ -41,6 +42,8 @@ class PeerSession final : private ClientSession {
   wire::Peer::Client peer() { return peer_; }
   std::uint64_t peersIncarnation() const { return peersIncarnation_; }
   const ClockOffset& clock() const { return clock_; }
+  /// What connections see of the peer.
+  std::shared_ptr<const PeerState> state() const { return state_; }
   LaneClient& lane(std::size_t which) { return *lanes_[which]; }
 
   /// Watches a component of the peer.
@@ -63,6 +66,7 @@ class PeerSession final : private ClientSession {
 
   kj::Promise<void> compareClocks(unsigned times);
   void follow(Time asked, wire::Peer::PingResults::Reader answer);
+  void noteClock();
   void tellClock();
 
   rpc::ControlThread& control_;
@@ -73,7 +77,8 @@ class PeerSession final : private ClientSession {
   rpc::Link link_;
   wire::Peer::Client peer_;
   std::uint64_t peersIncarnation_ = 0;
-  ClockOffset clock_;      // the peer's
+  ClockOffset clock_;  // the peer's
+  const std::shared_ptr<PeerState> state_ = std::make_shared<PeerState>();
   Duration toldError_{0};  // of the clock, to the peer
   Duration longest_{0};    // silence that a connection bears
   Heartbeat heartbeat_;

@@ -111,7 +111,9 @@ OutgoingConnection RemoteConnection::outgoing() const {
   return {.contract = required_.info(),
           .name = name(),
           .events = asked_,
-          .client = client.sharedDoorbell()};
+          .client = client.sharedDoorbell(),
+          .peer = session_->state(),
+          .silence = longestSilence_};
 }
 
 std::size_t RemoteConnection::firstLane() const {
@@ -209,7 +211,6 @@ void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Rea
   KJ_ASSERT_NONNULL(news_)->passOnTo(kj::addRef(*opened.end));
   end_ = kj::mv(opened.end);
   laneBroken_ = kj::mv(opened.broken);
-  followClock();
   if (interposer_.delays != nullptr) {
     channel = interposer_.delays->interpose(required_, std::move(channel), interposer_.delay);
   }
@@ -224,7 +225,6 @@ kj::Promise<void> RemoteConnection::keep() {
   session_->bear(longestSilence_);
   auto watch =
       session_->watch(to_.component, {.silence = longestSilence_, .hang = longestSilence_});
-  if (!session_->clock().isOne()) watch->onAnswer([this] { followClock(); });
   auto lost = watch->whenLost();
   return lost.attach(kj::mv(watch))
       .exclusiveJoin(session_->whenClosed())
@@ -236,14 +236,6 @@ kj::Promise<void> RemoteConnection::keep() {
         return comeBack(kFirstRedialPause);
       })
       .then([this] { return keep(); });
-}
-
-// The error until the next comparison; without one, the connection is lost by then.
-void RemoteConnection::followClock() {
-  const ClockOffset& clock = session_->clock();
-  KJ_IF_MAYBE (end, end_) {
-    (*end)->setClock(-clock.offset(), clock.error(now() + longestSilence_));
-  }
 }
 
 void RemoteConnection::drop() {

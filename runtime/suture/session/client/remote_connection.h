@@ -62,7 +62,6 @@ class RemoteConnection {
   std::string name() const { return from_.toString() + " -> " + to_.toString(); }
   kj::Promise<void> keep();
   kj::Promise<void> comeBack(Duration pause);
-  void followClock();
   void drop();
 
   rpc::ControlThread& control_;

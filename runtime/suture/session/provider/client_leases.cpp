@@ -5,17 +5,16 @@
 
 namespace suture {
 
-void ClientLeases::grant(rpc::ProviderEnd& end, Duration silence) {
-  if (silence <= Duration{0}) return;
+void ClientLeases::watch(rpc::ProviderEnd& end) {
   std::erase_if(ends_, [](const auto& one) { return one->endOfLease() == BootTime::max(); });
-  end.grant(silence);
+  if (end.endOfLease() == BootTime::max()) return;
   ends_.push_back(kj::addRef(end));
-  watching_ = watch().eagerlyEvaluate(nullptr);
+  watching_ = look().eagerlyEvaluate(nullptr);
 }
 
 void ClientLeases::hear(std::int64_t sent) {
   if (sent == 0 || sent != answered_) return;
-  for (auto& end : ends_) end->hear(answeredAt_);
+  client_->heard.store(answeredAt_, std::memory_order_relaxed);
 }
 
 std::int64_t ClientLeases::answer() {
@@ -25,7 +24,7 @@ std::int64_t ClientLeases::answer() {
 
 // The thread that executes sees for itself that a lease has ended. Where nothing waits to be
 // executed, nobody but this sees it.
-kj::Promise<void> ClientLeases::watch() {
+kj::Promise<void> ClientLeases::look() {
   const BootTime present = BootClock::now();
   BootTime next = BootTime::max();
   for (auto& end : ends_) {
@@ -33,7 +32,7 @@ kj::Promise<void> ClientLeases::watch() {
     next = std::min(next, end->endOfLease());
   }
   if (next == BootTime::max()) return kj::READY_NOW;
-  return control_.timer().afterDelay(rpc::toKj(next - present)).then([this] { return watch(); });
+  return control_.timer().afterDelay(rpc::toKj(next - present)).then([this] { return look(); });
 }
 
 }  // namespace suture

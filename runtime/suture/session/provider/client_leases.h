@@ -6,31 +6,31 @@
 #include <suture/loop/control_thread.h>
 
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace suture {
 
-/// Renews the leases of a link's connections by the heartbeats that its client answers, and ends
-/// those that have run out. Belongs to the control thread.
+/// Notes in `client` when its process answers a heartbeat, by which all leases of the link's
+/// connections are renewed, and ends those that have run out. Belongs to the control thread.
 class ClientLeases {
  public:
-  /// Bounds what a client may say, since sums with it have to fit.
-  static constexpr Duration kLongestSilence = std::chrono::hours(24 * 365);
+  ClientLeases(rpc::ControlThread& control, std::shared_ptr<PeerState> client)
+      : control_(control), client_(std::move(client)) {}
 
-  explicit ClientLeases(rpc::ControlThread& control) : control_(control) {}
-
-  /// The client of `end` gives its provider up after `silence`, at most kLongestSilence; 0: never.
-  /// Counts from now.
-  void grant(rpc::ProviderEnd& end, Duration silence);
+  /// Watches the lease of `end`.
+  void watch(rpc::ProviderEnd& end);
   /// The client has the answer to a ping which says that it was sent at `sent`; 0: it has none.
   void hear(std::int64_t sent);
   /// An answer to a ping is about to be sent: when, as it says.
   std::int64_t answer();
 
  private:
-  kj::Promise<void> watch();
+  kj::Promise<void> look();
 
   rpc::ControlThread& control_;
+  const std::shared_ptr<PeerState> client_;
   std::vector<kj::Own<rpc::ProviderEnd>> ends_;
   std::int64_t answered_ = 0;                   // when the latest answer was sent, as it says
   BootTime answeredAt_{};                       // and on the clock of the leases

@@ -5,7 +5,6 @@
 #include <suture/names/describe.h>
 #include <suture/rt/state/state_table.h>
 #include <suture/session/boot_id.h>
-#include <suture/session/clock_offset.h>
 #include <suture/session/provider/explain.h>
 #include <suture/session/provider/notices_sender.h>
 #include <suture/session/provider/peer_server.h>
@@ -28,6 +27,12 @@ using Type = kj::Exception::Type;
 constexpr std::size_t kMostConnections = 1024;
 constexpr std::size_t kMostAwaitedSockets = 16;
 
+// Bounds what a client may say, since sums with it have to fit.
+Duration silenceIn(wire::ConnectRequest::Reader request) {
+  constexpr Duration kLongest = std::chrono::hours(24 * 365);
+  return std::clamp(Duration(request.getSilence()), Duration{0}, kLongest);
+}
+
 /// Ends the connection when the client lets go of it.
 class ConnectionServer final : public wire::Connection::Server {
  public:
@@ -41,12 +46,12 @@ class ConnectionServer final : public wire::Connection::Server {
 }  // namespace
 
 PeerServer::PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller)
-    : host_(host), caller_(std::move(caller)), leases_(host.control_) {}
+    : host_(host), caller_(std::move(caller)), leases_(host.control_, state_) {}
 
 PeerServer::~PeerServer() noexcept(false) {
-  for (Held& held : held_) {
-    host_.forget(*held.accepted.end);
-    held.accepted.end->close();
+  for (AcceptedEnd& held : held_) {
+    host_.forget(*held.end);
+    held.end->close();
   }
 }
 
@@ -88,7 +93,7 @@ kj::Promise<void> PeerServer::ping(PingContext context) {
     for (const auto name : in.getComponents()) watched_.push_back(stringOf(name));
   }
   forgetEnded();
-  for (Held& held : held_) held.accepted.end->tellEarlier();
+  for (AcceptedEnd& held : held_) held.end->tellEarlier();
   putTasks(results);
   results.setSent(leases_.answer());
   return kj::READY_NOW;
@@ -208,7 +213,9 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
                           .name = name,
                           .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
                           .provider = host_.serverOf_(provided),
-                          .readOnly = mayOnlyRead(endpoint)},
+                          .readOnly = mayOnlyRead(endpoint),
+                          .peer = state_,
+                          .silence = silenceIn(in)},
            .match = match,
            .context = context});
     }
@@ -274,8 +281,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices(),
                                           std::move(accepted.replays),
                                           asked.match.contract->wireEvents));
-  const Duration silence(std::max<std::int64_t>(in.getSilence(), 0));
-  keep(accepted, std::min(silence, ClientLeases::kLongestSilence));
+  keep(kj::addRef(end), accepted.channel);
   if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
   auto out = context.getResults().getAccepted();
   out.setLacking(kj::arrayPtr(asked.match.lacking.data(), asked.match.lacking.size()));
@@ -285,31 +291,23 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   attach(asked.connection.provided, std::move(accepted.channel));
 }
 
-void PeerServer::keep(AcceptedEnd& accepted, Duration silence) {
-  held_.push_back(Held{{kj::addRef(*accepted.end), accepted.channel, {}}, silence});
-  follow(held_.back());
-  leases_.grant(*accepted.end, silence);
+void PeerServer::keep(kj::Own<rpc::ProviderEnd> end, std::shared_ptr<Channel> channel) {
+  leases_.watch(*end);
+  held_.push_back({kj::mv(end), std::move(channel), {}});
 }
 
 void PeerServer::forgetEnded() {
-  std::erase_if(held_, [this](const Held& held) {
-    const bool ended = held.accepted.channel->status == ChannelStatus::Closed;
-    if (ended) host_.forget(*held.accepted.end);
+  std::erase_if(held_, [this](const AcceptedEnd& held) {
+    const bool ended = held.channel->status == ChannelStatus::Closed;
+    if (ended) host_.forget(*held.end);
     return ended;
   });
 }
 
-// The error until the next comparison; without one, the lease has ended by then.
-void PeerServer::follow(Held& held) const {
-  if (clockError_ == Duration{0}) return;
-  held.accepted.end->setClock(-clockOffset_, clockError_ + ClockOffset::drift(held.silence));
-}
-
 kj::Promise<void> PeerServer::compared(ComparedContext context) {
   const auto in = context.getParams();
-  clockOffset_ = Duration(rpc::bounded(in.getClockOffset()));
-  clockError_ = Duration(std::max<std::int64_t>(rpc::bounded(in.getClockError()), 1));
-  for (Held& held : held_) follow(held);
+  state_->clockShift = -Duration(rpc::bounded(in.getClockOffset()));
+  state_->clockError = Duration(std::max<std::int64_t>(rpc::bounded(in.getClockError()), 1));
   return kj::READY_NOW;
 }
 
@@ -357,8 +355,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
                                             .readOnly = mayOnlyRead(endpoint)};
         auto channel = rpc::callsChannel(host_.control_, connection);
         auto port = rpc::serveCalls(host_.control_, connection, channel, caller_->counters);
-        AcceptedEnd opened{kj::addRef(*port), channel, {}};
-        keep(opened, Duration{0});
+        keep(kj::addRef(*port), channel);
         attach(provided, std::move(channel));
         context.getResults().setContract(provided.info().binding().makeServant(kj::mv(port)));
         return kj::READY_NOW;

@@ -31,11 +31,6 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
 
  private:
   struct Asked;
-  /// A connection, or an interface that a plain client has opened.
-  struct Held {
-    AcceptedEnd accepted;
-    Duration silence;  // that its client bears; 0: it does not say
-  };
 
   rpc::ControlThread& control() override { return host_.control_; }
 
@@ -53,9 +48,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void accepted(const Asked& asked, AcceptedEnd accepted);
   /// The lane of that name in this session; nullptr: this process has no such lane.
   LaneServer* laneNamed(const std::string& name);
-  void keep(AcceptedEnd& accepted, Duration silence);
+  void keep(kj::Own<rpc::ProviderEnd> end, std::shared_ptr<Channel> channel);
   void forgetEnded();
-  void follow(Held& held) const;
   void putTasks(wire::Peer::PingResults::Builder results) const;
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
   /// Enters it into the sums of its name.
@@ -69,11 +63,11 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
 
   PeerHost& host_;
   const std::shared_ptr<rpc::Caller> caller_;
-  std::string bootId_;                       // the peer's, as it said in hello
-  std::uint64_t incarnation_ = 0;            // likewise
-  Duration clockOffset_{0}, clockError_{0};  // the peer's, as it has compared them
-  std::vector<std::string> watched_;         // components that it is told of
-  std::vector<Held> held_;
+  std::string bootId_;             // the peer's, as it said in hello
+  std::uint64_t incarnation_ = 0;  // likewise
+  const std::shared_ptr<PeerState> state_ = std::make_shared<PeerState>();  // the peer's
+  std::vector<std::string> watched_;  // components that it is told of
+  std::vector<AcceptedEnd> held_;     // connections, and what plain clients have opened
   ClientLeases leases_;
   std::map<std::string, kj::Own<LaneServer>> lanes_;
   std::map<std::uint32_t, kj::Own<AwaitedSockets::Awaiting>> sockets_;  // by number

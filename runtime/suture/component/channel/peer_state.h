@@ -1,0 +1,26 @@
+#pragma once
+// What a session knows of the process at its other end, for all of its channels.
+
+#include <suture/base/boot_time.h>
+#include <suture/base/time.h>
+
+#include <atomic>
+
+namespace suture {
+
+/// Written by the control thread, readable by any.
+struct PeerState {
+  /// The first is added to the peer's stamps, to have them on this process's clock; the second is
+  /// how wrong that was, either way, when the clocks were compared last. Zero where both have one.
+  std::atomic<Duration> clockShift{Duration{0}}, clockError{Duration{0}};
+  /// When something was sent that the peer has answered since.
+  std::atomic<BootTime> heard{BootTime{}};
+};
+
+/// How far two clocks of quartz may drift apart in so long, each off by up to 50 us in a second.
+constexpr Duration clockDrift(Duration elapsed) {
+  constexpr int kMicroseconds = 100;
+  return elapsed * kMicroseconds / 1'000'000;
+}
+
+}  // namespace suture
