@@ -52,6 +52,28 @@ TEST_P(Events, WhatNoHandlerMayActOnReachesNobody) {
   }));
 }
 
+// Whoever was told of a mode that no longer holds, and of nothing after it, would act on it for
+// ever.
+TEST_P(Events, TheLastValueOfALatchedEventIsHeardThoughTheQueueWasFull) {
+  constexpr std::size_t kEmitted = 200;
+  client->with([this](Arm& remote) {
+    arm->emitSoon([](Ports ports) {
+      for (std::size_t i = 1; i < kEmitted; ++i) {
+        EXPECT_TRUE(ports.arm.emit().mode(Mode::Disabled));
+      }
+      EXPECT_TRUE(ports.arm.emit().mode(Mode::Enabled));
+    });
+    // A cycle takes its commands before it emits: the second answer comes behind the last event.
+    for (int i = 0; i < 2; ++i) EXPECT_TRUE(remote.hold.start().within(suture::kPatience));
+  });
+  EXPECT_TRUE(client->await([](const Received& received) {
+    return !received.modes.empty() && received.modes.back() == Mode::Enabled;
+  }));
+  EXPECT_TRUE(client->await([](const Received& received) {
+    return received.modes.size() < kEmitted;
+  })) << "the queue was never full";
+}
+
 INSTANTIATE_TEST_SUITE_P(Lanes, Events, testing::ValuesIn(laneRows()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Lanes, WireEvents, testing::ValuesIn(wireRows()), nameOf);
 

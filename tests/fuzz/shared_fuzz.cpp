@@ -25,10 +25,11 @@ constexpr std::array<rt::CommandLimits, 3> kCommands = {
     {{.argumentsSize = 24, .depth = 3, .latest = false},
      {.argumentsSize = 136, .depth = 2, .latest = true},
      {.argumentsSize = 0, .depth = 1, .latest = false}}};
-constexpr std::array<rt::EventLimits, 3> kEvents = {
+constexpr std::array<rt::EventLimits, 4> kEvents = {
     {{.payloadSize = 40, .depth = 3, .latest = false},
      {.payloadSize = 8, .depth = 2, .latest = true},
-     {.payloadSize = 0, .depth = 4, .latest = false}}};
+     {.payloadSize = 0, .depth = 4, .latest = false},
+     {.payloadSize = 24, .depth = 1, .latest = false, .latched = true}}};
 constexpr std::array<std::uint32_t, 2> kColumns = {48, 8};
 constexpr unsigned kRows = 4;
 

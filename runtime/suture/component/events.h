@@ -28,7 +28,8 @@ template <>
 class Emitter<void> {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
-  /// Never blocks, never allocates; a subscriber whose queue is full loses it, and that is counted.
+  /// Never blocks, never allocates. A subscriber whose queue is full loses it, and that is counted;
+  /// of a latched() event it loses no last value.
   Result<void> operator()();
 
  private:

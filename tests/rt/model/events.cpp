@@ -13,14 +13,17 @@ namespace {
 
 namespace rt = suture::rt;
 
-constexpr std::uint16_t kQueued = 0, kLatest = 1;
+constexpr std::uint16_t kQueued = 0, kLatest = 1, kLatched = 2;
 constexpr rt::EventLimits kEvents[] = {{8, 1, false}, {8, 1, true}};
+constexpr rt::EventLimits kWithLatched[] = {
+    {8, 1, false}, {8, 1, true}, {.payloadSize = 8, .depth = 1, .latest = false, .latched = true}};
 
 struct Events {
-  explicit Events(rt::Producers producers) : queue(kEvents, producers) {}
+  explicit Events(rt::Producers producers, std::span<const rt::EventLimits> events = kEvents)
+      : queue(events, producers) {}
 
   rt::EventQueue queue;
-  std::uint64_t accepted = 0, taken = 0, newest = 0;
+  std::uint64_t accepted = 0, taken = 0, newest = 0, latched = 0;
 
   void push(std::uint16_t event, std::uint64_t serial) {
     if (queue.push(event, suture::Time{}, std::as_bytes(std::span(&serial, 1)))) {
@@ -35,6 +38,10 @@ struct Events {
     require(read(record->payload()) == serial, "an event is overwritten while it is read");
     taken += event == kQueued ? 1 : 0;
     if (event == kLatest) newest = serial;
+    if (event == kLatched) {
+      require(serial > latched, "a latched event comes behind a later one");
+      latched = serial;
+    }
     queue.pop();
   }
 };
@@ -82,6 +89,23 @@ Run eventQueueOfOne() {
                     for (std::uint64_t i = 0; i < 3; ++i) it->push(kQueued, 2 * i);
                     for (std::uint64_t i = 0; i < 3; ++i) it->push(kLatest, 2 * i + 1);
                   }});
+}
+
+Run eventQueueLatched() {
+  constexpr std::uint64_t kLast = 5;
+  const auto it = std::make_shared<Events>(rt::Producers::One, kWithLatched);
+  return {.threads = {[it] {
+                        for (std::uint64_t i = 1; i <= kLast; ++i) it->push(kLatched, i);
+                      },
+                      [it] {
+                        for (int i = 0; i < 3; ++i) it->receive();
+                      }},
+          .atEnd = [it] {
+            for (std::uint64_t i = 0; i < kLast; ++i) it->receive();
+            require(it->latched == kLast, "the last value of a latched event is lost");
+            require(it->queue.delivered() + it->queue.dropped() == kLast,
+                    "an event was neither heard nor counted");
+          }};
 }
 
 namespace {

@@ -31,7 +31,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Part{"MailboxCredits", mailboxCredits}, Part{"StateRow", stateRow},
                     Part{"StateOrder", stateOrder}, Part{"EventQueue", eventQueue},
                     Part{"EventQueueOfTwo", eventQueueOfTwo},
-                    Part{"EventQueueOfOne", eventQueueOfOne}, Part{"Doorbell", doorbell},
+                    Part{"EventQueueOfOne", eventQueueOfOne},
+                    Part{"EventQueueLatched", eventQueueLatched}, Part{"Doorbell", doorbell},
                     Part{"DoorbellForTwo", doorbellForTwo}),
     [](const auto& part) { return std::string(part.param.name); });
 

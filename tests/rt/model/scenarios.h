@@ -17,6 +17,7 @@ Run stateOrder();
 Run eventQueue();
 Run eventQueueOfTwo();
 Run eventQueueOfOne();
+Run eventQueueLatched();
 Run doorbell();
 Run doorbellForTwo();
 

@@ -255,10 +255,11 @@ TEST(ForeignMailbox, ADrainEndsThoughTheProducerDoesNot) {
   }
 }
 
-const std::array<EventLimits, 3> kEvents = {
+const std::array<EventLimits, 4> kEvents = {
     EventLimits{.payloadSize = 16, .depth = 4, .latest = false},
     EventLimits{.payloadSize = 40, .depth = 1, .latest = true},
-    EventLimits{.payloadSize = 0, .depth = 2, .latest = false}};
+    EventLimits{.payloadSize = 0, .depth = 2, .latest = false},
+    EventLimits{.payloadSize = 24, .depth = 1, .latest = false, .latched = true}};
 
 TEST(ForeignEventQueue, SurvivesAnything) {
   for (const Producers producers : {Producers::One, Producers::Any}) {
@@ -266,7 +267,7 @@ TEST(ForeignEventQueue, SurvivesAnything) {
         [](Shared<EventQueue>& queue, const auto& scramble) {
           const std::array<std::byte, 40> payload{};
           for (int lap = 0; lap < 4; ++lap) {
-            for (std::uint16_t event = 0; event < 3; ++event) {
+            for (std::uint16_t event = 0; event < kEvents.size(); ++event) {
               queue.producer->push(event, now(),
                                    std::span(payload).first(kEvents[event].payloadSize));
             }

@@ -23,7 +23,8 @@ std::vector<rt::CommandLimits> commandLimits(const InterfaceInfo& info) {
 std::vector<rt::EventLimits> eventLimits(const InterfaceInfo& info) {
   std::vector<rt::EventLimits> limits;
   for (const EventInfo& event : info.events) {
-    limits.push_back({event.payloadSize, event.depth, event.latest, event.sharedPayload});
+    limits.push_back(
+        {event.payloadSize, event.depth, event.latest, event.sharedPayload, event.latched});
   }
   return limits;
 }

@@ -34,10 +34,11 @@ EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers,
       ring_(totalDepth(events), largestRecord(events), arena),
       counters_(arena.make<EventCounters>()) {
   for (const auto& event : events) {
-    cells_.push_back(event.latest ? std::make_unique<Cell>(event, arena) : nullptr);
+    const bool hasCell = event.latest || event.latched;
+    cells_.push_back(hasCell ? std::make_unique<Cell>(event, arena) : nullptr);
     const std::uint64_t bit = std::uint64_t{1} << (cells_.size() - 1);
     if (event.shared) shared_ |= bit;
-    if (!event.shared && !event.latest) plain_ |= bit;
+    if (!event.shared && !hasCell) plain_ |= bit;
   }
 }
 
@@ -67,7 +68,8 @@ void EventQueue::replace(Cell& cell, const EventRecord& record,
   std::byte* const memory = cell.values.claim();
   if (cell.shared) releaseSharedSlot(memory + sizeof(EventRecord));  // of one that was replaced
   write(memory, record, payload);
-  cell.values.commit();
+  const bool replaced = cell.values.commit();
+  if (replaced && cell.queued) countDropped();
 }
 
 bool EventQueue::enqueue(const EventRecord& record, std::span<const std::byte> payload) {
@@ -81,11 +83,18 @@ bool EventQueue::enqueue(const EventRecord& record, std::span<const std::byte> p
 bool EventQueue::pushSpecial(const EventRecord& record, std::span<const std::byte> payload) {
   SharedSlot* const shared = isShared(record.event) ? sharedSlotIn(payload.data()) : nullptr;
   if (shared != nullptr) shared->retain();
-  Cell* const cell = cells_[record.event].get();
-  const bool pushed =
-      cell != nullptr ? pushLatest(*cell, record, payload) : enqueue(record, payload);
+  const bool pushed = enter(record, payload);
   if (!pushed && shared != nullptr) shared->release();
   return pushed;
+}
+
+// While the cell has a value that was not taken, a later one may not go ahead of it through the
+// ring.
+bool EventQueue::enter(const EventRecord& record, std::span<const std::byte> payload) {
+  Cell* const cell = cells_[record.event].get();
+  if (cell == nullptr) return enqueue(record, payload);
+  if (cell->queued && !cell->values.fresh() && enqueue(record, payload)) return true;
+  return pushLatest(*cell, record, payload);
 }
 
 bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte> payload) {
@@ -95,23 +104,34 @@ bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte
   return false;
 }
 
+// Looks into the ring once more when it sees a queued event in a cell: what had room was put into
+// the ring before that, perhaps since the last look.
+const std::byte* EventQueue::takeKept() {
+  for (cell_ = 0; cell_ < cells_.size(); ++cell_) {
+    Cell* const cell = cells_[cell_].get();
+    if (cell == nullptr || !cell->values.fresh()) continue;
+    const std::byte* const earlier = cell->queued ? ring_.front() : nullptr;
+    fromRing_ = earlier != nullptr;
+    if (fromRing_) return earlier;
+    if (cell->values.take()) return cell->values.front();
+  }
+  return nullptr;
+}
+
 EventRecord* EventQueue::oldest() {
   const std::byte* memory = ring_.front();
   fromRing_ = memory != nullptr;
-  for (cell_ = 0; memory == nullptr && cell_ < cells_.size(); ++cell_) {
-    if (cells_[cell_] != nullptr && cells_[cell_]->values.take()) {
-      memory = cells_[cell_]->values.front();
-      break;
-    }
-  }
+  if (!fromRing_) memory = takeKept();
   return reinterpret_cast<EventRecord*>(const_cast<std::byte*>(memory));
 }
 
-// True if the provider could have written it; a cell's payload has room for its own event only.
+// True if the provider could have written it. A cell's payload has room for its own event only.
 bool EventQueue::makePossible(EventRecord& record) const {
   record.stamp = std::clamp(record.stamp, Time{}, now());
   if (!fromRing_) return record.event == cell_;
-  return record.event < cells_.size() && cells_[record.event] == nullptr;
+  if (record.event >= cells_.size()) return false;
+  const Cell* const cell = cells_[record.event].get();
+  return cell == nullptr || cell->queued;
 }
 
 const EventRecord* EventQueue::next() {

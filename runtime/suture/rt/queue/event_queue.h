@@ -20,6 +20,7 @@ struct EventLimits {
   std::uint32_t depth;        ///< how many may wait
   bool latest;                ///< newest wins
   bool shared = false;        ///< the payload is a counted pointer, see base/slots/shared_slot.h
+  bool latched = false;       ///< its last value is kept when the queue is full
 };
 
 /// Precedes the payload of every event.
@@ -49,7 +50,8 @@ struct EventCounters {
 };
 
 /// One consumer thread. No allocation after construction, no locks. A full queue drops the new
-/// event and counts it, so a slow subscriber delays nobody.
+/// event and counts it, so a slow subscriber delays nobody. Of a latched event it keeps the last
+/// value all the same, since who hears nothing after it takes an older one for what holds.
 ///
 /// In foreign memory each process has an object of its own and uses one end. The consumer skips
 /// what cannot be an event.
@@ -65,7 +67,8 @@ class EventQueue {
   /// False if the event was dropped. A counted pointer in `payload` is copied, and counted.
   bool push(std::uint16_t event, Time stamp, std::span<const std::byte> payload);
 
-  /// Consumer: the oldest queued event, then the newest of each latest() event; nullptr: none left.
+  /// Consumer: the oldest queued event, then the newest of each latest() event, and of each latched
+  /// one that found the queue full; nullptr: none left.
   /// Must be followed by pop().
   const EventRecord* next();
   void pop();
@@ -83,12 +86,15 @@ class EventQueue {
   std::shared_ptr<const EventCounters> sharedCounters() const { return counters_; }
 
  private:
-  // A newest-wins event.
+  // A newest-wins event, or what of a latched one has found the queue full.
   struct Cell {
     Cell(const EventLimits& event, Arena& arena)
-        : values(sizeof(EventRecord) + event.payloadSize, arena), shared(event.shared) {}
+        : values(sizeof(EventRecord) + event.payloadSize, arena),
+          shared(event.shared),
+          queued(!event.latest) {}
     LatestCell values;
     const bool shared;
+    const bool queued;  // as long as there is room
     std::atomic_flag writing = ATOMIC_FLAG_INIT;
   };
 
@@ -96,16 +102,18 @@ class EventQueue {
   bool isPlain(std::uint16_t event) const { return (plain_ >> event & 1) != 0; }
   bool enqueue(const EventRecord& record, std::span<const std::byte> payload);
   bool pushSpecial(const EventRecord& record, std::span<const std::byte> payload);
+  bool enter(const EventRecord& record, std::span<const std::byte> payload);
   bool pushLatest(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
   void replace(Cell& cell, const EventRecord& record, std::span<const std::byte> payload);
   EventRecord* oldest();
+  const std::byte* takeKept();
   bool makePossible(EventRecord& record) const;
 
   const Producers producers_;
-  std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: queued
+  std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: only queued
   // A bit an event: at most 64 in a contract.
   std::uint64_t shared_ = 0;
-  std::uint64_t plain_ = 0;  // neither newest-wins nor shared: all that a sender has to look at
+  std::uint64_t plain_ = 0;  // not special in any way: all that a sender has to look at
   const bool foreign_;
   MpscRing ring_;
   EventRecord* next_ = nullptr;  // what the last next() returned

@@ -30,8 +30,8 @@ class LatestCell {
 
   /// Consumer: true if something newer than the last take() has been published; it is now front().
   bool take();
-  /// Consumer: true if take() would succeed.
-  bool fresh() const { return (shared_->load(std::memory_order_relaxed) & kFresh) != 0; }
+  /// Either: true if take() would succeed. Then what the producer did before is seen.
+  bool fresh() const { return (shared_->load(std::memory_order_acquire) & kFresh) != 0; }
   /// Consumer: what the last successful take() got.
   const std::byte* front() const { return copy_.empty() ? bufferAt(reading_) : copy_.data(); }
 
