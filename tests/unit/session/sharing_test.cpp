@@ -44,9 +44,12 @@ INSTANTIATE_TEST_SUITE_P(Lanes, Sharing,
 /// Both ends of each socket are in this process.
 TEST_P(Sharing, MoreConnectionsNeedNoMoreSockets) {
   beginWithOthers();
-  const std::size_t before = openSockets();
+  const std::size_t before = openSockets(), descriptors = openDescriptors();
   connectOthers();
   EXPECT_EQ(openSockets(), before);
+  if (GetParam().lane != Lane::Shm) {
+    EXPECT_LE(openDescriptors(), descriptors);
+  }
   for (const auto& one : console->channels()) {
     EXPECT_EQ(one->lane, toString(GetParam().lane)) << one->laneReason;
   }
@@ -60,6 +63,18 @@ TEST_P(Sharing, OneThatIsTakenDownLeavesTheOthersAlone) {
   ASSERT_TRUE(eventually([&] { return !teleop.reachable; }));
   for (const auto& one : others) EXPECT_TRUE(one->reachable);
   connect(GetParam().lane);
+  EXPECT_EQ(outcomeOf(0.5), Errc{});
+}
+
+// The session stands, and nobody connects anew. The ledger of each connection's name keeps the
+// counters of the latest, which lie in the memory of a connection by shm: a descriptor at each end.
+TEST_P(Sharing, ThoseThatAreTakenDownGiveBackWhatTheyHeld) {
+  beginWithOthers();
+  const std::size_t before = openDescriptors();
+  const std::size_t kept = GetParam().lane == Lane::Shm ? 2 * kMore : 0;
+  connectOthers();
+  for (std::size_t i = 0; i < kMore; ++i) console->disconnect(nameOf(i));
+  EXPECT_TRUE(eventually([&] { return openDescriptors() <= before + kept; })) << openDescriptors();
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 

@@ -6,7 +6,6 @@
 namespace suture {
 
 void ClientLeases::watch(rpc::ProviderEnd& end) {
-  std::erase_if(ends_, [](const auto& one) { return one->endOfLease() == BootTime::max(); });
   if (end.endOfLease() == BootTime::max()) return;
   ends_.push_back(kj::addRef(end));
   watching_ = look().eagerlyEvaluate(nullptr);
@@ -26,6 +25,7 @@ std::int64_t ClientLeases::answer() {
 // executed, nobody but this sees it.
 kj::Promise<void> ClientLeases::look() {
   const BootTime present = BootClock::now();
+  std::erase_if(ends_, [](const auto& one) { return one->endOfLease() == BootTime::max(); });
   BootTime next = BootTime::max();
   for (auto& end : ends_) {
     if (end->endOfLease() <= present) end->lapse();

@@ -66,6 +66,11 @@ void PeerHost::forget(const rpc::ProviderEnd& end) {
   std::erase_if(latest_, [&](const auto& one) { return one.second.end == &end; });
 }
 
+void PeerHost::forgetClosed() {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(served_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
+}
+
 std::shared_ptr<Ledger> PeerHost::ledgerOf(const std::string& name, std::uint64_t client) {
   if (accounts_.size() >= kMostAccounts) {
     history_ = Ledger::History::Forgotten;
@@ -80,8 +85,8 @@ std::shared_ptr<Ledger> PeerHost::ledgerOf(const std::string& name, std::uint64_
 }
 
 void PeerHost::remember(std::shared_ptr<Channel> channel) {
+  forgetClosed();
   const std::lock_guard lock(mutex_);
-  std::erase_if(served_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
   served_.push_back(std::move(channel));
 }
 

@@ -64,6 +64,9 @@ class PeerHost {
 
   /// Adds to served(), and forgets those that have been closed.
   void remember(std::shared_ptr<Channel> channel);
+  /// A client has let go of some, and stays. The last ones of a client that leaves are kept for the
+  /// reports, until somebody connects.
+  void forgetClosed();
 
   rpc::ControlThread& control_;
   const Lanes& lanes_;

@@ -297,11 +297,12 @@ void PeerServer::keep(kj::Own<rpc::ProviderEnd> end, std::shared_ptr<Channel> ch
 }
 
 void PeerServer::forgetEnded() {
-  std::erase_if(held_, [this](const AcceptedEnd& held) {
-    const bool ended = held.channel->status == ChannelStatus::Closed;
-    if (ended) host_.forget(*held.end);
-    return ended;
+  const std::size_t ended = std::erase_if(held_, [this](const AcceptedEnd& held) {
+    const bool over = held.channel->status == ChannelStatus::Closed;
+    if (over) host_.forget(*held.end);
+    return over;
   });
+  if (ended > 0) host_.forgetClosed();
 }
 
 kj::Promise<void> PeerServer::compared(ComparedContext context) {
