@@ -4,6 +4,7 @@
 #include <suture/deploy/signal_wait.h>
 #include <suture/deploy/workstation.h>
 #include <suture/observe/observe.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -146,6 +147,15 @@ class Run {
   std::vector<Known> known_;
 };
 
+// A component takes about five descriptors, and the usual soft limit is 1024. It is that low for
+// programs that use select(), which this one does not.
+void allowAllDescriptors() {
+  rlimit limit;
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 std::string processOf(const Deployment& deployment, const Options& options) {
   if (!options.process.empty()) return options.process;
   if (deployment.processes().size() == 1) return deployment.processes().front().name;
@@ -172,6 +182,7 @@ bool start(Host& host, const SignalWait& signals) {
 }
 
 int runWorkstation(const Options& options, std::span<const ComponentClass> classes) {
+  allowAllDescriptors();
   const SignalWait signals;
   auto told = std::make_optional<OnToldToEnd>(signals, [] { _exit(0); });  // nothing runs yet
   const Deployment deployment(JsonDocument::read(options.deployment));
