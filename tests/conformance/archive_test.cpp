@@ -43,7 +43,7 @@ class Archives : public testing::TestWithParam<bool> {
     if (remote) client.start();
     // Values of many megabytes keep a control thread busy, under a sanitizer for seconds.
     client.connect("Reader/Archive", remote ? "provider:Store/Archive" : "Store/Archive",
-                   suture::Lane::Auto, suture::Manager::kDefaultPatience, {}, {.silence = 30s});
+                   {.contract = {.silence = 30s}});
     channel = client.channels().at(0);
     EXPECT_EQ(channel->lane, remote ? "rpc" : "local");
   }

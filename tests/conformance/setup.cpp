@@ -101,9 +101,9 @@ std::string Conformance::expectedLane() const {
   static constexpr const char* kNames[] = {"local", "shm", "frame", "rpc"};
   const Filter filter = GetParam().filter;
   return std::string(kNames[static_cast<int>(GetParam().lane)]) + (filter == Filter::None ? ""
-                                                                   : filter == Filter::Delay
-                                                                       ? "+delay"
-                                                                       : "+fault");
+                                                                  : filter == Filter::Delay
+                                                                      ? "+delay"
+                                                                      : "+fault");
 }
 
 suture::FaultPlan Conformance::faults() const {
@@ -114,10 +114,9 @@ suture::FaultPlan Conformance::faults() const {
 void Conformance::connect(const std::string& required, const std::string& provided) {
   const bool delayed = GetParam().filter == Filter::Delay || GetParam().filter == Filter::Faults;
   const std::chrono::milliseconds each(delayed ? 2 : 0);
-  clientManager_->connect("Console/" + required,
-                          (GetParam().sharesManager() ? "PSM/" : "provider:PSM/") + provided,
-                          askedLane(), suture::Manager::kDefaultPatience,
-                          {.commands = each, .answers = each, .faults = faults()});
+  clientManager_->connect(
+      "Console/" + required, (GetParam().sharesManager() ? "PSM/" : "provider:PSM/") + provided,
+      {.lane = askedLane(), .delay = {.commands = each, .answers = each, .faults = faults()}});
   const auto eventually = [&](const auto& condition) {
     return suture::eventually([&] {
       bool held = false;

@@ -66,11 +66,11 @@ suture::ConnectionDelay chooseFaults(Chance& chance, std::uint64_t seed) {
 
 std::string describe(suture::Lane lane, const suture::ConnectionDelay& delay) {
   const suture::FaultPlan& plan = delay.faults;
-  return std::string(toString(lane)) + ", delays " + std::to_string(delay.commands.count()) +
-         " and " + std::to_string(delay.answers.count()) + " ns, loss " +
-         std::to_string(plan.loss) + ", duplicates " + std::to_string(plan.duplicate) +
-         ", reordering " + std::to_string(plan.reorder) + ", bursts " + std::to_string(plan.burst) +
-         ", jitter " + std::to_string(plan.jitter.count()) + " ns";
+  return toString(lane) + ", delays " + std::to_string(delay.commands.count()) + " and " +
+         std::to_string(delay.answers.count()) + " ns, loss " + std::to_string(plan.loss) +
+         ", duplicates " + std::to_string(plan.duplicate) + ", reordering " +
+         std::to_string(plan.reorder) + ", bursts " + std::to_string(plan.burst) + ", jitter " +
+         std::to_string(plan.jitter.count()) + " ns";
 }
 
 /// The provider's process: an arm with a history of its own.
@@ -113,8 +113,9 @@ class World {
       console_ = std::make_unique<suture::Manager>("console", address_);
       console_->add("Operator", caller_);
       console_->start();
-      console_->connect("Operator/Arm", "robot:PSM/Arm", lane, suture::Manager::kDefaultPatience,
-                        delay, {.resume = resumption, .silence = kSilence});
+      console_->connect(
+          "Operator/Arm", "robot:PSM/Arm",
+          {.lane = lane, .delay = delay, .contract = {.resume = resumption, .silence = kSilence}});
     });
   }
   ~World() {

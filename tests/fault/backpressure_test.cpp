@@ -77,8 +77,8 @@ bool hears(const Subscriber& subscriber, std::uint64_t more) {
 class StoppedTask : public testing::TestWithParam<Lane> {
  protected:
   void connect(const std::string& required, const std::string& provided) {
-    here_.connect(required, (GetParam() == Lane::Auto ? "" : "here:") + provided, GetParam(),
-                  kPatience, {}, {.silence = 60s});
+    here_.connect(required, (GetParam() == Lane::Auto ? "" : "here:") + provided,
+                  {.lane = GetParam(), .patience = kPatience, .contract = {.silence = 60s}});
   }
   /// As the subscriber's own end tells, wherever on the lane they were dropped.
   std::uint64_t droppedFor(const std::string& client) const {
@@ -264,8 +264,10 @@ TEST_P(StoppedProcess, AsAProviderDelaysNobody) {
   here.add("Caller", caller);
   here.start();
   const ConnectionContract patient{.silence = 60s};
-  here.connect("Caller/Stopped", "stopped:PSM/Arm", GetParam(), kPatience, {}, patient);
-  here.connect("Caller/Live", "live:PSM/Arm", GetParam(), kPatience, {}, patient);
+  here.connect("Caller/Stopped", "stopped:PSM/Arm",
+               {.lane = GetParam(), .patience = kPatience, .contract = patient});
+  here.connect("Caller/Live", "live:PSM/Arm",
+               {.lane = GetParam(), .patience = kPatience, .contract = patient});
   ASSERT_TRUE(caller.isAnswered());
   stopped->signal(SIGSTOP);
   ASSERT_TRUE(caller.isFull());

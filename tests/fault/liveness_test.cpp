@@ -41,7 +41,7 @@ class Liveness : public testing::TestWithParam<const char*> {
   }
   void connect(const std::string& required, const std::string& provided,
                Duration silence = kSilence) {
-    here_.connect(required, provided, Lane::Auto, kPatience, {}, {.silence = silence});
+    here_.connect(required, provided, {.patience = kPatience, .contract = {.silence = silence}});
   }
   std::string whyLost(const std::string& from, const std::string& to) const {
     const auto why = here_.whyLost();

@@ -81,7 +81,9 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     startProvider();
     clients_->start();
     clients_->connect("Client/Arm", lane() == LaneUnderFault::Local ? "PSM/Arm" : "robot:PSM/Arm",
-                      kAsked[static_cast<int>(lane())], kPatience, {.faults = plan_});
+                      {.lane = kAsked[static_cast<int>(lane())],
+                       .patience = kPatience,
+                       .delay = {.faults = plan_}});
   }
   ~Messages() override {
     clients_->stop();

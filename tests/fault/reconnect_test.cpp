@@ -67,7 +67,8 @@ TEST_P(Restarts, OfAPeerOverAndOverCostNothing) {
   Manager here("here", names.address());
   here.add("Operator", client);
   here.start();
-  here.connect("Operator/Arm", "there:PSM1/Arm", Lane::Auto, kPatience, {}, {.silence = 5s});
+  here.connect("Operator/Arm", "there:PSM1/Arm",
+               {.patience = kPatience, .contract = {.silence = 5s}});
   ASSERT_TRUE(hearsAgain(client));
 
   const int all = rounds(), warm = std::max(all / 5, 1);
@@ -166,7 +167,8 @@ TEST_P(Restarts, AnAnswerOfAnOlderEpochGoesToNobody) {
   Manager here("here", names.address());
   here.add("Operator", client);
   here.start();
-  here.connect("Operator/Arm", "there:PSM1/Arm", Lane::Auto, kPatience, {}, {.silence = 500ms});
+  here.connect("Operator/Arm", "there:PSM1/Arm",
+               {.patience = kPatience, .contract = {.silence = 500ms}});
   std::vector<std::uint32_t> answers;
   for (int round = 0; round < 3; ++round) {
     client.resets = 0;

@@ -76,7 +76,7 @@ class System {
     return std::make_unique<Child>(all, prepare);
   }
   std::unique_ptr<Child> client(const char* mode, int silenceMilliseconds = 500,
-                                const char* lane = "auto", const Prepare& prepare = {}) {
+                                const std::string& lane = "auto", const Prepare& prepare = {}) {
     ++clients_;
     return std::make_unique<Child>(
         Arguments{paths::kHistoryClient, address(), "client" + std::to_string(clients_),

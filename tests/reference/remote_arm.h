@@ -85,7 +85,7 @@ class RemoteArm : public testing::Test {
             .policy = std::move(policy)};
   }
   void connect(Lane lane = Lane::Auto) {
-    console->connect("Teleop/Slave", "robot:PSM/Arm", lane);
+    console->connect("Teleop/Slave", "robot:PSM/Arm", {.lane = lane});
     ASSERT_TRUE(eventually([&] { return teleop.reachable.load(); }));
   }
   std::shared_ptr<Channel> channel() const { return console->channels().at(0); }

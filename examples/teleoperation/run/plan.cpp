@@ -274,8 +274,8 @@ void Plan::findLanes(const char* fastestLane) {
   for (const ConnectionEntry& connection : deployment_.connections()) {
     const bool within = connection.from.process == connection.to.process;
     const char* const fastest = within ? "local" : fastestLane;
-    const bool forced = connection.lane != suture::Lane::Auto;
-    lanes_[nameOf(connection)] = forced ? toString(connection.lane) : fastest;
+    const bool forced = connection.options.lane != suture::Lane::Auto;
+    lanes_[nameOf(connection)] = forced ? toString(connection.options.lane) : fastest;
   }
 }
 

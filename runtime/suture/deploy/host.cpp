@@ -217,8 +217,9 @@ void Host::start() {
     if (connection.from.process != process_.name) continue;
     const Endpoint from{"", connection.from.component, connection.from.interface};
     try {
-      manager_->connect(from.toString(), connection.to.toString(), connection.lane, patience_,
-                        connection.delay, connection.contract);
+      ConnectOptions options = connection.options;
+      options.patience = patience_;
+      manager_->connect(from.toString(), connection.to.toString(), options);
     } catch (const SetupError& error) {
       throw DocumentError({deployment_.document().locate(connection.pointer, error.what())});
     }

@@ -1,24 +1,31 @@
 #pragma once
-// How a connection travels.
+// Which lane is asked for.
 
-#include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace suture {
 
-/// What is asked for. A lane that cannot be had is replaced by the next slower one, and reports say
-/// why.
-enum class Lane : std::uint8_t {
-  Auto,   ///< `local` within the process; to another one the fastest that fits: `shm`, `frame`,
-          ///< `rpc`
-  Shm,    ///< memory that two processes of one machine share, even within the process
-  Frame,  ///< frames on a socket and a thread of their own, even within the process
-  Rpc,    ///< Cap'n Proto RPC, even within the process
+/// The name of a lane: of one of the runtime's own, or of one that Manager::addLane() has brought.
+struct Lane {
+  static const Lane Auto;   ///< `local` within the process; to another one the fastest that fits
+  static const Lane Shm;    ///< memory that two processes of one machine share
+  static const Lane Frame;  ///< frames on a socket and a thread of their own
+  static const Lane Rpc;    ///< Cap'n Proto RPC
+
+  std::string_view name;  ///< lives as long as the program
+
+  friend bool operator==(Lane, Lane) = default;
 };
 
-/// "auto", "shm", "frame", "rpc".
-const char* toString(Lane lane);
-/// Lane::Auto for any other text.
+inline constexpr Lane Lane::Auto{"auto"};
+inline constexpr Lane Lane::Shm{"shm"};
+inline constexpr Lane Lane::Frame{"frame"};
+inline constexpr Lane Lane::Rpc{"rpc"};
+
+inline std::string toString(Lane lane) { return std::string(lane.name); }
+
+/// Of the runtime's own; Lane::Auto for any other text.
 Lane laneNamed(std::string_view name);
 
 }  // namespace suture

@@ -3,6 +3,8 @@
 #include <suture/lane/rpc/calls_lane.h>
 #include <suture/lane/shm/shared_lane.h>
 
+#include <algorithm>
+
 namespace suture {
 
 Lanes makeLanes() {
@@ -11,6 +13,11 @@ Lanes makeLanes() {
   lanes.push_back(std::make_unique<frame::FrameLane>());
   lanes.push_back(std::make_unique<rpc::CallsLane>());
   return lanes;
+}
+
+Lanes::const_iterator findLane(const Lanes& lanes, std::string_view name) {
+  return std::find_if(lanes.begin(), lanes.end(),
+                      [name](const auto& kind) { return kind->name() == name; });
 }
 
 }  // namespace suture

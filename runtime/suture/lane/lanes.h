@@ -4,6 +4,7 @@
 #include <suture/lane/lane_kind.h>
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 namespace suture {
@@ -13,5 +14,8 @@ using Lanes = std::vector<std::unique_ptr<LaneKind>>;
 
 /// Throws SetupError if the kernel refuses what one needs.
 Lanes makeLanes();
+
+/// The one of that name; end() if there is none.
+Lanes::const_iterator findLane(const Lanes& lanes, std::string_view name);
 
 }  // namespace suture

@@ -3,9 +3,8 @@
 namespace suture {
 
 void HandleBase::open(Manager& manager, RequiredBase& required, std::string_view provided,
-                      Lane lane, Duration patience, const ConnectionDelay& delay,
-                      const ConnectionContract& contract) {
-  manager.connect(*this, required, provided, lane, patience, delay, contract);
+                      const ConnectOptions& options) {
+  manager.connect(*this, required, provided, options);
   manager_ = &manager;
 }
 

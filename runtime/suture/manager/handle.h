@@ -29,8 +29,8 @@ class HandleBase {
 
   Device& device() { return device_; }
   const Endpoint& endpoint() const { return name_; }
-  void open(Manager& manager, RequiredBase& required, std::string_view provided, Lane lane,
-            Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
+  void open(Manager& manager, RequiredBase& required, std::string_view provided,
+            const ConnectOptions& options);
   void close();
 
  private:
@@ -56,11 +56,10 @@ class Handle final : public HandleBase, public Required<Contract> {
  public:
   /// Connects as Manager::connect() does: works or throws a SetupError that says why not. `name` is
   /// what others see of it, "Gui/Arm"; none of this process's connections has it yet.
-  Handle(Manager& manager, std::string_view name, std::string_view provided, Lane lane = Lane::Auto,
-         Duration patience = Manager::kDefaultPatience, const ConnectionDelay& delay = {},
-         const ConnectionContract& contract = {})
+  Handle(Manager& manager, std::string_view name, std::string_view provided,
+         const ConnectOptions& options = {})
       : HandleBase(name), Required<Contract>(device(), endpoint().interface) {
-    open(manager, *this, provided, lane, patience, delay, contract);
+    open(manager, *this, provided, options);
   }
   ~Handle() { close(); }
 };

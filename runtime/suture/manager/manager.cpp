@@ -3,6 +3,7 @@
 #include <suture/component/device.h>
 #include <suture/component/task/task.h>
 #include <suture/lane/delay/delay_thread.h>
+#include <suture/lane/lane_kind.h>
 #include <suture/manager/handle.h>
 #include <suture/manager/lifecycle_interface.h>
 #include <suture/manager/manager.h>
@@ -115,6 +116,14 @@ void Manager::scheduleService(const rt::Scheduling& scheduling) {
   if (network_ != nullptr) network_->schedule(scheduling);
   const std::lock_guard lock(executorMutex_);
   service_ = scheduling;
+}
+
+void Manager::addLane(std::unique_ptr<LaneKind> lane) {
+  if (network_ == nullptr) {
+    throw SetupError("adding a lane", "process '" + process() + "' has no global manager",
+                     "Give the manager's address when constructing suture::Manager");
+  }
+  network_->addLane(std::move(lane));
 }
 
 void Manager::configure() {
@@ -238,18 +247,16 @@ void Manager::stopComponents() {
   stopTasks(true);
 }
 
-void Manager::connect(std::string_view requiredName, std::string_view providedName, Lane lane,
-                      Duration patience, const ConnectionDelay& delay,
-                      const ConnectionContract& contract) {
+void Manager::connect(std::string_view requiredName, std::string_view providedName,
+                      const ConnectOptions& options) {
   const Endpoint from = Endpoint::parse(requiredName);
-  connect(directory_.required(from), from, providedName, lane, patience, delay, contract);
+  connect(directory_.required(from), from, providedName, options);
 }
 
 void Manager::connect(HandleBase& handle, RequiredBase& required, std::string_view provided,
-                      Lane lane, Duration patience, const ConnectionDelay& delay,
-                      const ConnectionContract& contract) {
+                      const ConnectOptions& options) {
   handle.device_.name_ = handle.name_.component;
-  connect(required, handle.name_, provided, lane, patience, delay, contract);
+  connect(required, handle.name_, provided, options);
   handles_.push_back(&handle);
 }
 
@@ -260,8 +267,7 @@ void Manager::disconnect(HandleBase& handle) {
 }
 
 void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_view providedName,
-                      Lane lane, Duration patience, const ConnectionDelay& delay,
-                      const ConnectionContract& contract) {
+                      const ConnectOptions& options) {
   const Endpoint to = Endpoint::parse(providedName);
   const std::string connection = process() + ":" + from.component + "/" + from.interface + " -> " +
                                  (to.process.empty() ? process() + ":" : "") + to.toString();
@@ -269,20 +275,24 @@ void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_
     throw SetupError("connecting " + connection, "it is already connected: " + existing->name,
                      "A required interface has one provider; add another required interface");
   }
-  requireSilenceThatCanBeTold(contract, connection);
-  if (delay.any()) DelayThread::requireBounded(required.info());
-  const auto watch = watchOf(contract, required);
+  requireSilenceThatCanBeTold(options.contract, connection);
+  if (options.delay.any()) DelayThread::requireBounded(required.info());
+  const auto watch = watchOf(options.contract, required);
   const bool sameProcess = to.process.empty() || to.process == process();
-  if (sameProcess && lane == Lane::Auto) {
+  if (options.laneRequired && options.lane == Lane::Auto) {
+    throw SetupError("connecting " + connection, "it requires a lane and names none",
+                     "Name the lane, or let it have any");
+  }
+  if (sameProcess && options.lane == Lane::Auto) {
     local_[from.toString()] =
-        connectHere(required, directory_.provided(to), connection, delay, watch);
+        connectHere(required, directory_.provided(to), connection, options.delay, watch);
     return;
   }
   if (network_ == nullptr) {
     throw SetupError("connecting " + connection, "this process has no global manager",
                      "Give the manager's address when constructing suture::Manager");
   }
-  network_->connect(required, from, to, lane, patience, {delaysFor(delay), delay}, watch);
+  network_->connect(required, from, to, options, delaysFor(options.delay), watch);
 }
 
 void Manager::disconnect(std::string_view requiredName) {

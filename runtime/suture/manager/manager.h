@@ -2,11 +2,9 @@
 // The local manager: the components of one process and their connections.
 
 #include <suture/component/component.h>
-#include <suture/component/contract/connection_contract.h>
-#include <suture/lane/delay/connection_delay.h>
-#include <suture/lane/lane.h>
 #include <suture/net/refusals.h>
 #include <suture/rt/scheduling.h>
+#include <suture/session/connect_options.h>
 #include <suture/wiring/directory.h>
 
 #include <chrono>
@@ -23,6 +21,7 @@ namespace suture {
 class DelayThread;
 class DeviceExecutor;
 class HandleBase;
+class LaneKind;
 class Network;
 class Task;
 struct Security;
@@ -37,8 +36,7 @@ struct Security;
 ///   manager.connect("Teleop/Slave", "psm-host:PSM/Arm");
 class Manager {
  public:
-  /// How long connect() waits for another process to appear.
-  static constexpr Duration kDefaultPatience = std::chrono::seconds(10);
+  static constexpr Duration kDefaultPatience = ConnectOptions::kDefaultPatience;
 
   /// A process on its own.
   explicit Manager(std::string process);
@@ -64,6 +62,11 @@ class Manager {
   /// serve devices. Throws SetupError if the kernel refuses.
   void scheduleService(const rt::Scheduling& scheduling);
 
+  /// Before start() and the first connection, in both processes: one more way for connections to
+  /// travel, by which go those that ask for it by its name (suture/lane/lane_kind.h). Throws
+  /// SetupError without a global manager, or if there is such a name.
+  void addLane(std::unique_ptr<LaneKind> lane);
+
   /// Configures the components that have not been. One whose onConfigure() throws is parked.
   void configure();
   /// Configures, starts all components that do not run, and makes the provided interfaces known.
@@ -86,22 +89,19 @@ class Manager {
   void stop();
 
   /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm",
-  /// or "psm-host:PSM/Arm" of another process, for which it waits at most `patience`). Before or
-  /// after start(). Works or throws a SetupError that says why not. `delay` is added to whatever
-  /// the lane takes, by a thread of its own. `contract`: docs/safety.md; without a max_age, that of
-  /// the required interface holds.
-  void connect(std::string_view required, std::string_view provided, Lane lane = Lane::Auto,
-               Duration patience = kDefaultPatience, const ConnectionDelay& delay = {},
-               const ConnectionContract& contract = {});
+  /// or "psm-host:PSM/Arm" of another process). Before or after start(). Works or throws a
+  /// SetupError that says why not.
+  void connect(std::string_view required, std::string_view provided,
+               const ConnectOptions& options = {});
   /// The same between the interfaces of two components that have been added here. Does not compile
   /// if the provider's contract neither is nor derives from the client's.
   ///   manager.connect(teleop.slave, psm.arm);
   template <class Client, class Contract>
   requires std::is_base_of_v<Client, Contract>
-  void connect(Required<Client>& required, Provided<Contract>& provided, Lane lane = Lane::Auto,
-               const ConnectionDelay& delay = {}, const ConnectionContract& contract = {}) {
+  void connect(Required<Client>& required, Provided<Contract>& provided,
+               const ConnectOptions& options = {}) {
     connect(placeOf(required.owner(), required.name()), placeOf(provided.owner(), provided.name()),
-            lane, kDefaultPatience, delay, contract);
+            options);
   }
   /// Takes down the connection of a required interface of this process ("Teleop/Slave"), which may
   /// then be connected anew, while tasks run. Takes effect between two cycles of the client: calls
@@ -132,11 +132,11 @@ class Manager {
  private:
   friend class HandleBase;
 
-  void connect(HandleBase& handle, RequiredBase& required, std::string_view provided, Lane lane,
-               Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
+  void connect(HandleBase& handle, RequiredBase& required, std::string_view provided,
+               const ConnectOptions& options);
   void disconnect(HandleBase& handle);
-  void connect(RequiredBase& required, const Endpoint& from, std::string_view provided, Lane lane,
-               Duration patience, const ConnectionDelay& delay, const ConnectionContract& contract);
+  void connect(RequiredBase& required, const Endpoint& from, std::string_view provided,
+               const ConnectOptions& options);
   void change(const std::string& component, Transition transition, Duration patience);
   std::string placeOf(const Component& component, const std::string& interface) const;
   std::shared_ptr<Channel> connectionOf(const std::string& required) const;

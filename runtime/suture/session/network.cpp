@@ -67,6 +67,15 @@ class Network::Impl {
     run(control_, kLocalWork, [scheduling] { rt::schedule("the network", scheduling); });
   }
 
+  void addLane(std::unique_ptr<LaneKind> lane) {
+    const std::string name = lane->name();
+    if (findLane(lanes_, name) != lanes_.end()) {
+      throw SetupError("adding lane '" + name + "'", "there is one of that name",
+                       "Give it a name of its own");
+    }
+    run(control_, kLocalWork, [this, &lane] { lanes_.push_back(std::move(lane)); });
+  }
+
   void publish() {
     run(control_, kLocalWork, [this, components = describeComponents(directory_)] {
       link_->update(components);
@@ -74,12 +83,12 @@ class Network::Impl {
     });
   }
 
-  void connect(RequiredBase& required, Endpoint from, Endpoint to, Lane lane, Duration patience,
-               const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch) {
+  void connect(RequiredBase& required, Endpoint from, Endpoint to, const ConnectOptions& options,
+               DelayThread* delays, std::shared_ptr<ConnectionWatch> watch) {
     const std::string name = from.toString();
     if (from.process.empty()) from.process = directory_.process();
     if (to.process.empty()) to.process = directory_.process();
-    run(control_, patience + kLocalWork, [=, this, &required] {
+    run(control_, options.patience + kLocalWork, [=, this, &required] {
       const RemoteConnection::Told told{.made =
                                             [this, name](std::shared_ptr<Channel> channel) {
                                               std::lock_guard lock(mutex_);
@@ -92,10 +101,10 @@ class Network::Impl {
                                             }};
       auto& connection = connections_[name];
       connection = std::make_unique<RemoteConnection>(
-          control_, *sessions_, lanes_, required, from, to, lane, told, interposer, watch,
+          control_, *sessions_, lanes_, required, from, to, options, told, delays, watch,
           ledgerOf(from.toString() + " -> " + to.toString()));
       // Forget what could not be connected: it may be gone before this is.
-      return connection->open(patience)
+      return connection->open()
           .exclusiveJoin(untilGivenUp())
           .catch_([this, name](kj::Exception&& failure) {
             connections_.erase(name);
@@ -196,7 +205,7 @@ class Network::Impl {
   const Security security_;
   const std::uint64_t incarnation_ = newIncarnation();
   rpc::ControlThread control_;
-  const Lanes lanes_ = makeLanes();
+  Lanes lanes_ = makeLanes();
   std::unique_ptr<ManagerLink> link_;
   std::unique_ptr<Sessions> sessions_;
   std::unique_ptr<PeerHost> host_;
@@ -222,10 +231,12 @@ void Network::schedule(const rt::Scheduling& scheduling) { impl_->schedule(sched
 
 void Network::publish() { impl_->publish(); }
 
-void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Lane lane,
-                      Duration patience, const Interposer& interposer,
+void Network::addLane(std::unique_ptr<LaneKind> lane) { impl_->addLane(std::move(lane)); }
+
+void Network::connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
+                      const ConnectOptions& options, DelayThread* delays,
                       std::shared_ptr<ConnectionWatch> watch) {
-  impl_->connect(required, from, to, lane, patience, interposer, std::move(watch));
+  impl_->connect(required, from, to, options, delays, std::move(watch));
 }
 
 void Network::disconnect(const std::string& required) { impl_->disconnect(required); }

@@ -5,11 +5,11 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
-#include <suture/lane/delay/connection_delay.h>
-#include <suture/lane/lane.h>
+#include <suture/lane/lane_kind.h>
 #include <suture/names/security.h>
 #include <suture/net/refusals.h>
 #include <suture/rt/scheduling.h>
+#include <suture/session/connect_options.h>
 #include <suture/wiring/directory.h>
 
 #include <functional>
@@ -22,12 +22,6 @@ namespace suture {
 
 class DelayThread;
 class Task;
-
-/// These stand between a required interface and the link, where they are not null.
-struct Interposer {
-  DelayThread* delays = nullptr;
-  ConnectionDelay delay;
-};
 
 /// Used by the manager's thread; all work happens on the control thread that it owns.
 class Network {
@@ -50,12 +44,16 @@ class Network {
   /// SetupError if the kernel refuses.
   void schedule(const rt::Scheduling& scheduling);
 
+  /// Before publish() and the first connection. Throws SetupError if there is one of that name.
+  void addLane(std::unique_ptr<LaneKind> lane);
+
   /// Makes the directory's present components known, and lets peers connect to them.
   void publish();
 
   /// Connects by way of the control connection, also to this process itself. Throws SetupError.
-  void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to, Lane lane,
-               Duration patience, const Interposer& interposer,
+  /// `delays`: what delays it; nullptr: nothing does.
+  void connect(RequiredBase& required, const Endpoint& from, const Endpoint& to,
+               const ConnectOptions& options, DelayThread* delays,
                std::shared_ptr<ConnectionWatch> watch);
   /// Any thread: a connect() under way throws now, and so do later ones.
   void giveUp();

@@ -83,7 +83,7 @@ std::string allocationRows(const NetworkOptions& options, Report& report) {
              "lane threads"});
   table.line();
   for (const suture::Lane lane : kLanes) {
-    const std::string figure = std::string("allocations.") + toString(lane);
+    const std::string figure = "allocations." + toString(lane);
     if (!suture::countsAllocations()) {
       for (const char* end : {".client", ".arm", ".lane", ".lane_threads"}) {
         report.addUnavailable(figure + end, "a sanitizer has the heap for itself");

@@ -93,7 +93,7 @@ std::string imageRows(const NetworkOptions& options, Report& report) {
   table.row(joined({"us, age of a goal at 1 kHz", "lane"}, statisticsTitles()));
   table.line();
   for (const suture::Lane lane : kLanes) {
-    const std::string figure = std::string("images.") + toString(lane);
+    const std::string figure = "images." + toString(lane);
     const AloneAndBeside result = measureLane(lane, options.goals());
     report.add(figure + ".alone", "us", result.alone);
     report.add(figure + ".beside", "us", result.beside);

@@ -7,7 +7,7 @@ namespace bench {
 
 void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& required,
                const std::string& provided, const suture::ConnectionContract& contract) {
-  manager.connect(required, provided, lane, suture::Manager::kDefaultPatience, {}, contract);
+  manager.connect(required, provided, {.lane = lane, .contract = contract});
   for (const auto& channel : manager.channels()) {
     const bool isThis = channel->name.find(":" + required + " -> ") != std::string::npos;
     if (!isThis || channel->lane == toString(lane)) continue;

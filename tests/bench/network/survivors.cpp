@@ -223,9 +223,10 @@ Survived survive(suture::Lane lane, const Names& names, const NetworkOptions& op
 
 std::string survivorRows(const NetworkOptions& options, Report& report) {
   const Names names(Transport::Unix);
-  std::map<suture::Lane, Survived> survived;
+  std::map<std::string, Survived> survived;  // by lane
   for (std::size_t round = 0; round < options.survivorRounds(); ++round) {
-    for (const suture::Lane lane : kLanes) survived[lane] += survive(lane, names, options);
+    for (const suture::Lane lane : kLanes)
+      survived[toString(lane)] += survive(lane, names, options);
   }
 
   Table table(1);
@@ -235,8 +236,8 @@ std::string survivorRows(const NetworkOptions& options, Report& report) {
              "faults", "periods", "skipped, %", "a bare loop beside", "longest cycle, ms"});
   table.line();
   for (const suture::Lane lane : kLanes) {
-    const std::string figure = std::string("survivors.") + toString(lane);
-    const auto& [faults, task, bare] = survived[lane];
+    const std::string figure = "survivors." + toString(lane);
+    const auto& [faults, task, bare] = survived[toString(lane)];
     const double longest = static_cast<double>(task.longest.count()) / 1e6;
     report.add(figure + ".faults", "faults", static_cast<double>(faults));
     report.add(figure + ".skipped", "%", task.skippedPercent());

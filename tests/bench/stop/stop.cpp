@@ -21,7 +21,7 @@ void add(Report& report, Table& table, const std::string& figure, const char* wo
 /// from when the coordinator's process stands still; "killed.shm", ...: from when it is killed,
 /// once;
 /// ".images": how many both pairs saw meanwhile.
-void measure(const char* name, suture::Lane lane, const StopOptions& options, Report& report,
+void measure(const std::string& name, suture::Lane lane, const StopOptions& options, Report& report,
              Table& table) {
   StopSystem system(lane);
   std::vector<std::int64_t> presses, cuts;
@@ -29,10 +29,10 @@ void measure(const char* name, suture::Lane lane, const StopOptions& options, Re
   add(report, table, name, "pressed", presses);
   if (lane != suture::Lane::Auto) {
     for (int i = 0; i < options.cuts(); ++i) cuts.push_back(system.cutOff());
-    add(report, table, std::string("cut.") + name, "coordinator stands still", cuts);
-    add(report, table, std::string("killed.") + name, "coordinator is killed", {system.killDesk()});
+    add(report, table, "cut." + name, "coordinator stands still", cuts);
+    add(report, table, "killed." + name, "coordinator is killed", {system.killDesk()});
   }
-  report.add(std::string(name) + ".images", "images", static_cast<double>(system.end()));
+  report.add(name + ".images", "images", static_cast<double>(system.end()));
 }
 
 std::string stopRows(const StopOptions& options, Report& report) {

@@ -114,7 +114,7 @@ LoopResult measureAcross(const LoopSetup& setup, const Between& between) {
   manager.add("Client", client->task());
   auto finished = client->finished();
   manager.start();
-  manager.connect("Client/Server", "server:Server/Loop", between.lane);
+  manager.connect("Client/Server", "server:Server/Loop", {.lane = between.lane});
   await(std::move(finished), setup);
   const auto channel = manager.channels().at(0);
   manager.stop();

@@ -17,8 +17,9 @@ OperatingRoom::OperatingRoom(const Trial& trial, const CameraModel& camera)
       picturePeriod_(camera.period),
       table_(trial, camera),
       overLink_([this](const char* required, const char* provided, const Traffic& traffic) {
-        manager_.connect(required, provided, suture::Lane::Auto, std::chrono::seconds(1),
-                         delayOf(trial_.link, traffic, trial_.seed));
+        manager_.connect(required, provided,
+                         {.patience = std::chrono::seconds(1),
+                          .delay = delayOf(trial_.link, traffic, trial_.seed)});
       }) {
   console_.addTo(manager_);
   table_.addTo(manager_);

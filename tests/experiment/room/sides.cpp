@@ -30,7 +30,7 @@ std::string managerAddress() { return std::string("tcp://") + kTableAddress + ":
 /// To the process of that name: the link between them is a real one.
 Crossing crossingTo(suture::Manager& manager, const std::string& process) {
   return [&manager, process](const char* required, const char* provided, const Traffic&) {
-    manager.connect(required, process + ":" + provided, suture::Lane::Auto, kPatience);
+    manager.connect(required, process + ":" + provided, {.patience = kPatience});
   };
 }
 

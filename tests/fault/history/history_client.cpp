@@ -25,7 +25,8 @@ void connect(const suture::HostedProcess& process, suture::Manager& manager, con
              suture::Lane lane, suture::Duration silence) {
   while (!process.ended()) {
     try {
-      manager.connect("Client/Arm", arm, lane, 60s, {}, {.silence = silence});
+      manager.connect("Client/Arm", arm,
+                      {.lane = lane, .patience = 60s, .contract = {.silence = silence}});
       return suture::say("ready");
     } catch (const suture::SetupError&) {
       std::this_thread::sleep_for(5ms);

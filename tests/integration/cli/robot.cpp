@@ -103,9 +103,9 @@ int main(int, char** argv) {
     manager.add("Hand", hand);
     manager.add("Surgeon", surgeon);
     manager.start();
-    manager.connect("Surgeon/Gripper", "Hand/Gripper", suture::Lane::Auto,
-                    suture::Manager::kDefaultPatience, {},
-                    {.maxAge = std::chrono::nanoseconds(1), .resume = suture::Resume::Operator});
+    manager.connect(
+        "Surgeon/Gripper", "Hand/Gripper",
+        {.contract = {.maxAge = std::chrono::nanoseconds(1), .resume = suture::Resume::Operator}});
     process.awaitEnd();
     manager.stop();
   });

@@ -52,7 +52,7 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
   Manager manager("console", names_.address());
   manager.add("Console", console);
   manager.start();
-  manager.connect("Console/Arm", "skewed:PSM/Arm", lane);
+  manager.connect("Console/Arm", "skewed:PSM/Arm", {.lane = lane});
 
   const auto channel = manager.channels().at(0);
   EXPECT_EQ(channel->lane, lane == Lane::Rpc ? "rpc" : "frame");
@@ -94,7 +94,7 @@ TEST_P(DriftTest, IsFollowed) {
   Manager manager("console", names_.address());
   manager.add("Console", console);
   manager.start();
-  manager.connect("Console/Arm", "skewed:PSM/Arm", lane);
+  manager.connect("Console/Arm", "skewed:PSM/Arm", {.lane = lane});
 
   const auto channel = manager.channels().at(0);
   const Duration first = channel->clockShift();

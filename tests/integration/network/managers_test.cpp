@@ -37,7 +37,7 @@ struct Asker {
     manager.start();
   }
   void connect(Duration patience = 10s) {
-    manager.connect("Console/Arm", "left:PSM/Arm", Lane::Auto, patience);
+    manager.connect("Console/Arm", "left:PSM/Arm", {.patience = patience});
   }
 
   Console console;

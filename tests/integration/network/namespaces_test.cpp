@@ -79,7 +79,7 @@ TEST_P(Namespaces, AreConnectedAsMachinesAre) {
   Manager manager("console", names_->address(), securityOf("console"));
   manager.add("Console", console);
   manager.start();
-  manager.connect("Console/Arm", "robot:PSM/Arm", std::get<1>(GetParam()));
+  manager.connect("Console/Arm", "robot:PSM/Arm", {.lane = std::get<1>(GetParam())});
   EXPECT_TRUE(reaches(console, 3));
   const auto channel = manager.channels().at(0);
   EXPECT_EQ(channel->lane, std::get<2>(GetParam()));

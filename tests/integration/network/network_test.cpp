@@ -181,7 +181,7 @@ TEST_P(NetworkTest, WhatDoesNotExistIsRefusedWithWhatDoes) {
   manager.add("Console", console);
   manager.start();
   const auto answer = [&](const char* provided) {
-    return refusal([&] { manager.connect("Console/Arm", provided, Lane::Auto, 100ms); });
+    return refusal([&] { manager.connect("Console/Arm", provided, {.patience = 100ms}); });
   };
   std::string error = answer("laft:PSM/Arm");
   EXPECT_TRUE(contains(error, "Did you mean 'left'?")) << error;

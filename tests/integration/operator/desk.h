@@ -33,8 +33,8 @@ struct Desk {
     manager.add("Operator", task);
     manager.connect("Operator/Left", "LeftMaster/Arm");
     manager.connect("Operator/Right", "RightMaster/Arm");
-    manager.connect("Operator/Vision", "Scene/Vision", suture::Lane::Auto, std::chrono::seconds(1),
-                    {.answers = delay});
+    manager.connect("Operator/Vision", "Scene/Vision",
+                    {.patience = std::chrono::seconds(1), .delay = {.answers = delay}});
   }
   void seatOperator(const OperatorParameters& parameters, suture::Duration delay = {}) {
     surgeon = std::make_unique<Operator>(parameters);
@@ -46,8 +46,8 @@ struct Desk {
   /// What the registration tells takes so much longer from now on.
   void registerLate(suture::Duration delay) {
     manager.disconnect("Operator/Registration");
-    manager.connect("Operator/Registration", "Registration/Registration", suture::Lane::Auto,
-                    std::chrono::seconds(1), {.answers = delay});
+    manager.connect("Operator/Registration", "Registration/Registration",
+                    {.patience = std::chrono::seconds(1), .delay = {.answers = delay}});
   }
   Eigen::Vector3d knot() const {
     return Scene::kScale / 2 * (left.pose().translation() + right.pose().translation());

@@ -38,8 +38,8 @@ struct FeelingHands : testing::Test {
     connectSlave("Right");
   }
   void connectSlave(const std::string& side) {
-    desk.manager.connect("Operator/" + side + "Slave", side + "Master/Arm", suture::Lane::Auto, 1s,
-                         {.answers = 100ms});
+    desk.manager.connect("Operator/" + side + "Slave", side + "Master/Arm",
+                         {.patience = 1s, .delay = {.answers = 100ms}});
   }
   double energy() const {
     return std::min(desk.surgeon->leftEnergy(), desk.surgeon->rightEnergy());

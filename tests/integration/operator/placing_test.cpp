@@ -42,7 +42,8 @@ struct Theatre {
     manager.connect("Surgeon/Right", "MTMR/Arm");
     manager.connect("Surgeon/Guidance", "Guide/Guidance");
     manager.connect("Surgeon/Registration", "Registration/Registration");
-    manager.connect("Surgeon/Vision", "Tracker/Vision", suture::Lane::Auto, 1s, {.answers = delay});
+    manager.connect("Surgeon/Vision", "Tracker/Vision",
+                    {.patience = 1s, .delay = {.answers = delay}});
     manager.start();
   }
   ~Theatre() { manager.stop(); }

@@ -52,8 +52,8 @@ class GoneConsole : public testing::TestWithParam<suture::Lane> {
       console_->add("Teleop", teleop_);
       console_->start();
       console_->connect("Teleop/Master", "MTM/Arm");
-      console_->connect("Teleop/Slave", "robot:PSM/Arm", GetParam(),
-                        suture::Manager::kDefaultPatience, {}, {.silence = kSilence});
+      console_->connect("Teleop/Slave", "robot:PSM/Arm",
+                        {.lane = GetParam(), .contract = {.silence = kSilence}});
     });
   }
   ~GoneConsole() override {

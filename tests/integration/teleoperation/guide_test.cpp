@@ -91,9 +91,8 @@ TEST_F(Guide, DoesNotSayThatItGuidesWhileItIsSuspended) {
 /// Its reads go on while its commands wait for the operator.
 TEST_F(Guide, DoesNotSayThatItGuidesASlaveThatTakesNoGoals) {
   manager_.disconnect("Guide/RightSlave");
-  manager_.connect("Guide/RightSlave", "RightSlave/Arm", suture::Lane::Auto,
-                   suture::Manager::kDefaultPatience, {},
-                   {.maxAge = 20ms, .resume = suture::Resume::Operator});
+  manager_.connect("Guide/RightSlave", "RightSlave/Arm",
+                   {.contract = {.maxAge = 20ms, .resume = suture::Resume::Operator}});
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   arms_[3].beSilent(true);
   ASSERT_TRUE(becomes(GuidanceState::Preparing));

@@ -74,7 +74,8 @@ class JawFollowing : public testing::TestWithParam<suture::Lane> {
   static bool isOneProcess() { return GetParam() == suture::Lane::Auto; }
   suture::Manager& robot() { return isOneProcess() ? console_ : elsewhere_; }
   void connect(const std::string& required, const std::string& provided) {
-    console_.connect(required, isOneProcess() ? provided : "robot:" + provided, GetParam());
+    console_.connect(required, isOneProcess() ? provided : "robot:" + provided,
+                     {.lane = GetParam()});
   }
 
   const suture::TemporaryDirectory directory_;

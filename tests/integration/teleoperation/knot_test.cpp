@@ -102,7 +102,7 @@ class Knot : public testing::TestWithParam<suture::Lane> {
                const std::string& provided) {
     const bool local = &client == &provider;
     client.connect(required, local ? provided : processOf(provider) + ":" + provided,
-                   local ? suture::Lane::Auto : GetParam());
+                   {.lane = local ? suture::Lane::Auto : GetParam()});
   }
   void connectAll() {
     connect(left_, "Surgeon/Left", left_, "MTML/Arm");

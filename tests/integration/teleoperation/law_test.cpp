@@ -24,7 +24,7 @@ class Law : public testing::TestWithParam<std::tuple<suture::Lane, suture::Durat
 
 std::string nameOf(const testing::TestParamInfo<Law::ParamType>& one) {
   const auto& [lane, delay] = one.param;
-  return std::string(toString(lane)) + "_" + std::to_string(delay / 1ms) + "ms";
+  return toString(lane) + "_" + std::to_string(delay / 1ms) + "ms";
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, Law,

@@ -115,8 +115,7 @@ TEST_F(OldData, ALinkWithADelayThatIsMadeAnewLeavesTheSlaveWhereItIs) {
   manager_.disconnect("Teleop/Slave");
   pass(5ms);
   scene_.expectNoJump([&] {
-    manager_.connect("Teleop/Slave", "PSM/Arm", suture::Lane::Auto,
-                     suture::Manager::kDefaultPatience, {.commands = 3ms, .answers = 3ms});
+    manager_.connect("Teleop/Slave", "PSM/Arm", {.delay = {.commands = 3ms, .answers = 3ms}});
   });
 }
 
@@ -142,8 +141,8 @@ class FrozenTeleoperation : public testing::TestWithParam<suture::Lane> {
     robot_->add("MTM", scene_.master);
     robot_->start();
     console_.run([this] {
-      manager_->connect("Teleop/Master", "robot:MTM/Arm", GetParam());
-      manager_->connect("Teleop/Slave", "robot:PSM/Arm", GetParam());
+      manager_->connect("Teleop/Master", "robot:MTM/Arm", {.lane = GetParam()});
+      manager_->connect("Teleop/Slave", "robot:PSM/Arm", {.lane = GetParam()});
     });
   }
   ~FrozenTeleoperation() override {
@@ -187,8 +186,8 @@ class LostLink : public testing::TestWithParam<suture::Lane> {
     console_->add("Teleop", scene_.teleop);
     console_->start();
     console_->connect("Teleop/Master", "MTM/Arm");
-    console_->connect("Teleop/Slave", "robot:PSM/Arm", GetParam(),
-                      suture::Manager::kDefaultPatience, {}, {.silence = 100ms});
+    console_->connect("Teleop/Slave", "robot:PSM/Arm",
+                      {.lane = GetParam(), .contract = {.silence = 100ms}});
   }
   ~LostLink() override {
     console_->stop();

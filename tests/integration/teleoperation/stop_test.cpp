@@ -123,8 +123,8 @@ class Stop : public testing::TestWithParam<suture::Lane> {
   static void connect(suture::Manager& client, const std::string& required,
                       const std::string& process, const std::string& provided) {
     if (isOneProcess()) return client.connect(required, provided);
-    client.connect(required, process + ":" + provided, GetParam(),
-                   suture::Manager::kDefaultPatience, {}, {.silence = kSilence});
+    client.connect(required, process + ":" + provided,
+                   {.lane = GetParam(), .contract = {.silence = kSilence}});
   }
   static void connectStop(suture::Manager& client, const std::string& component) {
     connect(client, component + "/Stop", "desk", "Coordinator/Stop");

@@ -108,8 +108,8 @@ class TeleopStates : public testing::Test {
   /// What the registration tells takes so much longer from now on.
   void registerLate(suture::Duration delay) {
     manager_.disconnect("Teleop/Registration");
-    manager_.connect("Teleop/Registration", "Registration/Registration", suture::Lane::Auto,
-                     suture::Manager::kDefaultPatience, {.answers = delay});
+    manager_.connect("Teleop/Registration", "Registration/Registration",
+                     {.delay = {.answers = delay}});
   }
   void turnMaster(double angle) {
     master_.place(master_.pose() * Eigen::AngleAxisd(angle, Vector3d::UnitZ()));

@@ -98,7 +98,7 @@ class Tool : public testing::TestWithParam<suture::Lane> {
   suture::Manager& client() { return isOneProcess() ? robot_ : elsewhere_; }
   void connect(const std::string& required, const std::string& provided) {
     client().connect("Fingers/" + required, (isOneProcess() ? "" : "robot:") + provided,
-                     GetParam());
+                     {.lane = GetParam()});
   }
 
   const suture::TemporaryDirectory directory_;

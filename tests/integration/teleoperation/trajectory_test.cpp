@@ -92,7 +92,7 @@ class Trajectory : public testing::TestWithParam<std::tuple<suture::Lane, suture
 
 std::string nameOfWiring(const testing::TestParamInfo<Trajectory::ParamType>& one) {
   const auto& [lane, delay] = one.param;
-  return std::string(toString(lane)) + "_" + std::to_string(delay / 1ms) + "ms";
+  return toString(lane) + "_" + std::to_string(delay / 1ms) + "ms";
 }
 
 using Wiring = std::tuple<suture::Lane, suture::Duration>;

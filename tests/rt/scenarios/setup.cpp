@@ -58,8 +58,8 @@ void Scenario::SetUp() {
   server->begin();
   client->begin();
   const suture::Lane lane = askedLane(std::get<0>(GetParam()));
-  clients.connect("Client/Used", local ? "Server/Served" : "servers:Server/Served", lane);
-  servers.connect("Server/Used", local ? "Client/Served" : "clients:Client/Served", lane);
+  clients.connect("Client/Used", local ? "Server/Served" : "servers:Server/Served", {.lane = lane});
+  servers.connect("Server/Used", local ? "Client/Served" : "clients:Client/Served", {.lane = lane});
   const std::string expected = local                        ? "local"
                                : lane == suture::Lane::Auto ? "shm"
                                                             : toString(lane);

@@ -121,7 +121,7 @@ TEST_P(StandardMessages, AreHeardInOrder) {
   manager.add("Speaker", speaker);
   manager.add("Listener", listener);
   manager.start();
-  manager.connect("Listener/From", "Speaker/Messages", GetParam());
+  manager.connect("Listener/From", "Speaker/Messages", {.lane = GetParam()});
   manager.awaitStart();
   speaker.say("hello");
   std::vector<std::string> lines{"status 1 (0): hello", "warning 2 (4): hello",
@@ -142,7 +142,7 @@ TEST_P(StandardMessages, TheLastOfEachKindIsThereForWhoComesLate) {
   speaker.say("first");
   speaker.say("second");
   ASSERT_TRUE(suture::eventually([&] { return speaker.silent(); }));
-  manager.connect("Listener/From", "Speaker/Messages", GetParam());
+  manager.connect("Listener/From", "Speaker/Messages", {.lane = GetParam()});
   EXPECT_TRUE(
       listener.heard({"status 4 (0): second", "warning 5 (4): second", "error 6 (0): second"}));
   manager.stop();
@@ -178,8 +178,8 @@ TEST_P(StandardMessages, AreHeardOfAContractThatDerivesFromThem) {
   manager.add("Listener", listener);
   manager.add("Switch", key);
   manager.start();
-  manager.connect("Listener/From", "Lamp/Lamp", GetParam());
-  manager.connect("Switch/Lamp", "Lamp/Lamp", GetParam());
+  manager.connect("Listener/From", "Lamp/Lamp", {.lane = GetParam()});
+  manager.connect("Switch/Lamp", "Lamp/Lamp", {.lane = GetParam()});
   manager.awaitStart();
   ASSERT_TRUE(key.lamp.light(true));
   EXPECT_TRUE(listener.heard({"error 1 (12): the bulb is broken"}));

@@ -37,7 +37,7 @@ TEST_P(TimingPort, TellsWhatTheTaskMeasured) {
   manager.add("Worker", worker);
   manager.add("Watcher", watcher);
   manager.start();
-  manager.connect("Watcher/Timing", "Worker/Timing", GetParam());
+  manager.connect("Watcher/Timing", "Worker/Timing", {.lane = GetParam()});
 
   EXPECT_TRUE(suture::eventually([&] {
     const auto window = watcher.timing.window();

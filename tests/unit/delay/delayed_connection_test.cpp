@@ -86,7 +86,7 @@ struct Delayed : testing::Test {
   }
   ~Delayed() override { manager.stop(); }
   void connect(const char* client, const ConnectionDelay& delay) {
-    manager.connect(std::string(client) + "/Arm", "PSM/Arm", Lane::Auto, 1s, delay);
+    manager.connect(std::string(client) + "/Arm", "PSM/Arm", {.patience = 1s, .delay = delay});
   }
 
   Arm arm;

@@ -61,8 +61,8 @@ TEST(Deployment, Sound) {
   EXPECT_EQ(teleop.parameters.at("scale"), 0.2);
   EXPECT_EQ(deployment.document().lineOf(teleop.pointer), 8);
   ASSERT_EQ(deployment.connections().size(), 2u);
-  EXPECT_EQ(deployment.connections()[0].lane, suture::Lane::Auto);
-  EXPECT_EQ(deployment.connections()[1].lane, suture::Lane::Rpc);
+  EXPECT_EQ(deployment.connections()[0].options.lane, suture::Lane::Auto);
+  EXPECT_EQ(deployment.connections()[1].options.lane, suture::Lane::Rpc);
   EXPECT_EQ(deployment.connections()[1].to.toString(), "right:PSM1/Arm");
 }
 
@@ -117,13 +117,22 @@ TEST(Deployment, UnknownLane) {
              "three even within a process; found string \"fast\"");
 }
 
+TEST(Deployment, ALaneMayBeRequired) {
+  const auto required = [](const std::string& text) {
+    return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].options.laneRequired;
+  };
+  EXPECT_FALSE(required(kSound));
+  EXPECT_TRUE(required(with("\"rpc\"", "\"rpc\", \"lane_required\": true")));
+}
+
 suture::ConnectionDelay delayOf(const std::string& value) {
   const std::string text = with("\"lane\": \"rpc\"", "\"delay\": " + value);
-  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].delay;
+  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].options.delay;
 }
 
 TEST(Deployment, DelaysOfAConnection) {
-  EXPECT_FALSE(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].delay.any());
+  EXPECT_FALSE(
+      Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].options.delay.any());
   EXPECT_EQ(delayOf("\"5ms\"").commands, 5ms);
   EXPECT_EQ(delayOf("\"5ms\"").answers, 5ms);
   EXPECT_EQ(delayOf("\"0.25s\"").answers, 250ms);
@@ -134,11 +143,12 @@ TEST(Deployment, DelaysOfAConnection) {
 
 suture::FaultPlan faultsOf(const std::string& value) {
   const std::string text = with("\"lane\": \"rpc\"", "\"faults\": " + value);
-  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].delay.faults;
+  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].options.delay.faults;
 }
 
 TEST(Deployment, FaultsOfAConnection) {
-  EXPECT_FALSE(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].delay.any());
+  EXPECT_FALSE(
+      Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].options.delay.any());
   EXPECT_FALSE(faultsOf("{\"seed\": 3}").any());
   const suture::FaultPlan all = faultsOf(
       R"({"seed": 7, "loss": 0.01, "burst": 0.02, "burst_length": 3, "duplicate": 0.03,
@@ -169,12 +179,12 @@ TEST(Deployment, AChanceIsAtMostOne) {
 
 suture::ConnectionContract contractOf(const std::string& value) {
   const std::string text = with("\"lane\": \"rpc\"", "\"contract\": " + value);
-  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].contract;
+  return Deployment(JsonDocument::parse(text, "d.json")).connections()[1].options.contract;
 }
 
 TEST(Deployment, Contracts) {
   using suture::ConnectionContract, suture::Fallback, suture::Resume;
-  EXPECT_EQ(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].contract,
+  EXPECT_EQ(Deployment(JsonDocument::parse(kSound, "d.json")).connections()[1].options.contract,
             ConnectionContract{});
   EXPECT_EQ(contractOf("{}"), ConnectionContract{});
   const ConnectionContract expected{.maxAge = 10ms,

@@ -41,7 +41,7 @@ class RemoteFrames : public testing::TestWithParam<Lane> {
     processes_.here.add("Guide", client_);
     processes_.start();
   }
-  void connect() { processes_.here.connect("Guide/Arm", "there:PSM/Arm", GetParam()); }
+  void connect() { processes_.here.connect("Guide/Arm", "there:PSM/Arm", {.lane = GetParam()}); }
   void stop() {
     processes_.here.stop();
     processes_.there.stop();
@@ -83,10 +83,8 @@ TEST(LocalFrames, ThatDifferAreNotConnectedWithADelayEither) {
   manager.add("PSM", arm);
   manager.add("Guide", client);
   manager.start();
-  const std::string text = refusal([&] {
-    manager.connect("Guide/Arm", "PSM/Arm", Lane::Auto, Manager::kDefaultPatience,
-                    {.commands = 1ms});
-  });
+  const std::string text =
+      refusal([&] { manager.connect("Guide/Arm", "PSM/Arm", {.delay = {.commands = 1ms}}); });
   EXPECT_NE(text.find("expects reference frame 'PSM2_base'"), std::string::npos) << text;
   manager.stop();
 }

@@ -129,8 +129,8 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
 
   void connect(Resume resume = Resume::Automatic) {
     client_.run([&] {
-      console_->connect("Teleop/Slave", "robot:PSM/Arm", lane(), Manager::kDefaultPatience, {},
-                        {.resume = resume, .silence = kSilence});
+      console_->connect("Teleop/Slave", "robot:PSM/Arm",
+                        {.lane = lane(), .contract = {.resume = resume, .silence = kSilence}});
     });
     ASSERT_TRUE(eventually([this] { return teleop_.connected.load(); }));
   }

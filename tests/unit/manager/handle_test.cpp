@@ -42,7 +42,7 @@ struct BusyArm final : PeriodicTask, StillArm {
 
 /// What a handle that cannot be made says.
 std::string handleRefusal(Manager& manager, std::string_view name, std::string_view provided) {
-  return refusal([&] { Handle<ArmLike> handle(manager, name, provided, Lane::Auto, 100ms); });
+  return refusal([&] { Handle<ArmLike> handle(manager, name, provided, {.patience = 100ms}); });
 }
 
 /// One process, or two of which the second has the arm.

@@ -103,7 +103,7 @@ struct OneProcess {
     manager.start();
   }
   void connect(const ConnectionContract& contract = {}) {
-    manager.connect("Teleop/Slave", "PSM/Arm", Lane::Auto, 1s, {}, contract);
+    manager.connect("Teleop/Slave", "PSM/Arm", {.patience = 1s, .contract = contract});
   }
   void disconnect() { manager.disconnect("Teleop/Slave"); }
 
@@ -197,8 +197,8 @@ TEST(Reconnect, OverRpcShowsTheNewChannelAndKeepsNoOldOne) {
   processes.start();
   Census census;
   for (int i = 0; i < 100; ++i) {
-    here.connect("Teleop/Slave", "there:PSM/Arm", Lane::Auto, kPatience, {},
-                 {.onLoss = Fallback::Fault});
+    here.connect("Teleop/Slave", "there:PSM/Arm",
+                 {.patience = kPatience, .contract = {.onLoss = Fallback::Fault}});
     const auto channels = here.channels();
     ASSERT_EQ(channels.size(), 1u);
     EXPECT_EQ(channels.front()->status, ChannelStatus::Connected);
@@ -267,7 +267,7 @@ TEST_P(StartedAgain, AComponentIsLostToItsClientsUntilTheyAreConnectedAnew) {
   processes.start();
   const auto connect = [&] {
     clients.connect("Teleop/Slave", GetParam() ? "there:PSM/Arm" : "PSM/Arm",
-                    GetParam().value_or(Lane::Auto));
+                    {.lane = GetParam().value_or(Lane::Auto)});
   };
   connect();
   ASSERT_TRUE(eventually([&] { return arm.holds > 0 && client.error == Errc{}; }));
@@ -346,8 +346,8 @@ TEST(Reconnect, ADeviceResumesWhenItUsesTheConnectionNext) {
   manager.add("Operator", person);
   manager.start();
   manager.connect("Operator/Life", "Teleop/component");
-  manager.connect("Teleop/Slave", "PSM/Arm", Lane::Auto, 1s, {},
-                  {.maxAge = 1ns, .resume = Resume::Operator});
+  manager.connect("Teleop/Slave", "PSM/Arm",
+                  {.patience = 1s, .contract = {.maxAge = 1ns, .resume = Resume::Operator}});
   EXPECT_TRUE(eventually([&] { return client.slave.measured_cp().error() == Errc::Stale; }));
   EXPECT_EQ(client.slave.hold().error(), Errc::AwaitingOperator);
   EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Asked);
@@ -371,7 +371,8 @@ TEST(Reconnect, WhoHasResumedADeviceHasNotSeenALaterLoss) {
     Manager there{"there", global.address()};
     there.add("PSM", arm);
     there.start();
-    here.connect("Teleop/Slave", "there:PSM/Arm", Lane::Auto, 1s, {}, {.resume = Resume::Operator});
+    here.connect("Teleop/Slave", "there:PSM/Arm",
+                 {.patience = 1s, .contract = {.resume = Resume::Operator}});
     EXPECT_TRUE(client.slave.hold());
     EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Asked);
     for (const auto& one : here.channels()) {

@@ -80,7 +80,7 @@ class Stop : public testing::TestWithParam<std::optional<Lane>> {
     robot_.start();
     if (GetParam()) console_.start();
     clients().connect("Teleop/Slave", GetParam() ? "robot:PSM/Arm" : "PSM/Arm",
-                      GetParam().value_or(Lane::Auto));
+                      {.lane = GetParam().value_or(Lane::Auto)});
   }
 
   Manager& clients() { return GetParam() ? console_ : robot_; }
@@ -134,7 +134,7 @@ class StopOfADevice : public testing::TestWithParam<Lane> {
     console_.add("Teleop", client_);
     robot_.start();
     console_.start();
-    console_.connect("Teleop/Slave", "robot:PSM/Arm", GetParam());
+    console_.connect("Teleop/Slave", "robot:PSM/Arm", {.lane = GetParam()});
   }
 
   const TemporaryDirectory directory_;

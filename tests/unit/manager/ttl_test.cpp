@@ -65,7 +65,7 @@ class Ttl : public testing::TestWithParam<std::optional<Lane>> {
     robot->start();
     if (!local) console->start();
     clients.connect("Teleop/Slave", local ? "PSM/Arm" : "robot:PSM/Arm",
-                    GetParam().value_or(Lane::Auto));
+                    {.lane = GetParam().value_or(Lane::Auto)});
     EXPECT_TRUE(eventually([&] { return arm.holds == 1; }));
     late_ = robot->channels().at(0)->commands.counters.late;
     clients.stop();

@@ -104,8 +104,9 @@ TEST(Observe, TellsHowAContractIsKeptAndWhatDevicesAre) {
   manager.add("PSM", arm);
   manager.add("Client", client);
   manager.add("Shelf", shelf);
-  manager.connect("Client/Arm", "PSM/Arm", suture::Lane::Auto, 1s, {},
-                  {.maxAge = 1ns, .resume = suture::Resume::Operator});
+  manager.connect(
+      "Client/Arm", "PSM/Arm",
+      {.patience = 1s, .contract = {.maxAge = 1ns, .resume = suture::Resume::Operator}});
   manager.start();
   const auto present = [&] { return suture::observe(manager, suture::now()); };
   const auto deadline = suture::now() + suture::kPatience;

@@ -45,7 +45,7 @@ class Collectors : public testing::TestWithParam<Lane> {
     manager.add("Operator", operator_);
     manager.start();
     manager.connect("Log/Source", source);
-    manager.connect("Operator/Log", "Log/Collecting", GetParam());
+    manager.connect("Operator/Log", "Log/Collecting", {.lane = GetParam()});
     manager.awaitStart();
   }
   void TearDown() override { manager.stop(); }

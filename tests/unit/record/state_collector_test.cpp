@@ -137,7 +137,7 @@ TEST(StateCollector, OverALaneTheRowsThatArrivedAreAccountedFor) {
   manager.add("PSM", arm);
   manager.add("Collector", collector);
   manager.start();
-  manager.connect("Collector/Source", "PSM/Arm", Lane::Rpc);
+  manager.connect("Collector/Source", "PSM/Arm", {.lane = Lane::Rpc});
   EXPECT_TRUE(eventually([&] { return collector.counts().collected >= 50; }));
   arm.stop();
   const auto mirror = manager.channels().at(0)->state;

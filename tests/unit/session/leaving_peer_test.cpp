@@ -115,7 +115,7 @@ TEST_P(Leaving, IsHeardOfAtOnce) {
   console.add("Teleop", teleop);
   console.start();
   const std::string why = refusal([&] {
-    console.connect("Teleop/Slave", "robot:PSM/Arm", Lane::Auto, std::chrono::minutes(1));
+    console.connect("Teleop/Slave", "robot:PSM/Arm", {.patience = std::chrono::minutes(1)});
   });
   EXPECT_NE(why, "");
   EXPECT_FALSE(contains(why, "does not answer")) << why;

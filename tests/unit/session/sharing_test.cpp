@@ -25,7 +25,7 @@ class Sharing : public RemoteArm, public testing::WithParamInterface<Way> {
   }
   void connectOthers() {
     for (std::size_t i = 0; i < kMore; ++i) {
-      console->connect(nameOf(i), "robot:PSM/Arm", GetParam().lane);
+      console->connect(nameOf(i), "robot:PSM/Arm", {.lane = GetParam().lane});
       ASSERT_TRUE(eventually([&] { return others[i]->seen.load(); })) << i;
     }
   }

@@ -65,7 +65,7 @@ struct System {
     console.add("Operator", user);
     robot.start();
     console.start();
-    console.connect("Operator/Slave", "robot:PSM/Arm", lane);
+    console.connect("Operator/Slave", "robot:PSM/Arm", {.lane = lane});
   }
   ~System() {
     console.stop();

@@ -139,11 +139,17 @@ void Deployment::readConnections() {
   const json connections = document_.value().value("connections", json::array());
   for (std::size_t i = 0; i < connections.size(); ++i) {
     const std::string pointer = "/connections/" + std::to_string(i);
-    connections_.push_back(
-        {readEndpoint(connections[i], pointer, "from"), readEndpoint(connections[i], pointer, "to"),
-         laneNamed(connections[i].value("lane", "auto")), readDelay(connections[i], pointer),
-         readContract(connections[i], pointer), pointer});
+    connections_.push_back({readEndpoint(connections[i], pointer, "from"),
+                            readEndpoint(connections[i], pointer, "to"),
+                            readOptions(connections[i], pointer), pointer});
   }
+}
+
+ConnectOptions Deployment::readOptions(const json& connection, const std::string& pointer) {
+  return {.lane = laneNamed(connection.value("lane", "auto")),
+          .laneRequired = connection.value("lane_required", false),
+          .delay = readDelay(connection, pointer),
+          .contract = readContract(connection, pointer)};
 }
 
 ConnectionDelay Deployment::readDelay(const json& connection, const std::string& pointer) {
@@ -327,9 +333,9 @@ void Deployment::checkManager() {
                    "missing; give its address, for example \"unix:/tmp/suture.sock\"");
   }
   for (const ConnectionEntry& connection : connections_) {
-    if (connection.lane == Lane::Auto) continue;
+    if (connection.options.lane == Lane::Auto) continue;
     report(connection.pointer + "/lane",
-           std::string("lane \"") + toString(connection.lane) +
+           "lane \"" + toString(connection.options.lane) +
                "\" needs a global manager, and key 'manager' is missing; give its address, "
                "or use lane \"auto\"");
   }

@@ -6,6 +6,7 @@
 #include <suture/deploy/document/json_document.h>
 #include <suture/manager/manager.h>
 #include <suture/rt/scheduling.h>
+#include <suture/session/connect_options.h>
 #include <suture/wiring/endpoint.h>
 
 #include <filesystem>
@@ -48,11 +49,9 @@ struct ProcessEntry {
 };
 
 struct ConnectionEntry {
-  Endpoint from;  ///< a required interface; its process is always named
-  Endpoint to;    ///< a provided interface; its process is always named
-  Lane lane = Lane::Auto;
-  ConnectionDelay delay;
-  ConnectionContract contract;
+  Endpoint from;           ///< a required interface; its process is always named
+  Endpoint to;             ///< a provided interface; its process is always named
+  ConnectOptions options;  ///< but for the patience
   std::string pointer;
 };
 
@@ -91,6 +90,7 @@ class Deployment {
   void readConnections();
   Endpoint readEndpoint(const nlohmann::json& connection, const std::string& pointer,
                         const char* end);
+  ConnectOptions readOptions(const nlohmann::json& connection, const std::string& pointer);
   ConnectionDelay readDelay(const nlohmann::json& connection, const std::string& pointer);
   FaultPlan readFaults(const nlohmann::json& connection, const std::string& pointer);
   ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);

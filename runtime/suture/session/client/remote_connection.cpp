@@ -29,8 +29,8 @@ std::string microseconds(Duration duration) {
 
 RemoteConnection::RemoteConnection(rpc::ControlThread& control, Sessions& sessions,
                                    const Lanes& lanes, RequiredBase& required, Endpoint from,
-                                   Endpoint to, Lane lane, Told told, const Interposer& interposer,
-                                   std::shared_ptr<ConnectionWatch> watch,
+                                   Endpoint to, const ConnectOptions& options, Told told,
+                                   DelayThread* delays, std::shared_ptr<ConnectionWatch> watch,
                                    std::shared_ptr<Ledger> ledger)
     : control_(control),
       sessions_(sessions),
@@ -38,9 +38,9 @@ RemoteConnection::RemoteConnection(rpc::ControlThread& control, Sessions& sessio
       required_(required),
       from_(std::move(from)),
       to_(std::move(to)),
-      lane_(lane),
+      options_(options),
       told_(std::move(told)),
-      interposer_(interposer),
+      delays_(delays),
       watch_(std::move(watch)),
       ledger_(std::move(ledger)),
       longestSilence_(watch_ == nullptr ? ConnectionContract::kDefaultSilence
@@ -51,8 +51,8 @@ RemoteConnection::~RemoteConnection() noexcept(false) {
   KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
 }
 
-kj::Promise<void> RemoteConnection::open(Duration patience) {
-  return connect(patience, patience + kDialLimit).then([this] {
+kj::Promise<void> RemoteConnection::open() {
+  return connect(options_.patience, options_.patience + kDialLimit).then([this] {
     keeping_ = keep().eagerlyEvaluate(nullptr);
   });
 }
@@ -107,7 +107,7 @@ kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
 }
 
 OutgoingConnection RemoteConnection::outgoing() const {
-  Component& client = interposer_.delays == nullptr ? required_.owner() : *interposer_.delays;
+  Component& client = delays_ == nullptr ? required_.owner() : *delays_;
   return {.contract = required_.info(),
           .name = name(),
           .events = asked_,
@@ -117,25 +117,31 @@ OutgoingConnection RemoteConnection::outgoing() const {
 }
 
 std::size_t RemoteConnection::firstLane() const {
-  const auto asked = std::find_if(lanes_.begin(), lanes_.end(), [this](const auto& kind) {
-    return std::string_view(kind->name()) == toString(lane_);
-  });
-  return asked == lanes_.end() ? 0 : static_cast<std::size_t>(asked - lanes_.begin());
+  if (options_.lane == Lane::Auto) return 0;
+  const auto asked = findLane(lanes_, options_.lane.name);
+  if (asked != lanes_.end()) return static_cast<std::size_t>(asked - lanes_.begin());
+  throw SetupError("connecting " + name(),
+                   "this process has no lane '" + std::string(options_.lane.name) + "'",
+                   "Ask for another, or add it with addLane() first");
 }
 
 kj::Promise<void> RemoteConnection::ask(std::size_t lane) {
-  if (lane == lanes_.size()) {
-    return rpc::failure(Type::FAILED, "connecting " + name() +
-                                          ": no lane can carry it. The last says: " + laneReason_);
-  }
   return attempt(session_->lane(lane), lanes_[lane]->name())
       .then([this, lane](kj::Maybe<std::string>&& why) -> kj::Promise<void> {
         KJ_IF_MAYBE (reason, why) {
           laneReason_ = std::move(*reason);
-          return ask(lane + 1);
+          return askNext(lane + 1);
         }
         return kj::READY_NOW;
       });
+}
+
+kj::Promise<void> RemoteConnection::askNext(std::size_t lane) {
+  if (!options_.laneRequired && lane < lanes_.size()) return ask(lane);
+  const std::string what = options_.laneRequired ? "lane '" + std::string(options_.lane.name) +
+                                                       "' is required and cannot carry it: "
+                                                 : "no lane can carry it. The last says: ";
+  return rpc::failure(Type::FAILED, "connecting " + name() + ": " + what + laneReason_ + ".");
 }
 
 kj::Promise<kj::Maybe<std::string>> RemoteConnection::attempt(LaneClient& lane, const char* name) {
@@ -211,8 +217,8 @@ void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Rea
   KJ_ASSERT_NONNULL(news_)->passOnTo(kj::addRef(*opened.end));
   end_ = kj::mv(opened.end);
   laneBroken_ = kj::mv(opened.broken);
-  if (interposer_.delays != nullptr) {
-    channel = interposer_.delays->interpose(required_, std::move(channel), interposer_.delay);
+  if (delays_ != nullptr) {
+    channel = delays_->interpose(required_, std::move(channel), options_.delay);
   }
   channel->ledger = ledger_;
   ledger_->begin(channel, session_->peersIncarnation(), fromWire(accepted.getEarlier()));

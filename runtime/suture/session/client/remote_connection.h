@@ -3,11 +3,10 @@
 
 #include <suture/component/channel/ledger.h>
 #include <suture/component/required.h>
-#include <suture/lane/lane.h>
 #include <suture/peer.capnp.h>
 #include <suture/session/client/notices_receiver.h>
 #include <suture/session/client/sessions.h>
-#include <suture/session/network.h>
+#include <suture/session/connect_options.h>
 #include <suture/wiring/endpoint.h>
 
 #include <functional>
@@ -15,6 +14,8 @@
 #include <string>
 
 namespace suture {
+
+class DelayThread;
 
 /// An entry in the session with the provider's process. When the session ends, or this alone is
 /// lost, the required interface is Lost at once, and the connection is made anew, with back-off,
@@ -31,14 +32,14 @@ class RemoteConnection {
 
   /// `from` and `to` with their processes. `ledger`: the sums of the connection's name.
   RemoteConnection(rpc::ControlThread& control, Sessions& sessions, const Lanes& lanes,
-                   RequiredBase& required, Endpoint from, Endpoint to, Lane lane, Told told,
-                   const Interposer& interposer, std::shared_ptr<ConnectionWatch> watch,
-                   std::shared_ptr<Ledger> ledger);
+                   RequiredBase& required, Endpoint from, Endpoint to,
+                   const ConnectOptions& options, Told told, DelayThread* delays,
+                   std::shared_ptr<ConnectionWatch> watch, std::shared_ptr<Ledger> ledger);
   ~RemoteConnection() noexcept(false);
 
-  /// Connects, waiting at most `patience` for the other process and its component. Rejects with the
-  /// reason.
-  kj::Promise<void> open(Duration patience);
+  /// Connects, waiting for the other process and its component as long as its options say. Rejects
+  /// with the reason.
+  kj::Promise<void> open();
   /// Takes the connection down for good: that is no loss to the client.
   void end();
 
@@ -49,7 +50,9 @@ class RemoteConnection {
   kj::Promise<void> connect(Duration patience, Duration limit);
   kj::Promise<void> introduce();
   kj::Promise<void> requireClocksThatCanTell();
+  /// The place of the first that may carry it. Throws if there is none of the name asked for.
   std::size_t firstLane() const;
+  kj::Promise<void> askNext(std::size_t lane);
   /// Asks for the connection on that lane or, if it cannot be had, on one of those behind it.
   kj::Promise<void> ask(std::size_t lane);
   /// Resolves to the reason if that lane cannot be had; rejects if none can.
@@ -69,9 +72,9 @@ class RemoteConnection {
   const Lanes& lanes_;
   RequiredBase& required_;
   const Endpoint from_, to_;
-  const Lane lane_;
+  const ConnectOptions options_;
   const Told told_;
-  const Interposer interposer_;
+  DelayThread* const delays_;                     // nullptr: it has no delay
   const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
   const std::shared_ptr<Ledger> ledger_;
   const Duration longestSilence_;

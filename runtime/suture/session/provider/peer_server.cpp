@@ -261,11 +261,9 @@ kj::Promise<void> PeerServer::accept(const Asked& asked) {
 
 LaneServer* PeerServer::laneNamed(const std::string& name) {
   if (const auto found = lanes_.find(name); found != lanes_.end()) return found->second.get();
-  for (const auto& kind : host_.lanes_) {
-    if (name != kind->name()) continue;
-    return lanes_.emplace(name, kind->makeServer(*this)).first->second.get();
-  }
-  return nullptr;
+  const auto kind = findLane(host_.lanes_, name);
+  if (kind == host_.lanes_.end()) return nullptr;
+  return lanes_.emplace(name, (*kind)->makeServer(*this)).first->second.get();
 }
 
 // Another attempt of the same interface may have come while the lane was getting ready. Keeps the

@@ -99,8 +99,8 @@ class Guide : public testing::Test {
   /// What the registration tells takes so much longer from now on.
   void registerLate(suture::Duration delay) {
     manager_.disconnect("Guide/Registration");
-    manager_.connect("Guide/Registration", "Registration/Registration", suture::Lane::Auto,
-                     suture::Manager::kDefaultPatience, {.answers = delay});
+    manager_.connect("Guide/Registration", "Registration/Registration",
+                     {.delay = {.answers = delay}});
   }
   void forgetGoals() {
     arms_[2].forgetGoals();

@@ -30,10 +30,10 @@ class TwoWorkstations {
     robot().connect("SlaveRecorder/Arm", "PSM/Arm");
     console_.start();
     if (!isOneProcess()) elsewhere_.start();
-    console_.connect("Teleop/Slave", isOneProcess() ? "PSM/Arm" : "robot:PSM/Arm", lane_);
+    console_.connect("Teleop/Slave", isOneProcess() ? "PSM/Arm" : "robot:PSM/Arm", {.lane = lane_});
     robot().connect("SlaveRecorder/Teleoperation",
                     isOneProcess() ? "Teleop/Teleoperation" : "console:Teleop/Teleoperation",
-                    lane_);
+                    {.lane = lane_});
   }
   ~TwoWorkstations() { stop(); }
   TwoWorkstations(const TwoWorkstations&) = delete;
@@ -65,8 +65,7 @@ class TwoWorkstations {
     console_.add("MasterRecorder", masterRecorder_);
     console_.connect("Surgeon/Master", "MTM/Arm");
     console_.connect("Surgeon/Teleoperation", "Teleop/Teleoperation");
-    console_.connect("Teleop/Master", "MTM/Arm", suture::Lane::Auto,
-                     suture::Manager::kDefaultPatience, {.answers = delay_});
+    console_.connect("Teleop/Master", "MTM/Arm", {.delay = {.answers = delay_}});
     console_.connect("MasterRecorder/Arm", "MTM/Arm");
   }
 

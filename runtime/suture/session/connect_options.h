@@ -1,0 +1,29 @@
+#pragma once
+// How a connection is to be made.
+
+#include <suture/component/contract/connection_contract.h>
+#include <suture/lane/delay/connection_delay.h>
+#include <suture/lane/lane.h>
+
+#include <chrono>
+
+namespace suture {
+
+/// What Manager::connect() is told beside the two interfaces.
+///   manager.connect("Teleop/Slave", "psm-host:PSM/Arm", {.patience = 1min});
+struct ConnectOptions {
+  /// How long it waits for another process to appear.
+  static constexpr Duration kDefaultPatience = std::chrono::seconds(10);
+
+  /// What is not Lane::Auto is used within the process as well. If it cannot be had, the next
+  /// slower one is, and reports say why.
+  Lane lane = Lane::Auto;
+  /// Rather fail than travel by another lane than that. Not with Lane::Auto.
+  bool laneRequired = false;
+  Duration patience = kDefaultPatience;
+  ConnectionDelay delay = {};  ///< added to what the lane takes, by a thread of its own
+  /// docs/safety.md; without a max_age, that of the required interface holds.
+  ConnectionContract contract = {};
+};
+
+}  // namespace suture

@@ -1,0 +1,107 @@
+// By which lane a connection travels, and what is said if it cannot have the one that is asked for.
+
+#include <gtest/gtest.h>
+#include <suture/lane/lane_kind.h>
+#include <suture/loop/failure.h>
+
+#include "reference/remote_arm.h"
+#include "support/contains.h"
+#include "support/refusal.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kTcp = "tcp://127.0.0.1:0";
+
+/// Whom a lane can carry, the provider is to say.
+class HopefulLane final : public LaneKind {
+ public:
+  const char* name() const override { return "hope"; }
+  kj::Own<LaneClient> makeClient(ClientSession&) override { return kj::heap<Client>(); }
+  kj::Own<LaneServer> makeServer(ServerSession&) override { return kj::heap<Server>(); }
+
+ private:
+  struct Attempt final : LaneAttempt {
+    void request(capnp::AnyPointer::Builder) override {}
+    kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader, std::uint32_t) override {
+      return rpc::failure(kj::Exception::Type::FAILED, "nobody accepts");
+    }
+  };
+  struct Client final : LaneClient {
+    std::string whyNot(const OutgoingConnection&) const override { return ""; }
+    kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection) override {
+      return kj::Own<LaneAttempt>(kj::heap<Attempt>());
+    }
+  };
+  struct Server final : LaneServer {
+    kj::Promise<AcceptedEnd> accept(IncomingConnection, capnp::AnyPointer::Reader,
+                                    capnp::AnyPointer::Builder) override {
+      return rpc::failure(kj::Exception::Type::FAILED, "there is no hope");
+    }
+    void opened(LaneSocket) override {}
+  };
+};
+
+class LaneChoice : public RemoteArm {
+ protected:
+  /// What is said if the connection cannot be made so; "" if it can.
+  std::string refusalOf(const ConnectOptions& options) {
+    return refusal([&] { console->connect("Teleop/Slave", "robot:PSM/Arm", options); });
+  }
+};
+
+TEST_F(LaneChoice, TheNextSlowerLaneCarriesWhatTheOneAskedForCannot) {
+  begin(kTcp);
+  EXPECT_EQ(refusalOf({.lane = Lane::Shm}), "");
+  EXPECT_EQ(channel()->lane, "frame");
+  EXPECT_EQ(channel()->laneReason, "the two processes are not reached by a Unix socket");
+}
+
+TEST_F(LaneChoice, ARequiredLaneThatCannotBeHadIsAnError) {
+  begin(kTcp);
+  EXPECT_TRUE(contains(refusalOf({.lane = Lane::Shm, .laneRequired = true}),
+                       "connecting console:Teleop/Slave -> robot:PSM/Arm: lane 'shm' is required "
+                       "and cannot carry it: the two processes are not reached by a Unix socket."));
+  EXPECT_EQ(refusalOf({.lane = Lane::Rpc, .laneRequired = true}), "");
+  EXPECT_EQ(channel()->lane, "rpc");
+}
+
+TEST_F(LaneChoice, ARequiredLaneHasAName) {
+  begin(kTcp);
+  EXPECT_TRUE(contains(refusalOf({.laneRequired = true}), "it requires a lane and names none"));
+}
+
+TEST_F(LaneChoice, ALaneThatNobodyKnowsIsAnError) {
+  begin(kTcp);
+  EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}), "this process has no lane 'hope'"));
+}
+
+TEST_F(LaneChoice, ALaneThatOnlyOneProcessHasIsDeclined) {
+  begin(kTcp);
+  console->addLane(std::make_unique<HopefulLane>());
+  EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}),
+                       "no lane can carry it. The last says: the provider's process has no lane "
+                       "'hope'."));
+}
+
+TEST_F(LaneChoice, ALaneThatWasAddedIsNotChosenUnasked) {
+  begin(kTcp);
+  console->addLane(std::make_unique<HopefulLane>());
+  EXPECT_EQ(refusalOf({}), "");
+  EXPECT_EQ(channel()->lane, "frame");
+}
+
+TEST_F(LaneChoice, ALaneIsAddedOnceAndToAProcessThatHasPeers) {
+  begin(kTcp);
+  console->addLane(std::make_unique<HopefulLane>());
+  EXPECT_TRUE(contains(refusal([&] { console->addLane(std::make_unique<HopefulLane>()); }),
+                       "there is one of that name"));
+  Manager alone("alone");
+  EXPECT_TRUE(contains(refusal([&] { alone.addLane(std::make_unique<HopefulLane>()); }),
+                       "has no global manager"));
+}
+
+}  // namespace
+}  // namespace suture
