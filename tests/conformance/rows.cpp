@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <map>
 #include <string_view>
+#include <utility>
 
 namespace conformance {
 namespace {
@@ -28,6 +29,11 @@ void addLane(std::vector<Row>& rows, BaseLane lane, Filter filter, Transport tra
       }
     }
   }
+}
+
+AddedLane& added() {
+  static AddedLane lane;
+  return lane;
 }
 
 // --- the choice
@@ -81,6 +87,10 @@ std::vector<Row> chosenOf(std::vector<Row> possible, const Keep& keep) {
 
 }  // namespace
 
+void runOverAdded(AddedLane lane) { added() = std::move(lane); }
+
+const AddedLane& addedLane() { return added(); }
+
 bool fullCrossIsAsked() {
   const char* const asked = std::getenv("SUTURE_CONFORMANCE");
   return asked != nullptr && asked == std::string_view("full");
@@ -89,6 +99,10 @@ bool fullCrossIsAsked() {
 std::vector<Row> everyRow() {
   using enum Where;
   std::vector<Row> rows;
+  if (addedLane().name != nullptr) {
+    addLane(rows, BaseLane::Added, Filter::None, Transport::Tcp, {OneProcess, TwoProcesses});
+    return rows;
+  }
   addLane(rows, BaseLane::Local, Filter::None, Transport::None, {OneProcess});
   addLane(rows, BaseLane::Shm, Filter::None, Transport::Unix, {OneProcess, TwoProcesses});
   for (const BaseLane lane : {BaseLane::Frame, BaseLane::Rpc}) {
@@ -107,7 +121,8 @@ std::vector<Row> everyRow() {
 std::vector<Row> everyLaneRow() {
   std::vector<Row> rows = everyRow();
   std::erase_if(rows, [](const Row& row) {
-    return row.where != Where::OneProcess || row.transport > Transport::Unix;
+    const bool differsBelow = row.lane != BaseLane::Added && row.transport > Transport::Unix;
+    return row.where != Where::OneProcess || differsBelow;
   });
   return rows;
 }
@@ -115,6 +130,7 @@ std::vector<Row> everyLaneRow() {
 std::vector<Row> everyLossyRow() {
   using enum Where;
   std::vector<Row> rows;
+  if (addedLane().name != nullptr) return rows;
   for (const Filter filter :
        {Filter::Loss, Filter::BurstLoss, Filter::Duplicates, Filter::Reordering}) {
     addLane(rows, BaseLane::Local, filter, Transport::None, {OneProcess});
@@ -137,7 +153,7 @@ std::vector<Row> lossyRows() { return chosenOf(everyLossyRow(), {}); }
 
 namespace {
 
-constexpr const char* kLanes[] = {"Local", "Shm", "Frame", "Rpc"};
+constexpr const char* kLanes[] = {"Local", "Shm", "Frame", "Rpc", "Added"};
 constexpr const char* kFilters[] = {"",       "Delayed",     "Faulty",    "Lossy",
                                     "Bursty", "Duplicating", "Reordering"};
 constexpr const char* kTransports[] = {"", "", "Tcp", "Tls"};

@@ -1,14 +1,23 @@
 #pragma once
 // Says which lanes, providers and clients there are, and which of them a scenario meets.
 
+#include <suture/lane/lane_kind.h>
+
 #include <functional>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace conformance {
 
-enum class BaseLane { Local, Shm, Frame, Rpc };
+enum class BaseLane { Local, Shm, Frame, Rpc, Added };
+
+/// A lane that the runtime does not have.
+struct AddedLane {
+  const char* name = nullptr;
+  std::function<std::unique_ptr<suture::LaneKind>()> make;
+};
 
 /// It lies on the way of each message.
 enum class Filter {
@@ -83,6 +92,11 @@ std::vector<Row> wireRows(const Keep& keep = {});
 /// A scenario of which only the history is judged runs on these: each lane with each lossy filter,
 /// in one process and in two.
 std::vector<Row> lossyRows();
+
+/// To be called before the tests are known: all scenarios run over this lane, and over no other.
+void runOverAdded(AddedLane lane);
+/// That one; without a name if there is none.
+const AddedLane& addedLane();
 
 // These are all that is possible.
 std::vector<Row> everyRow();

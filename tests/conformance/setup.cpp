@@ -51,6 +51,7 @@ void Conformance::SetUp() {
     ownClientManager_ = std::make_unique<suture::Manager>("client", names_->global.address(),
                                                           securityOf("client", keys));
     clientManager_ = ownClientManager_.get();
+    if (addedLane().name != nullptr) clientManager_->addLane(addedLane().make());
   }
   clientManager_->add("Console", client->component());
   clientManager_->start();
@@ -93,14 +94,15 @@ suture::Lane Conformance::askedLane() const {
   switch (GetParam().lane) {
     case BaseLane::Frame: return suture::Lane::Frame;
     case BaseLane::Rpc: return suture::Lane::Rpc;
+    case BaseLane::Added: return {addedLane().name};
     default: return suture::Lane::Auto;
   }
 }
 
 std::string Conformance::expectedLane() const {
-  static constexpr const char* kNames[] = {"local", "shm", "frame", "rpc"};
+  const char* const names[] = {"local", "shm", "frame", "rpc", addedLane().name};
   const Filter filter = GetParam().filter;
-  return std::string(kNames[static_cast<int>(GetParam().lane)]) + (filter == Filter::None ? ""
+  return std::string(names[static_cast<int>(GetParam().lane)]) + (filter == Filter::None ? ""
                                                                   : filter == Filter::Delay
                                                                       ? "+delay"
                                                                       : "+fault");

@@ -58,6 +58,7 @@ void Provider::start(const std::string& address, const std::string& keys) {
     hosted.manager = where.empty() ? std::make_unique<suture::Manager>("alone")
                                    : std::make_unique<suture::Manager>(
                                          "provider", where, securityOf("provider", keys.text));
+    if (addedLane().name != nullptr) hosted.manager->addLane(addedLane().make());
     hosted.manager->add("PSM", hosted.arm->component());
     if (!where.empty()) hosted.manager->start();
   });

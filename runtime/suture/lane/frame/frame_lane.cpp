@@ -1,12 +1,8 @@
 #include <suture/base/errors.h>
 #include <suture/frame.capnp.h>
-#include <suture/lane/frame/client_side.h>
-#include <suture/lane/frame/frame_end.h>
 #include <suture/lane/frame/frame_lane.h>
-#include <suture/lane/frame/provider_side.h>
-#include <suture/lane/mirrored_channel.h>
+#include <suture/lane/frame/framed_connection.h>
 #include <suture/lane/opened_once.h>
-#include <suture/lane/status_port.h>
 #include <suture/loop/failure.h>
 #include <suture/net/socket.h>
 #include <suture/wire/text.h>
@@ -46,16 +42,8 @@ class FrameAttempt final : public LaneAttempt {
   }
 
   kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t rows) override {
-    const std::shared_ptr<rt::Doorbell> bell = thread_.doorbell();
-    auto channel = mirroredChannel(connection_, "frame", *bell, control_, rows);
-    channel->providersBell = bell;
-    const auto side =
-        std::make_shared<ClientSide>(channel, answer.getAs<wire::FrameAnswer>().getConnection());
-    auto end = kj::refcounted<FrameEnd>(control_, channel, side);
-    auto broken = end->whenBroken();
-    link_->link->join(side);
-    bell->ring();
-    return OpenedEnd{kj::mv(end), std::move(channel), kj::mv(broken)};
+    const std::uint32_t number = answer.getAs<wire::FrameAnswer>().getConnection();
+    return openFramed(connection_, rows, {"frame", thread_, link_->link, number}, control_);
   }
 
  private:
@@ -124,13 +112,8 @@ class FrameServer final : public LaneServer {
     std::string why = whyOtherSlots(connection.contract, stringOf(request.getLayout()));
     if (why.empty() && !carries(request.getSocket())) why = "the session's frames have ended";
     if (!why.empty()) return rpc::failure(kj::Exception::Type::FAILED, why);
-    AcceptedEnd accepted = make(connection);
-    const auto side = std::make_shared<ProviderSide>(accepted.channel, ++latest_);
-    if (connection.readOnly) side->setReadOnly();
-    link_->link->join(side);
-    thread_.doorbell()->ring();
-    answer.initAs<wire::FrameAnswer>().setConnection(latest_);
-    return kj::mv(accepted);
+    answer.initAs<wire::FrameAnswer>().setConnection(++latest_);
+    return acceptFramed(connection, {"frame", thread_, link_->link, latest_}, session_.control());
   }
 
   // Connections on the one before have it for as long as they stand.
@@ -141,21 +124,6 @@ class FrameServer final : public LaneServer {
  private:
   bool carries(std::uint32_t socket) const {
     return link_ != nullptr && link_->number == socket && !link_->broken();
-  }
-
-  AcceptedEnd make(const IncomingConnection& connection) const {
-    const std::shared_ptr<rt::Doorbell> bell = thread_.doorbell();
-    const Channel::Ends ends{.client = bell.get(),
-                             .provider = &connection.provider,
-                             .here = &connection.provided,
-                             .watcher = &session_.control().doorbell(),
-                             .peer = connection.peer,
-                             .silence = connection.silence};
-    auto channel = std::make_shared<Channel>(*connection.contract, connection.name, "frame", ends,
-                                             connection.provided.state(), connection.events);
-    channel->clientsBell = bell;
-    auto end = kj::refcounted<StatusPort>(session_.control(), channel);
-    return {kj::mv(end), std::move(channel), {}};
   }
 
   LaneThread& thread_;

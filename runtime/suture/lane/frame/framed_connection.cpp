@@ -1,0 +1,45 @@
+#include <suture/lane/frame/client_side.h>
+#include <suture/lane/frame/frame_end.h>
+#include <suture/lane/frame/framed_connection.h>
+#include <suture/lane/frame/provider_side.h>
+#include <suture/lane/mirrored_channel.h>
+#include <suture/lane/status_port.h>
+
+#include <utility>
+
+namespace suture::frame {
+
+OpenedEnd openFramed(const OutgoingConnection& connection, std::uint32_t rows, const FramedOn& on,
+                     rpc::ControlThread& control) {
+  const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
+  auto channel = mirroredChannel(connection, on.lane, *bell, control, rows);
+  channel->providersBell = bell;
+  const auto side = std::make_shared<ClientSide>(channel, on.number);
+  auto end = kj::refcounted<FrameEnd>(control, channel, side);
+  auto broken = end->whenBroken();
+  on.link->join(side);
+  bell->ring();
+  return OpenedEnd{kj::mv(end), std::move(channel), kj::mv(broken)};
+}
+
+AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
+                         rpc::ControlThread& control) {
+  const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
+  const Channel::Ends ends{.client = bell.get(),
+                           .provider = &connection.provider,
+                           .here = &connection.provided,
+                           .watcher = &control.doorbell(),
+                           .peer = connection.peer,
+                           .silence = connection.silence};
+  auto channel = std::make_shared<Channel>(*connection.contract, connection.name, on.lane, ends,
+                                           connection.provided.state(), connection.events);
+  channel->clientsBell = bell;
+  auto end = kj::refcounted<StatusPort>(control, channel);
+  const auto side = std::make_shared<ProviderSide>(channel, on.number);
+  if (connection.readOnly) side->setReadOnly();
+  on.link->join(side);
+  bell->ring();
+  return AcceptedEnd{kj::mv(end), std::move(channel), {}};
+}
+
+}  // namespace suture::frame

@@ -1,0 +1,29 @@
+#pragma once
+// The two ends of a connection that travels as frames, whatever carries their bytes.
+
+#include <suture/lane/frame/lane_thread.h>
+#include <suture/lane/frame/link.h>
+#include <suture/lane/lane_kind.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace suture::frame {
+
+/// What both ends agree on, and what carries them here.
+struct FramedOn {
+  const char* lane;  ///< its name
+  LaneThread& thread;
+  std::shared_ptr<Link> link;  ///< an empty one lives as long as somebody holds it
+  std::uint32_t number;        ///< of the connection on the link
+};
+
+/// The client's end. `rows`: as many as the provider keeps. The control thread.
+OpenedEnd openFramed(const OutgoingConnection& connection, std::uint32_t rows, const FramedOn& on,
+                     rpc::ControlThread& control);
+
+/// The provider's end, of a client of the same build. The control thread.
+AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
+                         rpc::ControlThread& control);
+
+}  // namespace suture::frame
