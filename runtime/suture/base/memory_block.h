@@ -12,7 +12,7 @@ namespace suture {
 /// is stable.
 class MemoryBlock {
  public:
-  /// What a process may do that is handed the descriptor; None: there is no descriptor.
+  /// A process that is handed the descriptor may do this; with None there is no descriptor.
   enum class Others : std::uint8_t { Write, Read, None };
 
   /// `name` shows in /proc/<pid>/maps, where others may have the memory. Throws SetupError if the

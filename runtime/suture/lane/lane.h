@@ -25,7 +25,7 @@ inline constexpr Lane Lane::Rpc{"rpc"};
 
 inline std::string toString(Lane lane) { return std::string(lane.name); }
 
-/// Of the runtime's own; Lane::Auto for any other text.
+/// Finds one of the runtime's own; any other text means Lane::Auto.
 Lane laneNamed(std::string_view name);
 
 }  // namespace suture

@@ -18,7 +18,7 @@ struct ConnectOptions {
   /// What is not Lane::Auto is used within the process as well. If it cannot be had, the next
   /// slower one is, and reports say why.
   Lane lane = Lane::Auto;
-  /// Rather fail than travel by another lane than that. Not with Lane::Auto.
+  /// The connection fails rather than travel by another lane. Lane::Auto cannot be required.
   bool laneRequired = false;
   Duration patience = kDefaultPatience;
   ConnectionDelay delay = {};  ///< added to what the lane takes, by a thread of its own

@@ -14,7 +14,7 @@ namespace suture {
 /// A client that hears nothing for long enough says that its provider is lost. After that, the
 /// provider's end must execute nothing of the connection, also if it was stopped as a whole
 /// meanwhile: so the thread that executes looks at the clock itself, and trusts no other thread's
-/// word. Any thread may look. Constant: whatever is heard of the client is in its PeerState.
+/// word. Any thread may look. It is constant, since PeerState has what is heard of the client.
 class Lease {
  public:
   /// Has no end: the client is in this process, or has not said how long it waits.

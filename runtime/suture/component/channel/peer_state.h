@@ -1,5 +1,5 @@
 #pragma once
-// What a session knows of the process at its other end, for all of its channels.
+// A session keeps here, for all of its channels, what it knows of the process at its other end.
 
 #include <suture/base/boot_time.h>
 #include <suture/base/time.h>

@@ -10,7 +10,7 @@
 
 namespace suture::frame {
 
-/// What both ends agree on, and what carries them here.
+/// Both ends agree on the lane and the number; the rest carries their frames in this process.
 struct FramedOn {
   const char* lane;  ///< its name
   LaneThread& thread;

@@ -26,7 +26,7 @@ class StateTable {
  public:
   static constexpr unsigned kDefaultRows = 64;
 
-  /// Who reads it.
+  /// Says who reads the table.
   enum class Readers : std::uint8_t {
     Here,       ///< this process only: the memory has no descriptor
     Elsewhere,  ///< other processes too

@@ -42,7 +42,7 @@ class PeerSession final : private ClientSession {
   wire::Peer::Client peer() { return peer_; }
   std::uint64_t peersIncarnation() const { return peersIncarnation_; }
   const ClockOffset& clock() const { return clock_; }
-  /// What connections see of the peer.
+  /// Connections read here what is known of the peer.
   std::shared_ptr<const PeerState> state() const { return state_; }
   LaneClient& lane(std::size_t which) { return *lanes_[which]; }
 
