@@ -17,14 +17,17 @@ inline std::size_t entriesOf(const char* folder) {
 }
 
 inline std::size_t openDescriptors() { return entriesOf("/proc/self/fd"); }
-inline std::size_t openSockets() {
+inline std::size_t openOf(const char* kind) {
   std::size_t count = 0;
   for (const auto& one : std::filesystem::directory_iterator("/proc/self/fd")) {
     std::error_code closed;
-    if (read_symlink(one.path(), closed).string().starts_with("socket:")) ++count;
+    if (read_symlink(one.path(), closed).string().starts_with(kind)) ++count;
   }
   return count;
 }
+inline std::size_t openSockets() { return openOf("socket:"); }
+/// Memory that another process may map.
+inline std::size_t openMemory() { return openOf("/memfd:"); }
 inline std::size_t threads() { return entriesOf("/proc/self/task"); }
 
 inline std::size_t residentBytes() {
