@@ -84,7 +84,7 @@ class GoneConsole : public testing::TestWithParam<suture::Lane> {
 
 INSTANTIATE_TEST_SUITE_P(Lanes, GoneConsole,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(GoneConsole, ThatEndsLeavesAnArmThatHoldsInItsNextCycle) {
   ASSERT_TRUE(follows());

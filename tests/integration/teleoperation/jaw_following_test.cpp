@@ -90,7 +90,7 @@ class JawFollowing : public testing::TestWithParam<suture::Lane> {
 INSTANTIATE_TEST_SUITE_P(Lanes, JawFollowing,
                          testing::Values(suture::Lane::Auto, suture::Lane::Shm, suture::Lane::Frame,
                                          suture::Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(JawFollowing, IsWhatTheGripperAsksForAndSlowAfterAnEntry) {
   ASSERT_TRUE(reaches(TeleopState::Following));

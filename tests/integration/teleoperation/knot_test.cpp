@@ -130,7 +130,7 @@ class Knot : public testing::TestWithParam<suture::Lane> {
 INSTANTIATE_TEST_SUITE_P(Lanes, Knot,
                          testing::Values(suture::Lane::Auto, suture::Lane::Shm, suture::Lane::Frame,
                                          suture::Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(Knot, ComesToItsTargetThoughBothHandsSwayAndMiss) {
   begin(guided());
@@ -147,7 +147,7 @@ TEST_P(Knot, ComesToItsTargetThoughBothHandsSwayAndMiss) {
 /// On one lane alone: that the hands miss has nothing to do with it.
 class UnguidedKnot : public Knot {};
 INSTANTIATE_TEST_SUITE_P(InOneProcess, UnguidedKnot, testing::Values(suture::Lane::Auto),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(UnguidedKnot, MissesItsTarget) {
   GuideParameters parameters = guided();

@@ -160,7 +160,7 @@ class FrozenTeleoperation : public testing::TestWithParam<suture::Lane> {
 
 INSTANTIATE_TEST_SUITE_P(Lanes, FrozenTeleoperation,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(FrozenTeleoperation, BeginsAnew) {
   ASSERT_TRUE(suture::clockOfTest().until([&] { return scene_.goalsIn(50ms) > 40; }));
@@ -204,7 +204,7 @@ class LostLink : public testing::TestWithParam<suture::Lane> {
 
 INSTANTIATE_TEST_SUITE_P(Lanes, LostLink,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(LostLink, ThatIsBackLeavesTheSlaveWhereItIs) {
   ASSERT_TRUE(suture::clockOfTest().until([&] { return scene_.goalsIn(50ms) > 40; }));

@@ -134,7 +134,7 @@ class Stop : public testing::TestWithParam<suture::Lane> {
 INSTANTIATE_TEST_SUITE_P(Lanes, Stop,
                          testing::Values(suture::Lane::Auto, suture::Lane::Shm, suture::Lane::Frame,
                                          suture::Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(Stop, StopsAllDrivesWithinThreeMilliseconds) {
   beginMoving();
@@ -185,7 +185,7 @@ TEST_P(Stop, StopsDrivesWhoseArmHangs) {
 class StopAcross : public Stop {};
 INSTANTIATE_TEST_SUITE_P(Lanes, StopAcross,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(StopAcross, IsWhatACoordinatorThatStandsStillComesTo) {
   beginMoving();

@@ -112,7 +112,7 @@ class Tool : public testing::TestWithParam<suture::Lane> {
 INSTANTIATE_TEST_SUITE_P(Lanes, Tool,
                          testing::Values(suture::Lane::Auto, suture::Lane::Shm, suture::Lane::Frame,
                                          suture::Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(Tool, AGripperThatIsSqueezedIsMeasuredAndCloses) {
   EXPECT_TRUE(fingers_.hand.squeeze(0.4));

@@ -53,7 +53,7 @@ class RemoteFrames : public testing::TestWithParam<Lane> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Lanes, RemoteFrames, testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 TEST_P(RemoteFrames, ThatDifferAreNotConnected) {
   begin({"PSM1_base", "PSM1_tip"});

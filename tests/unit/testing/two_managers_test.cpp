@@ -182,7 +182,7 @@ TEST_P(TwoManagers, DoTheSameInEachRunOfOneSeed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lanes, TwoManagers, testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
-                         [](const auto& one) { return std::string(toString(one.param)); });
+                         [](const auto& one) { return toString(one.param); });
 
 }  // namespace
 }  // namespace suture
