@@ -11,8 +11,9 @@
 #include "compiler/emit/text/context.h"
 #include "compiler/emit/text/order.h"
 #include "compiler/emit/text/parts.h"
+#include "compiler/emit/wire/codec.h"
 #include "compiler/emit/wire/converters.h"
-#include "compiler/emit/wire/remote.h"
+#include "compiler/emit/wire/value_checks.h"
 #include "compiler/emit/wire/wire_places.h"
 #include "compiler/lock/contract_hash.h"
 #include "compiler/lock/wire_contract.h"
@@ -137,7 +138,7 @@ void emitSourceIncludes(Code& code, const Context& context, bool converts, bool 
     includeAll(code, "component/factory/", {"json_reader"});
   }
   if (!header.interfaces.empty()) {
-    includeAll(code, "lane/rpc/", {"binding", "proxy_port", "servant_port"});
+    includeAll(code, "wire/", {"codec"});
   }
   if (converts) includeAll(code, "wire/", {"wire"});
   code.blank();
@@ -161,14 +162,39 @@ bool mentions(std::string_view text, std::string_view word) {
 /// Emits a using-declaration for each name of the runtime that `body` mentions.
 void emitUsings(Code& code, std::string_view body) {
   bool any = false;
-  for (const char* const name :
-       {"CommandInfo",  "CommandKind",     "Duration",         "Errc",          "EventInfo",
-        "FieldPath",    "checkSlot",       "elementsIn",       "load",          "newSlot",
-        "refusedAt",    "rpc::ProxyPort",  "rpc::ServantPort", "rpc::Valid",    "rpc::allItems",
-        "rpc::allOf",   "rpc::firstError", "rpc::fromDefault", "rpc::fromWire", "rpc::fromWireList",
-        "rpc::inRange", "rpc::isValid",    "rpc::numberOf",    "rpc::shifted",  "rpc::theOneOf",
-        "rpc::toWire",  "rpc::toWireList", "shiftSlot",        "slotIn",        "slotSize",
-        "store"}) {
+  for (const char* const name : {"CommandInfo",
+                                 "CommandKind",
+                                 "Duration",
+                                 "Errc",
+                                 "EventInfo",
+                                 "FieldPath",
+                                 "checkSlot",
+                                 "elementsIn",
+                                 "load",
+                                 "newSlot",
+                                 "refusedAt",
+                                 "rpc::CommandCodec",
+                                 "rpc::EventCodec",
+                                 "rpc::Valid",
+                                 "rpc::allItems",
+                                 "rpc::allOf",
+                                 "rpc::firstError",
+                                 "rpc::fromDefault",
+                                 "rpc::fromWire",
+                                 "rpc::fromWireList",
+                                 "rpc::inRange",
+                                 "rpc::isValid",
+                                 "rpc::messageOf",
+                                 "rpc::sentIn",
+                                 "rpc::stampIn",
+                                 "rpc::shifted",
+                                 "rpc::theOneOf",
+                                 "rpc::toWire",
+                                 "rpc::toWireList",
+                                 "shiftSlot",
+                                 "slotIn",
+                                 "slotSize",
+                                 "store"}) {
     const std::string_view full = name;
     if (!mentions(body, full.substr(full.rfind(':') + 1))) continue;
     any = true;
@@ -196,9 +222,8 @@ std::string sourceBody(const Context& context) {
     hidden(body, [&](Code& part) {
       for (const model::Interface& one : context.header.interfaces) {
         emitWirePlaces(part, context, one);
-        emitServant(part, context, one);
-        emitProxy(part, context, one);
-        emitBinding(part, context, one);
+        emitValueChecks(part, context, one);
+        emitCodec(part, context, one);
         emitTables(part, context, one);
       }
     });

@@ -1,9 +1,7 @@
 // Written by suturec from 01_counter/counter.h. Do not edit.
 #include "01_counter/counter.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -17,9 +15,11 @@ using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
 using suture::newSlot;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
-using suture::rpc::numberOf;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -30,174 +30,90 @@ bool store(const std::int32_t& amount, CounterAddArguments& slot) {
 
 namespace {
 
-// --- Counter over Cap'n Proto RPC: the provider's side
+// --- Counter as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class CounterSink final : public suture::rpc::EventSink {
- public:
-  explicit CounterSink(wire::CounterEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeCounterAdd(const CounterAddArguments& slot, wire::Counter::AddParams::Builder out) {
+  out.setAmount(slot.amount);
+}
+Errc decodeCounterAdd(wire::Counter::AddParams::Reader in, CounterAddArguments& slot,
+                      suture::Duration) {
+  slot.amount = in.getAmount();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(CounterEvent::ten_more): {
-        const auto& slot = slotIn<std::int64_t>(payload);
-        auto request = subscriber_.tenMoreRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeCounterValueResult(const std::int64_t& slot, wire::Counter::ValueResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeCounterValueResult(wire::Counter::ValueResults::Reader in, std::int64_t& slot,
+                              suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<std::int64_t>(columns[0]);
+void encodeCounterTenMoreEvent(const std::int64_t& slot,
+                               wire::CounterEvents::TenMoreParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeCounterTenMoreEvent(wire::CounterEvents::TenMoreParams::Reader in, std::int64_t& slot,
+                               suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeCounterColumn(unsigned column, const std::byte* memory,
+                         wire::CounterStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<std::int64_t>(memory);
       out.setValue(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::CounterEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class CounterServant final : public wire::Counter::Server {
- public:
-  explicit CounterServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<CounterSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> add(AddContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<CounterAddArguments>(memory);
-      slot.amount = in.getAmount();
-      return Errc{};
-    };
-    return port_->command(numberOf(CounterCommand::add), in.getSent(), fill);
-  }
-
-  kj::Promise<void> value(ValueContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::int64_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(CounterCommand::value), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Counter over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class CounterReceiver final : public wire::CounterEvents::Server {
- public:
-  explicit CounterReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<std::int64_t>(0);
-      slot = in.getValue();
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> tenMore(TenMoreContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::int64_t>(numberOf(CounterEvent::ten_more), [&](std::int64_t& slot) {
+}
+Errc decodeCounterColumn(wire::CounterStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<std::int64_t>(memory);
       slot = in.getValue();
       return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class CounterProxy final : public suture::rpc::Proxy {
- public:
-  CounterProxy(wire::Counter::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<CounterReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<CounterCommand>(record.command)) {
-      case CounterCommand::add: {
-        const auto& slot = slotIn<CounterAddArguments>(record.arguments());
-        auto request = provider_.addRequest();
-        request.setAmount(slot.amount);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case CounterCommand::value: {
-        auto request = provider_.valueRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::int64_t>(call, response.getStamp(), [&](std::int64_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
     }
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  wire::Counter::Client provider_;
-  ProxyPort& port_;
+constexpr CommandCodec kCounterCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Counter>(),
+     .method = 1,
+     .sent = sentIn<wire::Counter::AddParams>,
+     .arguments = messageOf<wire::Counter::AddParams, CounterAddArguments, encodeCounterAdd,
+                            decodeCounterAdd>},
+    {.interface = capnp::typeId<wire::Counter>(),
+     .method = 2,
+     .sent = sentIn<wire::Counter::ValueParams>,
+     .result = messageOf<wire::Counter::ValueResults, std::int64_t, encodeCounterValueResult,
+                         decodeCounterValueResult>,
+     .stamp = stampIn<wire::Counter::ValueResults>},
 };
 
-class CounterBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<CounterServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<CounterProxy>(contract.castAs<wire::Counter>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<CounterSink>(subscriber.castAs<wire::CounterEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Counter>();
-  }
+constexpr EventCodec kCounterEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::CounterEvents::TenMoreParams, std::int64_t,
+                          encodeCounterTenMoreEvent, decodeCounterTenMoreEvent>},
 };
 
-const suture::rpc::Binding& counterBinding() {
-  static const CounterBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& counterCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Counter>,
+      .contract = capnp::typeId<wire::Counter>(),
+      .subscriber = capnp::typeId<wire::CounterEvents>(),
+      .commands = kCounterCommandCodecs,
+      .events = kCounterEventCodecs,
+      .row = suture::rpc::rowOf<wire::CounterEvents::StateParams, wire::CounterStateRow,
+                                encodeCounterColumn, decodeCounterColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kCounterCommands[] = {
@@ -254,7 +170,7 @@ const InterfaceInfo& interfaceInfo<counting::Counter>() {
       .description = counting::kCounterDescription,
       .commands = counting::kCounterCommands,
       .events = counting::kCounterEvents,
-      .binding = &counting::counterBinding,
+      .codec = &counting::counterCodec,
   };
   return kInfo;
 }

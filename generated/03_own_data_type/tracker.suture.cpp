@@ -1,9 +1,7 @@
 // Written by suturec from 03_own_data_type/tracker.h. Do not edit.
 #include "03_own_data_type/tracker.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -23,152 +21,72 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::checkSlot;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::newSlot;
+using suture::rpc::CommandCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::slotIn;
 using suture::slotSize;
 
 namespace {
 
-// --- Tracker over Cap'n Proto RPC: the provider's side
+// --- Tracker as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class TrackerSink final : public suture::rpc::EventSink {
- public:
-  explicit TrackerSink(wire::TrackerEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeTrackerObservationResult(const ObservationSlot& slot,
+                                    wire::Tracker::ObservationResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeTrackerObservationResult(wire::Tracker::ObservationResults::Reader in,
+                                    ObservationSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
-
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<ObservationSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeTrackerColumn(unsigned column, const std::byte* memory,
+                         wire::TrackerStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<ObservationSlot>(memory);
       toWire(slot, out.initObservation());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::TrackerEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class TrackerServant final : public wire::Tracker::Server {
- public:
-  explicit TrackerServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<TrackerSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> observation(ObservationContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<ObservationSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TrackerCommand::observation), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Tracker over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class TrackerReceiver final : public wire::TrackerEvents::Server {
- public:
-  explicit TrackerReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<ObservationSlot>(0);
-      const Errc error =
-          in.hasObservation() ? fromWire(in.getObservation(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeTrackerColumn(wire::TrackerStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<ObservationSlot>(memory);
+      return in.hasObservation() ? fromWire(in.getObservation(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kTrackerCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Tracker>(),
+     .method = 1,
+     .sent = sentIn<wire::Tracker::ObservationParams>,
+     .result = messageOf<wire::Tracker::ObservationResults, ObservationSlot,
+                         encodeTrackerObservationResult, decodeTrackerObservationResult>,
+     .stamp = stampIn<wire::Tracker::ObservationResults>},
 };
 
-/// Makes remote calls of commands.
-class TrackerProxy final : public suture::rpc::Proxy {
- public:
-  TrackerProxy(wire::Tracker::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<TrackerReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<TrackerCommand>(record.command)) {
-      case TrackerCommand::observation: {
-        auto request = provider_.observationRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<ObservationSlot>(call, response.getStamp(), [&](ObservationSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Tracker::Client provider_;
-  ProxyPort& port_;
-};
-
-class TrackerBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<TrackerServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<TrackerProxy>(contract.castAs<wire::Tracker>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<TrackerSink>(subscriber.castAs<wire::TrackerEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Tracker>();
-  }
-};
-
-const suture::rpc::Binding& trackerBinding() {
-  static const TrackerBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& trackerCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Tracker>,
+      .contract = capnp::typeId<wire::Tracker>(),
+      .subscriber = capnp::typeId<wire::TrackerEvents>(),
+      .commands = kTrackerCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::TrackerEvents::StateParams, wire::TrackerStateRow,
+                                encodeTrackerColumn, decodeTrackerColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kTrackerCommands[] = {
@@ -234,7 +152,7 @@ const InterfaceInfo& interfaceInfo<tracking::Tracker>() {
       .description = tracking::kTrackerDescription,
       .commands = tracking::kTrackerCommands,
       .events = {},
-      .binding = &tracking::trackerBinding,
+      .codec = &tracking::trackerCodec,
   };
   return kInfo;
 }

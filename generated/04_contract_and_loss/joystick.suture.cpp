@@ -1,9 +1,7 @@
 // Written by suturec from 04_contract_and_loss/joystick.h. Do not edit.
 #include "04_contract_and_loss/joystick.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -17,10 +15,12 @@ using suture::CommandKind;
 using suture::Errc;
 using suture::FieldPath;
 using suture::checkSlot;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::newSlot;
+using suture::rpc::CommandCodec;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::slotIn;
 using suture::slotSize;
 
@@ -28,140 +28,60 @@ namespace {
 
 bool acceptsJoystickAngleResult(const double& slot, FieldPath*) { return isValid(slot); }
 
-// --- Joystick over Cap'n Proto RPC: the provider's side
+// --- Joystick as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class JoystickSink final : public suture::rpc::EventSink {
- public:
-  explicit JoystickSink(wire::JoystickEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeJoystickAngleResult(const double& slot, wire::Joystick::AngleResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeJoystickAngleResult(wire::Joystick::AngleResults::Reader in, double& slot,
+                               suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
-
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<double>(columns[0]);
+// Of a row of the state, each column.
+void encodeJoystickColumn(unsigned column, const std::byte* memory,
+                          wire::JoystickStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<double>(memory);
       out.setAngle(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::JoystickEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class JoystickServant final : public wire::Joystick::Server {
- public:
-  explicit JoystickServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<JoystickSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> angle(AngleContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(JoystickCommand::angle), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Joystick over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class JoystickReceiver final : public wire::JoystickEvents::Server {
- public:
-  explicit JoystickReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<double>(0);
+}
+Errc decodeJoystickColumn(wire::JoystickStateRow::Reader in, unsigned column, std::byte* memory,
+                          suture::Duration) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getAngle();
+      return Errc{};
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kJoystickCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Joystick>(),
+     .method = 1,
+     .sent = sentIn<wire::Joystick::AngleParams>,
+     .result = messageOf<wire::Joystick::AngleResults, double, encodeJoystickAngleResult,
+                         decodeJoystickAngleResult>,
+     .stamp = stampIn<wire::Joystick::AngleResults>},
 };
 
-/// Makes remote calls of commands.
-class JoystickProxy final : public suture::rpc::Proxy {
- public:
-  JoystickProxy(wire::Joystick::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<JoystickReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<JoystickCommand>(record.command)) {
-      case JoystickCommand::angle: {
-        auto request = provider_.angleRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Joystick::Client provider_;
-  ProxyPort& port_;
-};
-
-class JoystickBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<JoystickServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<JoystickProxy>(contract.castAs<wire::Joystick>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<JoystickSink>(subscriber.castAs<wire::JoystickEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Joystick>();
-  }
-};
-
-const suture::rpc::Binding& joystickBinding() {
-  static const JoystickBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& joystickCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Joystick>,
+      .contract = capnp::typeId<wire::Joystick>(),
+      .subscriber = capnp::typeId<wire::JoystickEvents>(),
+      .commands = kJoystickCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::JoystickEvents::StateParams, wire::JoystickStateRow,
+                                encodeJoystickColumn, decodeJoystickColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kJoystickCommands[] = {
@@ -203,7 +123,7 @@ const InterfaceInfo& interfaceInfo<following::Joystick>() {
       .description = following::kJoystickDescription,
       .commands = following::kJoystickCommands,
       .events = {},
-      .binding = &following::joystickBinding,
+      .codec = &following::joystickCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from 05_events/gripper.h. Do not edit.
 #include "05_events/gripper.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -18,12 +16,12 @@ using suture::Errc;
 using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
-using suture::slotIn;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
 using suture::slotSize;
 
 namespace {
@@ -74,173 +72,67 @@ bool acceptsGripperJawsChangedEvent(const std::uint8_t& slot, FieldPath*) {
 
 bool acceptsGripperTouchedEvent(const double& slot, FieldPath*) { return isValid(slot); }
 
-// --- Gripper over Cap'n Proto RPC: the provider's side
+// --- Gripper as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class GripperSink final : public suture::rpc::EventSink {
- public:
-  explicit GripperSink(wire::GripperEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeGripperReleaseResult(const std::uint8_t& slot,
+                                wire::Gripper::ReleaseResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeGripperReleaseResult(wire::Gripper::ReleaseResults::Reader in, std::uint8_t& slot,
+                                suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(GripperEvent::jaws_changed): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.jawsChangedRequest();
-        request.setValue(wireJaws(slot));
-        return request.send().ignoreResult();
-      }
-      case numberOf(GripperEvent::touched): {
-        const auto& slot = slotIn<double>(payload);
-        auto request = subscriber_.touchedRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeGripperJawsChangedEvent(const std::uint8_t& slot,
+                                   wire::GripperEvents::JawsChangedParams::Builder out) {
+  out.setValue(wireJaws(slot));
+}
+Errc decodeGripperJawsChangedEvent(wire::GripperEvents::JawsChangedParams::Reader in,
+                                   std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const>) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    return request.send().ignoreResult();
-  }
+void encodeGripperTouchedEvent(const double& slot,
+                               wire::GripperEvents::TouchedParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeGripperTouchedEvent(wire::GripperEvents::TouchedParams::Reader in, double& slot,
+                               suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
- private:
-  wire::GripperEvents::Client subscriber_;
+constexpr CommandCodec kGripperCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Gripper>(),
+     .method = 1,
+     .sent = sentIn<wire::Gripper::GraspParams>},
+    {.interface = capnp::typeId<wire::Gripper>(),
+     .method = 2,
+     .sent = sentIn<wire::Gripper::ReleaseParams>,
+     .result = messageOf<wire::Gripper::ReleaseResults, std::uint8_t, encodeGripperReleaseResult,
+                         decodeGripperReleaseResult>},
 };
 
-/// Puts remote calls into the provider's mailbox.
-class GripperServant final : public wire::Gripper::Server {
- public:
-  explicit GripperServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<GripperSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> grasp(GraspContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(GripperCommand::grasp), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> release(ReleaseContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(GripperCommand::release), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
+constexpr EventCodec kGripperEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::GripperEvents::JawsChangedParams, std::uint8_t,
+                          encodeGripperJawsChangedEvent, decodeGripperJawsChangedEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::GripperEvents::TouchedParams, double, encodeGripperTouchedEvent,
+                          decodeGripperTouchedEvent>},
 };
 
-// --- Gripper over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class GripperReceiver final : public wire::GripperEvents::Server {
- public:
-  explicit GripperReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> jawsChanged(JawsChangedContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(GripperEvent::jaws_changed),
-                                      [&](std::uint8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
-  kj::Promise<void> touched(TouchedContext context) override {
-    auto in = context.getParams();
-    return port_->event<double>(numberOf(GripperEvent::touched), [&](double& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class GripperProxy final : public suture::rpc::Proxy {
- public:
-  GripperProxy(wire::Gripper::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<GripperReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<GripperCommand>(record.command)) {
-      case GripperCommand::grasp: {
-        auto request = provider_.graspRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case GripperCommand::release: {
-        auto request = provider_.releaseRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Gripper::Client provider_;
-  ProxyPort& port_;
-};
-
-class GripperBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<GripperServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<GripperProxy>(contract.castAs<wire::Gripper>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<GripperSink>(subscriber.castAs<wire::GripperEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Gripper>();
-  }
-};
-
-const suture::rpc::Binding& gripperBinding() {
-  static const GripperBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& gripperCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Gripper>,
+      .contract = capnp::typeId<wire::Gripper>(),
+      .subscriber = capnp::typeId<wire::GripperEvents>(),
+      .commands = kGripperCommandCodecs,
+      .events = kGripperEventCodecs,
+      .row = suture::rpc::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kGripperCommands[] = {
@@ -308,7 +200,7 @@ const InterfaceInfo& interfaceInfo<gripping::Gripper>() {
       .description = gripping::kGripperDescription,
       .commands = gripping::kGripperCommands,
       .events = gripping::kGripperEvents,
-      .binding = &gripping::gripperBinding,
+      .codec = &gripping::gripperCodec,
   };
   return kInfo;
 }

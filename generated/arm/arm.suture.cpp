@@ -1,9 +1,7 @@
 // Written by suturec from arm/arm.h. Do not edit.
 #include "arm/arm.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -111,12 +109,14 @@ using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -372,1535 +372,1126 @@ bool acceptsArmTrajectoryJRatioEvent(const double& slot, FieldPath*) { return is
 bool acceptsArmTrajectoryJRatioVEvent(const double& slot, FieldPath*) { return isValid(slot); }
 bool acceptsArmTrajectoryJRatioAEvent(const double& slot, FieldPath*) { return isValid(slot); }
 
-// --- Arm over Cap'n Proto RPC: the provider's side
+// --- Arm as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class ArmSink final : public suture::rpc::EventSink {
- public:
-  explicit ArmSink(wire::ArmEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeArmServoCp(const ArmServoCpArguments& slot, wire::Arm::ServoCpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmServoCp(wire::Arm::ServoCpParams::Reader in, ArmServoCpArguments& slot,
+                      suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(suture::MessagesEvent::status): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.statusRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(suture::MessagesEvent::warning): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.warningRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(suture::MessagesEvent::error): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.errorRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::operating_state): {
-        const auto& slot = slotIn<OperatingStateSlot>(payload);
-        auto request = subscriber_.operatingStateRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::goal_reached): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.goalReachedRequest();
-        request.setValue(slot != 0);
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::desired_state): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.desiredStateRequest();
-        request.setValue(wireArmState(slot));
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::gravity_compensation): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.gravityCompensationRequest();
-        request.setValue(slot != 0);
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::trajectory_j_ratio): {
-        const auto& slot = slotIn<double>(payload);
-        auto request = subscriber_.trajectoryJRatioRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::trajectory_j_ratio_v): {
-        const auto& slot = slotIn<double>(payload);
-        auto request = subscriber_.trajectoryJRatioVRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::trajectory_j_ratio_a): {
-        const auto& slot = slotIn<double>(payload);
-        auto request = subscriber_.trajectoryJRatioARequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeArmServoJp(const ArmServoJpArguments& slot, wire::Arm::ServoJpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmServoJp(wire::Arm::ServoJpParams::Reader in, ArmServoJpArguments& slot,
+                      suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<JointStateSlot>(columns[0]);
+void encodeArmMoveJp(const ArmMoveJpArguments& slot, wire::Arm::MoveJpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmMoveJp(wire::Arm::MoveJpParams::Reader in, ArmMoveJpArguments& slot,
+                     suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmMeasuredJsResult(const JointStateSlot& slot,
+                               wire::Arm::MeasuredJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmMeasuredJsResult(wire::Arm::MeasuredJsResults::Reader in, JointStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSetpointJsResult(const JointStateSlot& slot,
+                               wire::Arm::SetpointJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmSetpointJsResult(wire::Arm::SetpointJsResults::Reader in, JointStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmMeasuredCpResult(const PoseStampedSlot& slot,
+                               wire::Arm::MeasuredCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmMeasuredCpResult(wire::Arm::MeasuredCpResults::Reader in, PoseStampedSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSetpointCpResult(const PoseStampedSlot& slot,
+                               wire::Arm::SetpointCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmSetpointCpResult(wire::Arm::SetpointCpResults::Reader in, PoseStampedSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmOperatingStateResult(const OperatingStateSlot& slot,
+                                   wire::Arm::OperatingStateResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmOperatingStateResult(wire::Arm::OperatingStateResults::Reader in,
+                                   OperatingStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmForwardKinematics(const ArmForwardKinematicsArguments& slot,
+                                wire::Arm::ForwardKinematicsParams::Builder out) {
+  toWire(slot.q, out.initQ());
+}
+Errc decodeArmForwardKinematics(wire::Arm::ForwardKinematicsParams::Reader in,
+                                ArmForwardKinematicsArguments& slot, suture::Duration shift) {
+  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : Errc::Invalid;
+}
+
+void encodeArmForwardKinematicsResult(const PoseStampedSlot& slot,
+                                      wire::Arm::ForwardKinematicsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmForwardKinematicsResult(wire::Arm::ForwardKinematicsResults::Reader in,
+                                      PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmInverseKinematics(const ArmInverseKinematicsArguments& slot,
+                                wire::Arm::InverseKinematicsParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmInverseKinematics(wire::Arm::InverseKinematicsParams::Reader in,
+                                ArmInverseKinematicsArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmInverseKinematicsResult(const JointSolutionSlot& slot,
+                                      wire::Arm::InverseKinematicsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmInverseKinematicsResult(wire::Arm::InverseKinematicsResults::Reader in,
+                                      JointSolutionSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmConfigurationJsResult(const JointConfigurationSlot& slot,
+                                    wire::Arm::ConfigurationJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmConfigurationJsResult(wire::Arm::ConfigurationJsResults::Reader in,
+                                    JointConfigurationSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot,
+                                     wire::Arm::PeriodStatisticsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmPeriodStatisticsResult(wire::Arm::PeriodStatisticsResults::Reader in,
+                                     IntervalStatisticsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmStateCommand(const ArmStateCommandArguments& slot,
+                           wire::Arm::StateCommandParams::Builder out) {
+  toWire(slot.name, out.initName(slot.name.size));
+}
+Errc decodeArmStateCommand(wire::Arm::StateCommandParams::Reader in, ArmStateCommandArguments& slot,
+                           suture::Duration) {
+  return fromWire(in.getName(), slot.name);
+}
+
+void encodeArmGoalJsResult(const JointStateSlot& slot, wire::Arm::GoalJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmGoalJsResult(wire::Arm::GoalJsResults::Reader in, JointStateSlot& slot,
+                           suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmGoalCpResult(const PoseStampedSlot& slot, wire::Arm::GoalCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmGoalCpResult(wire::Arm::GoalCpResults::Reader in, PoseStampedSlot& slot,
+                           suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLocalMeasuredCpResult(const PoseStampedSlot& slot,
+                                    wire::Arm::LocalMeasuredCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmLocalMeasuredCpResult(wire::Arm::LocalMeasuredCpResults::Reader in,
+                                    PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLocalSetpointCpResult(const PoseStampedSlot& slot,
+                                    wire::Arm::LocalSetpointCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmLocalSetpointCpResult(wire::Arm::LocalSetpointCpResults::Reader in,
+                                    PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmMeasuredCvResult(const TwistSlot& slot, wire::Arm::MeasuredCvResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmMeasuredCvResult(wire::Arm::MeasuredCvResults::Reader in, TwistSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSetpointCvResult(const TwistSlot& slot, wire::Arm::SetpointCvResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmSetpointCvResult(wire::Arm::SetpointCvResults::Reader in, TwistSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmBodyMeasuredCfResult(const WrenchSlot& slot,
+                                   wire::Arm::BodyMeasuredCfResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmBodyMeasuredCfResult(wire::Arm::BodyMeasuredCfResults::Reader in, WrenchSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSpatialMeasuredCfResult(const WrenchSlot& slot,
+                                      wire::Arm::SpatialMeasuredCfResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmSpatialMeasuredCfResult(wire::Arm::SpatialMeasuredCfResults::Reader in,
+                                      WrenchSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmMeasuredCsResult(const CartesianStateSlot& slot,
+                               wire::Arm::MeasuredCsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmMeasuredCsResult(wire::Arm::MeasuredCsResults::Reader in, CartesianStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmBodyJacobianResult(const JacobianSlot& slot,
+                                 wire::Arm::BodyJacobianResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmBodyJacobianResult(wire::Arm::BodyJacobianResults::Reader in, JacobianSlot& slot,
+                                 suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSpatialJacobianResult(const JacobianSlot& slot,
+                                    wire::Arm::SpatialJacobianResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmSpatialJacobianResult(wire::Arm::SpatialJacobianResults::Reader in,
+                                    JacobianSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmBaseFrameResult(const TransformStampedSlot& slot,
+                              wire::Arm::BaseFrameResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmBaseFrameResult(wire::Arm::BaseFrameResults::Reader in, TransformStampedSlot& slot,
+                              suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSetBaseFrame(const ArmSetBaseFrameArguments& slot,
+                           wire::Arm::SetBaseFrameParams::Builder out) {
+  toWire(slot.base, out.initBase());
+}
+Errc decodeArmSetBaseFrame(wire::Arm::SetBaseFrameParams::Reader in, ArmSetBaseFrameArguments& slot,
+                           suture::Duration shift) {
+  return in.hasBase() ? fromWire(in.getBase(), slot.base, shift) : Errc::Invalid;
+}
+
+void encodeArmUseGravityCompensation(const ArmUseGravityCompensationArguments& slot,
+                                     wire::Arm::UseGravityCompensationParams::Builder out) {
+  out.setUse(slot.use != 0);
+}
+Errc decodeArmUseGravityCompensation(wire::Arm::UseGravityCompensationParams::Reader in,
+                                     ArmUseGravityCompensationArguments& slot, suture::Duration) {
+  slot.use = in.getUse();
+  return Errc{};
+}
+
+void encodeArmServoJr(const ArmServoJrArguments& slot, wire::Arm::ServoJrParams::Builder out) {
+  toWire(slot.step, out.initStep());
+}
+Errc decodeArmServoJr(wire::Arm::ServoJrParams::Reader in, ArmServoJrArguments& slot,
+                      suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+}
+
+void encodeArmServoJv(const ArmServoJvArguments& slot, wire::Arm::ServoJvParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmServoJv(wire::Arm::ServoJvParams::Reader in, ArmServoJvArguments& slot,
+                      suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmServoJf(const ArmServoJfArguments& slot, wire::Arm::ServoJfParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmServoJf(wire::Arm::ServoJfParams::Reader in, ArmServoJfArguments& slot,
+                      suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmServoCr(const ArmServoCrArguments& slot, wire::Arm::ServoCrParams::Builder out) {
+  toWire(slot.step, out.initStep());
+}
+Errc decodeArmServoCr(wire::Arm::ServoCrParams::Reader in, ArmServoCrArguments& slot,
+                      suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+}
+
+void encodeArmServoCv(const ArmServoCvArguments& slot, wire::Arm::ServoCvParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmServoCv(wire::Arm::ServoCvParams::Reader in, ArmServoCvArguments& slot,
+                      suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmBodyServoCf(const ArmBodyServoCfArguments& slot,
+                          wire::Arm::BodyServoCfParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmBodyServoCf(wire::Arm::BodyServoCfParams::Reader in, ArmBodyServoCfArguments& slot,
+                          suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmSpatialServoCf(const ArmSpatialServoCfArguments& slot,
+                             wire::Arm::SpatialServoCfParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmSpatialServoCf(wire::Arm::SpatialServoCfParams::Reader in,
+                             ArmSpatialServoCfArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmInterpolateJp(const ArmInterpolateJpArguments& slot,
+                            wire::Arm::InterpolateJpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmInterpolateJp(wire::Arm::InterpolateJpParams::Reader in,
+                            ArmInterpolateJpArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmInterpolateJr(const ArmInterpolateJrArguments& slot,
+                            wire::Arm::InterpolateJrParams::Builder out) {
+  toWire(slot.step, out.initStep());
+}
+Errc decodeArmInterpolateJr(wire::Arm::InterpolateJrParams::Reader in,
+                            ArmInterpolateJrArguments& slot, suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+}
+
+void encodeArmInterpolateCp(const ArmInterpolateCpArguments& slot,
+                            wire::Arm::InterpolateCpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmInterpolateCp(wire::Arm::InterpolateCpParams::Reader in,
+                            ArmInterpolateCpArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmInterpolateCr(const ArmInterpolateCrArguments& slot,
+                            wire::Arm::InterpolateCrParams::Builder out) {
+  toWire(slot.step, out.initStep());
+}
+Errc decodeArmInterpolateCr(wire::Arm::InterpolateCrParams::Reader in,
+                            ArmInterpolateCrArguments& slot, suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+}
+
+void encodeArmMoveJr(const ArmMoveJrArguments& slot, wire::Arm::MoveJrParams::Builder out) {
+  toWire(slot.step, out.initStep());
+}
+Errc decodeArmMoveJr(wire::Arm::MoveJrParams::Reader in, ArmMoveJrArguments& slot,
+                     suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+}
+
+void encodeArmMoveCp(const ArmMoveCpArguments& slot, wire::Arm::MoveCpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmMoveCp(wire::Arm::MoveCpParams::Reader in, ArmMoveCpArguments& slot,
+                     suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeArmMoveCr(const ArmMoveCrArguments& slot, wire::Arm::MoveCrParams::Builder out) {
+  toWire(slot.step, out.initStep());
+}
+Errc decodeArmMoveCr(wire::Arm::MoveCrParams::Reader in, ArmMoveCrArguments& slot,
+                     suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+}
+
+void encodeArmTrajectoryJSetRatio(const ArmTrajectoryJSetRatioArguments& slot,
+                                  wire::Arm::TrajectoryJSetRatioParams::Builder out) {
+  out.setRatio(slot.ratio);
+}
+Errc decodeArmTrajectoryJSetRatio(wire::Arm::TrajectoryJSetRatioParams::Reader in,
+                                  ArmTrajectoryJSetRatioArguments& slot, suture::Duration) {
+  slot.ratio = in.getRatio();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJSetRatioV(const ArmTrajectoryJSetRatioVArguments& slot,
+                                   wire::Arm::TrajectoryJSetRatioVParams::Builder out) {
+  out.setRatio(slot.ratio);
+}
+Errc decodeArmTrajectoryJSetRatioV(wire::Arm::TrajectoryJSetRatioVParams::Reader in,
+                                   ArmTrajectoryJSetRatioVArguments& slot, suture::Duration) {
+  slot.ratio = in.getRatio();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJSetRatioA(const ArmTrajectoryJSetRatioAArguments& slot,
+                                   wire::Arm::TrajectoryJSetRatioAParams::Builder out) {
+  out.setRatio(slot.ratio);
+}
+Errc decodeArmTrajectoryJSetRatioA(wire::Arm::TrajectoryJSetRatioAParams::Reader in,
+                                   ArmTrajectoryJSetRatioAArguments& slot, suture::Duration) {
+  slot.ratio = in.getRatio();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJRatioResult(const double& slot,
+                                     wire::Arm::TrajectoryJRatioResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmTrajectoryJRatioResult(wire::Arm::TrajectoryJRatioResults::Reader in, double& slot,
+                                     suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJRatioVResult(const double& slot,
+                                      wire::Arm::TrajectoryJRatioVResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmTrajectoryJRatioVResult(wire::Arm::TrajectoryJRatioVResults::Reader in, double& slot,
+                                      suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJRatioAResult(const double& slot,
+                                      wire::Arm::TrajectoryJRatioAResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmTrajectoryJRatioAResult(wire::Arm::TrajectoryJRatioAResults::Reader in, double& slot,
+                                      suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmQueryCp(const ArmQueryCpArguments& slot, wire::Arm::QueryCpParams::Builder out) {
+  toWire(slot.q, out.initQ());
+}
+Errc decodeArmQueryCp(wire::Arm::QueryCpParams::Reader in, ArmQueryCpArguments& slot,
+                      suture::Duration shift) {
+  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : Errc::Invalid;
+}
+
+void encodeArmQueryCpResult(const PoseStampedSlot& slot, wire::Arm::QueryCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmQueryCpResult(wire::Arm::QueryCpResults::Reader in, PoseStampedSlot& slot,
+                            suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLocalQueryCp(const ArmLocalQueryCpArguments& slot,
+                           wire::Arm::LocalQueryCpParams::Builder out) {
+  toWire(slot.q, out.initQ());
+}
+Errc decodeArmLocalQueryCp(wire::Arm::LocalQueryCpParams::Reader in, ArmLocalQueryCpArguments& slot,
+                           suture::Duration shift) {
+  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : Errc::Invalid;
+}
+
+void encodeArmLocalQueryCpResult(const PoseStampedSlot& slot,
+                                 wire::Arm::LocalQueryCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmLocalQueryCpResult(wire::Arm::LocalQueryCpResults::Reader in, PoseStampedSlot& slot,
+                                 suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmStatusEvent(const suture::MessageSlot& slot,
+                          wire::ArmEvents::StatusParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmStatusEvent(wire::ArmEvents::StatusParams::Reader in, suture::MessageSlot& slot,
+                          suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmWarningEvent(const suture::MessageSlot& slot,
+                           wire::ArmEvents::WarningParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmWarningEvent(wire::ArmEvents::WarningParams::Reader in, suture::MessageSlot& slot,
+                           suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmErrorEvent(const suture::MessageSlot& slot,
+                         wire::ArmEvents::ErrorParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmErrorEvent(wire::ArmEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
+                         suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmOperatingStateEvent(const OperatingStateSlot& slot,
+                                  wire::ArmEvents::OperatingStateParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmOperatingStateEvent(wire::ArmEvents::OperatingStateParams::Reader in,
+                                  OperatingStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmGoalReachedEvent(const std::uint8_t& slot,
+                               wire::ArmEvents::GoalReachedParams::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeArmGoalReachedEvent(wire::ArmEvents::GoalReachedParams::Reader in, std::uint8_t& slot,
+                               suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmDesiredStateEvent(const std::uint8_t& slot,
+                                wire::ArmEvents::DesiredStateParams::Builder out) {
+  out.setValue(wireArmState(slot));
+}
+Errc decodeArmDesiredStateEvent(wire::ArmEvents::DesiredStateParams::Reader in, std::uint8_t& slot,
+                                suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeArmGravityCompensationEvent(const std::uint8_t& slot,
+                                       wire::ArmEvents::GravityCompensationParams::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeArmGravityCompensationEvent(wire::ArmEvents::GravityCompensationParams::Reader in,
+                                       std::uint8_t& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJRatioEvent(const double& slot,
+                                    wire::ArmEvents::TrajectoryJRatioParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmTrajectoryJRatioEvent(wire::ArmEvents::TrajectoryJRatioParams::Reader in,
+                                    double& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJRatioVEvent(const double& slot,
+                                     wire::ArmEvents::TrajectoryJRatioVParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmTrajectoryJRatioVEvent(wire::ArmEvents::TrajectoryJRatioVParams::Reader in,
+                                     double& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJRatioAEvent(const double& slot,
+                                     wire::ArmEvents::TrajectoryJRatioAParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmTrajectoryJRatioAEvent(wire::ArmEvents::TrajectoryJRatioAParams::Reader in,
+                                     double& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<JointStateSlot>(memory);
       toWire(slot, out.initMeasuredJs());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<JointStateSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<JointStateSlot>(memory);
       toWire(slot, out.initSetpointJs());
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initMeasuredCp());
+      break;
     }
-    if (row.hasValue(3)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[3]);
+    case 3: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initSetpointCp());
+      break;
     }
-    if (row.hasValue(4)) {
-      const auto& slot = slotIn<OperatingStateSlot>(columns[4]);
+    case 4: {
+      const auto& slot = slotIn<OperatingStateSlot>(memory);
       toWire(slot, out.initOperatingState());
+      break;
     }
-    if (row.hasValue(5)) {
-      const auto& slot = slotIn<JointConfigurationSlot>(columns[5]);
+    case 5: {
+      const auto& slot = slotIn<JointConfigurationSlot>(memory);
       toWire(slot, out.initConfigurationJs());
+      break;
     }
-    if (row.hasValue(6)) {
-      const auto& slot = slotIn<IntervalStatisticsSlot>(columns[6]);
+    case 6: {
+      const auto& slot = slotIn<IntervalStatisticsSlot>(memory);
       toWire(slot, out.initPeriodStatistics());
+      break;
     }
-    if (row.hasValue(7)) {
-      const auto& slot = slotIn<JointStateSlot>(columns[7]);
+    case 7: {
+      const auto& slot = slotIn<JointStateSlot>(memory);
       toWire(slot, out.initGoalJs());
+      break;
     }
-    if (row.hasValue(8)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[8]);
+    case 8: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initGoalCp());
+      break;
     }
-    if (row.hasValue(9)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[9]);
+    case 9: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initLocalMeasuredCp());
+      break;
     }
-    if (row.hasValue(10)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[10]);
+    case 10: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initLocalSetpointCp());
+      break;
     }
-    if (row.hasValue(11)) {
-      const auto& slot = slotIn<TwistSlot>(columns[11]);
+    case 11: {
+      const auto& slot = slotIn<TwistSlot>(memory);
       toWire(slot, out.initMeasuredCv());
+      break;
     }
-    if (row.hasValue(12)) {
-      const auto& slot = slotIn<TwistSlot>(columns[12]);
+    case 12: {
+      const auto& slot = slotIn<TwistSlot>(memory);
       toWire(slot, out.initSetpointCv());
+      break;
     }
-    if (row.hasValue(13)) {
-      const auto& slot = slotIn<WrenchSlot>(columns[13]);
+    case 13: {
+      const auto& slot = slotIn<WrenchSlot>(memory);
       toWire(slot, out.initBodyMeasuredCf());
+      break;
     }
-    if (row.hasValue(14)) {
-      const auto& slot = slotIn<WrenchSlot>(columns[14]);
+    case 14: {
+      const auto& slot = slotIn<WrenchSlot>(memory);
       toWire(slot, out.initSpatialMeasuredCf());
+      break;
     }
-    if (row.hasValue(15)) {
-      const auto& slot = slotIn<CartesianStateSlot>(columns[15]);
+    case 15: {
+      const auto& slot = slotIn<CartesianStateSlot>(memory);
       toWire(slot, out.initMeasuredCs());
+      break;
     }
-    if (row.hasValue(16)) {
-      const auto& slot = slotIn<JacobianSlot>(columns[16]);
+    case 16: {
+      const auto& slot = slotIn<JacobianSlot>(memory);
       toWire(slot, out.initBodyJacobian());
+      break;
     }
-    if (row.hasValue(17)) {
-      const auto& slot = slotIn<JacobianSlot>(columns[17]);
+    case 17: {
+      const auto& slot = slotIn<JacobianSlot>(memory);
       toWire(slot, out.initSpatialJacobian());
+      break;
     }
-    if (row.hasValue(18)) {
-      const auto& slot = slotIn<TransformStampedSlot>(columns[18]);
+    case 18: {
+      const auto& slot = slotIn<TransformStampedSlot>(memory);
       toWire(slot, out.initBaseFrame());
+      break;
     }
-    if (row.hasValue(19)) {
-      const auto& slot = slotIn<double>(columns[19]);
+    case 19: {
+      const auto& slot = slotIn<double>(memory);
       out.setTrajectoryJRatio(slot);
+      break;
     }
-    if (row.hasValue(20)) {
-      const auto& slot = slotIn<double>(columns[20]);
+    case 20: {
+      const auto& slot = slotIn<double>(memory);
       out.setTrajectoryJRatioV(slot);
+      break;
     }
-    if (row.hasValue(21)) {
-      const auto& slot = slotIn<double>(columns[21]);
+    case 21: {
+      const auto& slot = slotIn<double>(memory);
       out.setTrajectoryJRatioA(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::ArmEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class ArmServant final : public wire::Arm::Server {
- public:
-  explicit ArmServant(kj::Own<ServantPort> port)
-      : base_(suture::interfaceInfo<suture::Messages>().binding().makeServant(kj::addRef(*port))),
-        port_(kj::mv(port)) {}
-
-  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
-                                  suture::rpc::AnyCall call) override {
-    if (contract != capnp::typeId<wire::Arm>()) {
-      return base_->dispatchCall(contract, method, call);
+}
+Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
+                     suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<JointStateSlot>(memory);
+      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
     }
-    return wire::Arm::Server::dispatchCall(contract, method, call);
-  }
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<ArmSink>(in.getEvents()),
-                     suture::fromWireNumbers(kArmWireEvents, in.getEventMask()), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> enable(EnableContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::enable), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> disable(DisableContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::disable), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> home(HomeContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::home), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> hold(HoldContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::hold), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> servoCp(ServoCpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmServoCpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::servo_cp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> servoJp(ServoJpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmServoJpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::servo_jp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> moveJp(MoveJpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmMoveJpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::move_jp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> measuredJs(MeasuredJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::measured_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> setpointJs(SetpointJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::setpoint_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::measured_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> setpointCp(SetpointCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::setpoint_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> operatingState(OperatingStateContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<OperatingStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::operating_state), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> forwardKinematics(ForwardKinematicsContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmForwardKinematicsArguments>(memory);
-      return in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(ArmCommand::forward_kinematics), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmInverseKinematicsArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<JointSolutionSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> configurationJs(ConfigurationJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointConfigurationSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::configuration_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> periodStatistics(PeriodStatisticsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<IntervalStatisticsSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::period_statistics), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> pause(PauseContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::pause), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> resume(ResumeContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::resume), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> unhome(UnhomeContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::unhome), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> stateCommand(StateCommandContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmStateCommandArguments>(memory);
-      return fromWire(in.getName(), slot.name);
-    };
-    return port_->command(numberOf(ArmCommand::state_command), in.getSent(), fill);
-  }
-
-  kj::Promise<void> goalJs(GoalJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::goal_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> goalCp(GoalCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::goal_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> localMeasuredCp(LocalMeasuredCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::local_measured_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> localSetpointCp(LocalSetpointCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::local_setpoint_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> measuredCv(MeasuredCvContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<TwistSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::measured_cv), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> setpointCv(SetpointCvContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<TwistSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::setpoint_cv), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> bodyMeasuredCf(BodyMeasuredCfContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<WrenchSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::body_measured_cf), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> spatialMeasuredCf(SpatialMeasuredCfContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<WrenchSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::spatial_measured_cf), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> measuredCs(MeasuredCsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<CartesianStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::measured_cs), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> bodyJacobian(BodyJacobianContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JacobianSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::body_jacobian), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> spatialJacobian(SpatialJacobianContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JacobianSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::spatial_jacobian), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> baseFrame(BaseFrameContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<TransformStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::base_frame), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> setBaseFrame(SetBaseFrameContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmSetBaseFrameArguments>(memory);
-      return in.hasBase() ? fromWire(in.getBase(), slot.base, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::set_base_frame), in.getSent(), fill);
-  }
-
-  kj::Promise<void> free(FreeContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::free), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> useGravityCompensation(UseGravityCompensationContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmUseGravityCompensationArguments>(memory);
-      slot.use = in.getUse();
-      return Errc{};
-    };
-    return port_->command(numberOf(ArmCommand::use_gravity_compensation), in.getSent(), fill);
-  }
-
-  kj::Promise<void> servoJr(ServoJrContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmServoJrArguments>(memory);
-      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::servo_jr), in.getSent(), fill);
-  }
-
-  kj::Promise<void> servoJv(ServoJvContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmServoJvArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::servo_jv), in.getSent(), fill);
-  }
-
-  kj::Promise<void> servoJf(ServoJfContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmServoJfArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::servo_jf), in.getSent(), fill);
-  }
-
-  kj::Promise<void> servoCr(ServoCrContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmServoCrArguments>(memory);
-      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::servo_cr), in.getSent(), fill);
-  }
-
-  kj::Promise<void> servoCv(ServoCvContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmServoCvArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::servo_cv), in.getSent(), fill);
-  }
-
-  kj::Promise<void> bodyServoCf(BodyServoCfContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmBodyServoCfArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::body_servo_cf), in.getSent(), fill);
-  }
-
-  kj::Promise<void> spatialServoCf(SpatialServoCfContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmSpatialServoCfArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::spatial_servo_cf), in.getSent(), fill);
-  }
-
-  kj::Promise<void> interpolateJp(InterpolateJpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmInterpolateJpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::interpolate_jp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> interpolateJr(InterpolateJrContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmInterpolateJrArguments>(memory);
-      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::interpolate_jr), in.getSent(), fill);
-  }
-
-  kj::Promise<void> interpolateCp(InterpolateCpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmInterpolateCpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::interpolate_cp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> interpolateCr(InterpolateCrContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmInterpolateCrArguments>(memory);
-      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::interpolate_cr), in.getSent(), fill);
-  }
-
-  kj::Promise<void> moveJr(MoveJrContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmMoveJrArguments>(memory);
-      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::move_jr), in.getSent(), fill);
-  }
-
-  kj::Promise<void> moveCp(MoveCpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmMoveCpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::move_cp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> moveCr(MoveCrContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmMoveCrArguments>(memory);
-      return in.hasStep() ? fromWire(in.getStep(), slot.step, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::move_cr), in.getSent(), fill);
-  }
-
-  kj::Promise<void> trajectoryJSetRatio(TrajectoryJSetRatioContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmTrajectoryJSetRatioArguments>(memory);
-      slot.ratio = in.getRatio();
-      return Errc{};
-    };
-    return port_->command(numberOf(ArmCommand::trajectory_j_set_ratio), in.getSent(), fill);
-  }
-
-  kj::Promise<void> trajectoryJSetRatioV(TrajectoryJSetRatioVContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmTrajectoryJSetRatioVArguments>(memory);
-      slot.ratio = in.getRatio();
-      return Errc{};
-    };
-    return port_->command(numberOf(ArmCommand::trajectory_j_set_ratio_v), in.getSent(), fill);
-  }
-
-  kj::Promise<void> trajectoryJSetRatioA(TrajectoryJSetRatioAContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmTrajectoryJSetRatioAArguments>(memory);
-      slot.ratio = in.getRatio();
-      return Errc{};
-    };
-    return port_->command(numberOf(ArmCommand::trajectory_j_set_ratio_a), in.getSent(), fill);
-  }
-
-  kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::trajectory_j_ratio), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::trajectory_j_ratio_v), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::trajectory_j_ratio_a), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> queryCp(QueryCpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmQueryCpArguments>(memory);
-      return in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(ArmCommand::query_cp), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> localQueryCp(LocalQueryCpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmLocalQueryCpArguments>(memory);
-      return in.hasQ() ? fromWire(in.getQ(), slot.q, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(ArmCommand::local_query_cp), in.getSent(), fill, kj::mv(take));
-  }
-
- private:
-  kj::Own<capnp::Capability::Server> base_;
-  kj::Own<ServantPort> port_;
-};
-
-// --- Arm over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class ArmReceiver final : public wire::ArmEvents::Server {
- public:
-  explicit ArmReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<JointStateSlot>(0);
-      const Errc error =
-          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+    case 1: {
+      auto& slot = newSlot<JointStateSlot>(memory);
+      return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<JointStateSlot>(1);
-      const Errc error =
-          in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
+    case 2: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<PoseStampedSlot>(2);
-      const Errc error =
-          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(2, error);
+    case 3: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(3)) {
-      auto& slot = port_->column<PoseStampedSlot>(3);
-      const Errc error =
-          in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(3, error);
+    case 4: {
+      auto& slot = newSlot<OperatingStateSlot>(memory);
+      return in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(4)) {
-      auto& slot = port_->column<OperatingStateSlot>(4);
-      const Errc error =
-          in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(4, error);
+    case 5: {
+      auto& slot = newSlot<JointConfigurationSlot>(memory);
+      return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
+          : Errc::Invalid;
     }
-    if (columns.hasValue(5)) {
-      auto& slot = port_->column<JointConfigurationSlot>(5);
-      const Errc error =
-          in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(5, error);
+    case 6: {
+      auto& slot = newSlot<IntervalStatisticsSlot>(memory);
+      return in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, shift)
+          : Errc::Invalid;
     }
-    if (columns.hasValue(6)) {
-      auto& slot = port_->column<IntervalStatisticsSlot>(6);
-      const Errc error =
-          in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(6, error);
+    case 7: {
+      auto& slot = newSlot<JointStateSlot>(memory);
+      return in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(7)) {
-      auto& slot = port_->column<JointStateSlot>(7);
-      const Errc error =
-          in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(7, error);
+    case 8: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(8)) {
-      auto& slot = port_->column<PoseStampedSlot>(8);
-      const Errc error =
-          in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(8, error);
+    case 9: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, shift)
+          : Errc::Invalid;
     }
-    if (columns.hasValue(9)) {
-      auto& slot = port_->column<PoseStampedSlot>(9);
-      const Errc error =
-          in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(9, error);
+    case 10: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, shift)
+          : Errc::Invalid;
     }
-    if (columns.hasValue(10)) {
-      auto& slot = port_->column<PoseStampedSlot>(10);
-      const Errc error =
-          in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(10, error);
+    case 11: {
+      auto& slot = newSlot<TwistSlot>(memory);
+      return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(11)) {
-      auto& slot = port_->column<TwistSlot>(11);
-      const Errc error =
-          in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(11, error);
+    case 12: {
+      auto& slot = newSlot<TwistSlot>(memory);
+      return in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(12)) {
-      auto& slot = port_->column<TwistSlot>(12);
-      const Errc error =
-          in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(12, error);
+    case 13: {
+      auto& slot = newSlot<WrenchSlot>(memory);
+      return in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(13)) {
-      auto& slot = port_->column<WrenchSlot>(13);
-      const Errc error =
-          in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(13, error);
+    case 14: {
+      auto& slot = newSlot<WrenchSlot>(memory);
+      return in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, shift)
+          : Errc::Invalid;
     }
-    if (columns.hasValue(14)) {
-      auto& slot = port_->column<WrenchSlot>(14);
-      const Errc error =
-          in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(14, error);
+    case 15: {
+      auto& slot = newSlot<CartesianStateSlot>(memory);
+      return in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(15)) {
-      auto& slot = port_->column<CartesianStateSlot>(15);
-      const Errc error =
-          in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(15, error);
+    case 16: {
+      auto& slot = newSlot<JacobianSlot>(memory);
+      return in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(16)) {
-      auto& slot = port_->column<JacobianSlot>(16);
-      const Errc error =
-          in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(16, error);
+    case 17: {
+      auto& slot = newSlot<JacobianSlot>(memory);
+      return in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, shift)
+          : Errc::Invalid;
     }
-    if (columns.hasValue(17)) {
-      auto& slot = port_->column<JacobianSlot>(17);
-      const Errc error =
-          in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(17, error);
+    case 18: {
+      auto& slot = newSlot<TransformStampedSlot>(memory);
+      return in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(18)) {
-      auto& slot = port_->column<TransformStampedSlot>(18);
-      const Errc error =
-          in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(18, error);
-    }
-    if (columns.hasValue(19)) {
-      auto& slot = port_->column<double>(19);
+    case 19: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getTrajectoryJRatio();
+      return Errc{};
     }
-    if (columns.hasValue(20)) {
-      auto& slot = port_->column<double>(20);
+    case 20: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getTrajectoryJRatioV();
+      return Errc{};
     }
-    if (columns.hasValue(21)) {
-      auto& slot = port_->column<double>(21);
+    case 21: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getTrajectoryJRatioA();
+      return Errc{};
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> status(StatusContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::status),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> warning(WarningContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::warning),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> error(ErrorContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::error),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> operatingState(OperatingStateContext context) override {
-    auto in = context.getParams();
-    return port_->event<OperatingStateSlot>(numberOf(ArmEvent::operating_state),
-                                            [&](OperatingStateSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> goalReached(GoalReachedContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(ArmEvent::goal_reached), [&](std::uint8_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
-  kj::Promise<void> desiredState(DesiredStateContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(ArmEvent::desired_state), [&](std::uint8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
-  kj::Promise<void> gravityCompensation(GravityCompensationContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(ArmEvent::gravity_compensation),
-                                      [&](std::uint8_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
-  kj::Promise<void> trajectoryJRatio(TrajectoryJRatioContext context) override {
-    auto in = context.getParams();
-    return port_->event<double>(numberOf(ArmEvent::trajectory_j_ratio), [&](double& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
-  kj::Promise<void> trajectoryJRatioV(TrajectoryJRatioVContext context) override {
-    auto in = context.getParams();
-    return port_->event<double>(numberOf(ArmEvent::trajectory_j_ratio_v), [&](double& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
-  kj::Promise<void> trajectoryJRatioA(TrajectoryJRatioAContext context) override {
-    auto in = context.getParams();
-    return port_->event<double>(numberOf(ArmEvent::trajectory_j_ratio_a), [&](double& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kArmCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Arm>(), .method = 1, .sent = sentIn<wire::Arm::EnableParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 2,
+     .sent = sentIn<wire::Arm::DisableParams>},
+    {.interface = capnp::typeId<wire::Arm>(), .method = 3, .sent = sentIn<wire::Arm::HomeParams>},
+    {.interface = capnp::typeId<wire::Arm>(), .method = 4, .sent = sentIn<wire::Arm::HoldParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 5,
+     .sent = sentIn<wire::Arm::ServoCpParams>,
+     .arguments = messageOf<wire::Arm::ServoCpParams, ArmServoCpArguments, encodeArmServoCp,
+                            decodeArmServoCp>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 6,
+     .sent = sentIn<wire::Arm::ServoJpParams>,
+     .arguments = messageOf<wire::Arm::ServoJpParams, ArmServoJpArguments, encodeArmServoJp,
+                            decodeArmServoJp>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 7,
+     .sent = sentIn<wire::Arm::MoveJpParams>,
+     .arguments = messageOf<wire::Arm::MoveJpParams, ArmMoveJpArguments, encodeArmMoveJp,
+                            decodeArmMoveJp>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 8,
+     .sent = sentIn<wire::Arm::MeasuredJsParams>,
+     .result = messageOf<wire::Arm::MeasuredJsResults, JointStateSlot, encodeArmMeasuredJsResult,
+                         decodeArmMeasuredJsResult>,
+     .stamp = stampIn<wire::Arm::MeasuredJsResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 9,
+     .sent = sentIn<wire::Arm::SetpointJsParams>,
+     .result = messageOf<wire::Arm::SetpointJsResults, JointStateSlot, encodeArmSetpointJsResult,
+                         decodeArmSetpointJsResult>,
+     .stamp = stampIn<wire::Arm::SetpointJsResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 10,
+     .sent = sentIn<wire::Arm::MeasuredCpParams>,
+     .result = messageOf<wire::Arm::MeasuredCpResults, PoseStampedSlot, encodeArmMeasuredCpResult,
+                         decodeArmMeasuredCpResult>,
+     .stamp = stampIn<wire::Arm::MeasuredCpResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 11,
+     .sent = sentIn<wire::Arm::SetpointCpParams>,
+     .result = messageOf<wire::Arm::SetpointCpResults, PoseStampedSlot, encodeArmSetpointCpResult,
+                         decodeArmSetpointCpResult>,
+     .stamp = stampIn<wire::Arm::SetpointCpResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 12,
+     .sent = sentIn<wire::Arm::OperatingStateParams>,
+     .result = messageOf<wire::Arm::OperatingStateResults, OperatingStateSlot,
+                         encodeArmOperatingStateResult, decodeArmOperatingStateResult>,
+     .stamp = stampIn<wire::Arm::OperatingStateResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 13,
+     .sent = sentIn<wire::Arm::ForwardKinematicsParams>,
+     .arguments = messageOf<wire::Arm::ForwardKinematicsParams, ArmForwardKinematicsArguments,
+                            encodeArmForwardKinematics, decodeArmForwardKinematics>,
+     .result = messageOf<wire::Arm::ForwardKinematicsResults, PoseStampedSlot,
+                         encodeArmForwardKinematicsResult, decodeArmForwardKinematicsResult>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 14,
+     .sent = sentIn<wire::Arm::InverseKinematicsParams>,
+     .arguments = messageOf<wire::Arm::InverseKinematicsParams, ArmInverseKinematicsArguments,
+                            encodeArmInverseKinematics, decodeArmInverseKinematics>,
+     .result = messageOf<wire::Arm::InverseKinematicsResults, JointSolutionSlot,
+                         encodeArmInverseKinematicsResult, decodeArmInverseKinematicsResult>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 15,
+     .sent = sentIn<wire::Arm::ConfigurationJsParams>,
+     .result = messageOf<wire::Arm::ConfigurationJsResults, JointConfigurationSlot,
+                         encodeArmConfigurationJsResult, decodeArmConfigurationJsResult>,
+     .stamp = stampIn<wire::Arm::ConfigurationJsResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 16,
+     .sent = sentIn<wire::Arm::PeriodStatisticsParams>,
+     .result = messageOf<wire::Arm::PeriodStatisticsResults, IntervalStatisticsSlot,
+                         encodeArmPeriodStatisticsResult, decodeArmPeriodStatisticsResult>,
+     .stamp = stampIn<wire::Arm::PeriodStatisticsResults>},
+    {.interface = capnp::typeId<wire::Arm>(), .method = 17, .sent = sentIn<wire::Arm::PauseParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 18,
+     .sent = sentIn<wire::Arm::ResumeParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 19,
+     .sent = sentIn<wire::Arm::UnhomeParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 20,
+     .sent = sentIn<wire::Arm::StateCommandParams>,
+     .arguments = messageOf<wire::Arm::StateCommandParams, ArmStateCommandArguments,
+                            encodeArmStateCommand, decodeArmStateCommand>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 21,
+     .sent = sentIn<wire::Arm::GoalJsParams>,
+     .result = messageOf<wire::Arm::GoalJsResults, JointStateSlot, encodeArmGoalJsResult,
+                         decodeArmGoalJsResult>,
+     .stamp = stampIn<wire::Arm::GoalJsResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 22,
+     .sent = sentIn<wire::Arm::GoalCpParams>,
+     .result = messageOf<wire::Arm::GoalCpResults, PoseStampedSlot, encodeArmGoalCpResult,
+                         decodeArmGoalCpResult>,
+     .stamp = stampIn<wire::Arm::GoalCpResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 23,
+     .sent = sentIn<wire::Arm::LocalMeasuredCpParams>,
+     .result = messageOf<wire::Arm::LocalMeasuredCpResults, PoseStampedSlot,
+                         encodeArmLocalMeasuredCpResult, decodeArmLocalMeasuredCpResult>,
+     .stamp = stampIn<wire::Arm::LocalMeasuredCpResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 24,
+     .sent = sentIn<wire::Arm::LocalSetpointCpParams>,
+     .result = messageOf<wire::Arm::LocalSetpointCpResults, PoseStampedSlot,
+                         encodeArmLocalSetpointCpResult, decodeArmLocalSetpointCpResult>,
+     .stamp = stampIn<wire::Arm::LocalSetpointCpResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 25,
+     .sent = sentIn<wire::Arm::MeasuredCvParams>,
+     .result = messageOf<wire::Arm::MeasuredCvResults, TwistSlot, encodeArmMeasuredCvResult,
+                         decodeArmMeasuredCvResult>,
+     .stamp = stampIn<wire::Arm::MeasuredCvResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 26,
+     .sent = sentIn<wire::Arm::SetpointCvParams>,
+     .result = messageOf<wire::Arm::SetpointCvResults, TwistSlot, encodeArmSetpointCvResult,
+                         decodeArmSetpointCvResult>,
+     .stamp = stampIn<wire::Arm::SetpointCvResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 27,
+     .sent = sentIn<wire::Arm::BodyMeasuredCfParams>,
+     .result = messageOf<wire::Arm::BodyMeasuredCfResults, WrenchSlot,
+                         encodeArmBodyMeasuredCfResult, decodeArmBodyMeasuredCfResult>,
+     .stamp = stampIn<wire::Arm::BodyMeasuredCfResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 28,
+     .sent = sentIn<wire::Arm::SpatialMeasuredCfParams>,
+     .result = messageOf<wire::Arm::SpatialMeasuredCfResults, WrenchSlot,
+                         encodeArmSpatialMeasuredCfResult, decodeArmSpatialMeasuredCfResult>,
+     .stamp = stampIn<wire::Arm::SpatialMeasuredCfResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 29,
+     .sent = sentIn<wire::Arm::MeasuredCsParams>,
+     .result = messageOf<wire::Arm::MeasuredCsResults, CartesianStateSlot,
+                         encodeArmMeasuredCsResult, decodeArmMeasuredCsResult>,
+     .stamp = stampIn<wire::Arm::MeasuredCsResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 30,
+     .sent = sentIn<wire::Arm::BodyJacobianParams>,
+     .result = messageOf<wire::Arm::BodyJacobianResults, JacobianSlot, encodeArmBodyJacobianResult,
+                         decodeArmBodyJacobianResult>,
+     .stamp = stampIn<wire::Arm::BodyJacobianResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 31,
+     .sent = sentIn<wire::Arm::SpatialJacobianParams>,
+     .result = messageOf<wire::Arm::SpatialJacobianResults, JacobianSlot,
+                         encodeArmSpatialJacobianResult, decodeArmSpatialJacobianResult>,
+     .stamp = stampIn<wire::Arm::SpatialJacobianResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 32,
+     .sent = sentIn<wire::Arm::BaseFrameParams>,
+     .result = messageOf<wire::Arm::BaseFrameResults, TransformStampedSlot,
+                         encodeArmBaseFrameResult, decodeArmBaseFrameResult>,
+     .stamp = stampIn<wire::Arm::BaseFrameResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 33,
+     .sent = sentIn<wire::Arm::SetBaseFrameParams>,
+     .arguments = messageOf<wire::Arm::SetBaseFrameParams, ArmSetBaseFrameArguments,
+                            encodeArmSetBaseFrame, decodeArmSetBaseFrame>},
+    {.interface = capnp::typeId<wire::Arm>(), .method = 34, .sent = sentIn<wire::Arm::FreeParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 35,
+     .sent = sentIn<wire::Arm::UseGravityCompensationParams>,
+     .arguments = messageOf<wire::Arm::UseGravityCompensationParams,
+                            ArmUseGravityCompensationArguments, encodeArmUseGravityCompensation,
+                            decodeArmUseGravityCompensation>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 36,
+     .sent = sentIn<wire::Arm::ServoJrParams>,
+     .arguments = messageOf<wire::Arm::ServoJrParams, ArmServoJrArguments, encodeArmServoJr,
+                            decodeArmServoJr>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 37,
+     .sent = sentIn<wire::Arm::ServoJvParams>,
+     .arguments = messageOf<wire::Arm::ServoJvParams, ArmServoJvArguments, encodeArmServoJv,
+                            decodeArmServoJv>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 38,
+     .sent = sentIn<wire::Arm::ServoJfParams>,
+     .arguments = messageOf<wire::Arm::ServoJfParams, ArmServoJfArguments, encodeArmServoJf,
+                            decodeArmServoJf>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 39,
+     .sent = sentIn<wire::Arm::ServoCrParams>,
+     .arguments = messageOf<wire::Arm::ServoCrParams, ArmServoCrArguments, encodeArmServoCr,
+                            decodeArmServoCr>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 40,
+     .sent = sentIn<wire::Arm::ServoCvParams>,
+     .arguments = messageOf<wire::Arm::ServoCvParams, ArmServoCvArguments, encodeArmServoCv,
+                            decodeArmServoCv>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 41,
+     .sent = sentIn<wire::Arm::BodyServoCfParams>,
+     .arguments = messageOf<wire::Arm::BodyServoCfParams, ArmBodyServoCfArguments,
+                            encodeArmBodyServoCf, decodeArmBodyServoCf>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 42,
+     .sent = sentIn<wire::Arm::SpatialServoCfParams>,
+     .arguments = messageOf<wire::Arm::SpatialServoCfParams, ArmSpatialServoCfArguments,
+                            encodeArmSpatialServoCf, decodeArmSpatialServoCf>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 43,
+     .sent = sentIn<wire::Arm::InterpolateJpParams>,
+     .arguments = messageOf<wire::Arm::InterpolateJpParams, ArmInterpolateJpArguments,
+                            encodeArmInterpolateJp, decodeArmInterpolateJp>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 44,
+     .sent = sentIn<wire::Arm::InterpolateJrParams>,
+     .arguments = messageOf<wire::Arm::InterpolateJrParams, ArmInterpolateJrArguments,
+                            encodeArmInterpolateJr, decodeArmInterpolateJr>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 45,
+     .sent = sentIn<wire::Arm::InterpolateCpParams>,
+     .arguments = messageOf<wire::Arm::InterpolateCpParams, ArmInterpolateCpArguments,
+                            encodeArmInterpolateCp, decodeArmInterpolateCp>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 46,
+     .sent = sentIn<wire::Arm::InterpolateCrParams>,
+     .arguments = messageOf<wire::Arm::InterpolateCrParams, ArmInterpolateCrArguments,
+                            encodeArmInterpolateCr, decodeArmInterpolateCr>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 47,
+     .sent = sentIn<wire::Arm::MoveJrParams>,
+     .arguments = messageOf<wire::Arm::MoveJrParams, ArmMoveJrArguments, encodeArmMoveJr,
+                            decodeArmMoveJr>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 48,
+     .sent = sentIn<wire::Arm::MoveCpParams>,
+     .arguments = messageOf<wire::Arm::MoveCpParams, ArmMoveCpArguments, encodeArmMoveCp,
+                            decodeArmMoveCp>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 49,
+     .sent = sentIn<wire::Arm::MoveCrParams>,
+     .arguments = messageOf<wire::Arm::MoveCrParams, ArmMoveCrArguments, encodeArmMoveCr,
+                            decodeArmMoveCr>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 50,
+     .sent = sentIn<wire::Arm::TrajectoryJSetRatioParams>,
+     .arguments = messageOf<wire::Arm::TrajectoryJSetRatioParams, ArmTrajectoryJSetRatioArguments,
+                            encodeArmTrajectoryJSetRatio, decodeArmTrajectoryJSetRatio>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 51,
+     .sent = sentIn<wire::Arm::TrajectoryJSetRatioVParams>,
+     .arguments = messageOf<wire::Arm::TrajectoryJSetRatioVParams, ArmTrajectoryJSetRatioVArguments,
+                            encodeArmTrajectoryJSetRatioV, decodeArmTrajectoryJSetRatioV>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 52,
+     .sent = sentIn<wire::Arm::TrajectoryJSetRatioAParams>,
+     .arguments = messageOf<wire::Arm::TrajectoryJSetRatioAParams, ArmTrajectoryJSetRatioAArguments,
+                            encodeArmTrajectoryJSetRatioA, decodeArmTrajectoryJSetRatioA>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 53,
+     .sent = sentIn<wire::Arm::TrajectoryJRatioParams>,
+     .result = messageOf<wire::Arm::TrajectoryJRatioResults, double,
+                         encodeArmTrajectoryJRatioResult, decodeArmTrajectoryJRatioResult>,
+     .stamp = stampIn<wire::Arm::TrajectoryJRatioResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 54,
+     .sent = sentIn<wire::Arm::TrajectoryJRatioVParams>,
+     .result = messageOf<wire::Arm::TrajectoryJRatioVResults, double,
+                         encodeArmTrajectoryJRatioVResult, decodeArmTrajectoryJRatioVResult>,
+     .stamp = stampIn<wire::Arm::TrajectoryJRatioVResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 55,
+     .sent = sentIn<wire::Arm::TrajectoryJRatioAParams>,
+     .result = messageOf<wire::Arm::TrajectoryJRatioAResults, double,
+                         encodeArmTrajectoryJRatioAResult, decodeArmTrajectoryJRatioAResult>,
+     .stamp = stampIn<wire::Arm::TrajectoryJRatioAResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 56,
+     .sent = sentIn<wire::Arm::QueryCpParams>,
+     .arguments = messageOf<wire::Arm::QueryCpParams, ArmQueryCpArguments, encodeArmQueryCp,
+                            decodeArmQueryCp>,
+     .result = messageOf<wire::Arm::QueryCpResults, PoseStampedSlot, encodeArmQueryCpResult,
+                         decodeArmQueryCpResult>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 57,
+     .sent = sentIn<wire::Arm::LocalQueryCpParams>,
+     .arguments = messageOf<wire::Arm::LocalQueryCpParams, ArmLocalQueryCpArguments,
+                            encodeArmLocalQueryCp, decodeArmLocalQueryCp>,
+     .result = messageOf<wire::Arm::LocalQueryCpResults, PoseStampedSlot,
+                         encodeArmLocalQueryCpResult, decodeArmLocalQueryCpResult>},
 };
 
-/// Makes remote calls of commands.
-class ArmProxy final : public suture::rpc::Proxy {
- public:
-  ArmProxy(wire::Arm::Client provider, ProxyPort& port)
-      : base_(suture::interfaceInfo<suture::Messages>().binding().makeProxy(provider, port)),
-        provider_(kj::mv(provider)),
-        port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<ArmReceiver>(kj::addRef(port_)));
-    request.setEventMask(suture::toWireNumbers(kArmWireEvents, events));
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<ArmCommand>(record.command)) {
-      case ArmCommand::enable: {
-        auto request = provider_.enableRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::disable: {
-        auto request = provider_.disableRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::home: {
-        auto request = provider_.homeRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::hold: {
-        auto request = provider_.holdRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::servo_cp: {
-        const auto& slot = slotIn<ArmServoCpArguments>(record.arguments());
-        auto request = provider_.servoCpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::servo_jp: {
-        const auto& slot = slotIn<ArmServoJpArguments>(record.arguments());
-        auto request = provider_.servoJpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::move_jp: {
-        const auto& slot = slotIn<ArmMoveJpArguments>(record.arguments());
-        auto request = provider_.moveJpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::measured_js: {
-        auto request = provider_.measuredJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::setpoint_js: {
-        auto request = provider_.setpointJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::setpoint_cp: {
-        auto request = provider_.setpointCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::operating_state: {
-        auto request = provider_.operatingStateRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<OperatingStateSlot>(call, response.getStamp(),
-                                           [&](OperatingStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::forward_kinematics: {
-        const auto& slot = slotIn<ArmForwardKinematicsArguments>(record.arguments());
-        auto request = provider_.forwardKinematicsRequest();
-        toWire(slot.q, request.initQ());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::inverse_kinematics: {
-        const auto& slot = slotIn<ArmInverseKinematicsArguments>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointSolutionSlot>(call, [&](JointSolutionSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::configuration_js: {
-        auto request = provider_.configurationJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointConfigurationSlot>(call, response.getStamp(),
-                                               [&](JointConfigurationSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::period_statistics: {
-        auto request = provider_.periodStatisticsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<IntervalStatisticsSlot>(call, response.getStamp(),
-                                               [&](IntervalStatisticsSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::pause: {
-        auto request = provider_.pauseRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::resume: {
-        auto request = provider_.resumeRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::unhome: {
-        auto request = provider_.unhomeRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::state_command: {
-        const auto& slot = slotIn<ArmStateCommandArguments>(record.arguments());
-        auto request = provider_.stateCommandRequest();
-        toWire(slot.name, request.initName(slot.name.size));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::goal_js: {
-        auto request = provider_.goalJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::goal_cp: {
-        auto request = provider_.goalCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::local_measured_cp: {
-        auto request = provider_.localMeasuredCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::local_setpoint_cp: {
-        auto request = provider_.localSetpointCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::measured_cv: {
-        auto request = provider_.measuredCvRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::setpoint_cv: {
-        auto request = provider_.setpointCvRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::body_measured_cf: {
-        auto request = provider_.bodyMeasuredCfRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<WrenchSlot>(call, response.getStamp(), [&](WrenchSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::spatial_measured_cf: {
-        auto request = provider_.spatialMeasuredCfRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<WrenchSlot>(call, response.getStamp(), [&](WrenchSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::measured_cs: {
-        auto request = provider_.measuredCsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<CartesianStateSlot>(call, response.getStamp(),
-                                           [&](CartesianStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::body_jacobian: {
-        auto request = provider_.bodyJacobianRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JacobianSlot>(call, response.getStamp(), [&](JacobianSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::spatial_jacobian: {
-        auto request = provider_.spatialJacobianRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JacobianSlot>(call, response.getStamp(), [&](JacobianSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::base_frame: {
-        auto request = provider_.baseFrameRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<TransformStampedSlot>(call, response.getStamp(),
-                                             [&](TransformStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::set_base_frame: {
-        const auto& slot = slotIn<ArmSetBaseFrameArguments>(record.arguments());
-        auto request = provider_.setBaseFrameRequest();
-        toWire(slot.base, request.initBase());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::free: {
-        auto request = provider_.freeRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::use_gravity_compensation: {
-        const auto& slot = slotIn<ArmUseGravityCompensationArguments>(record.arguments());
-        auto request = provider_.useGravityCompensationRequest();
-        request.setUse(slot.use != 0);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::servo_jr: {
-        const auto& slot = slotIn<ArmServoJrArguments>(record.arguments());
-        auto request = provider_.servoJrRequest();
-        toWire(slot.step, request.initStep());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::servo_jv: {
-        const auto& slot = slotIn<ArmServoJvArguments>(record.arguments());
-        auto request = provider_.servoJvRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::servo_jf: {
-        const auto& slot = slotIn<ArmServoJfArguments>(record.arguments());
-        auto request = provider_.servoJfRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::servo_cr: {
-        const auto& slot = slotIn<ArmServoCrArguments>(record.arguments());
-        auto request = provider_.servoCrRequest();
-        toWire(slot.step, request.initStep());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::servo_cv: {
-        const auto& slot = slotIn<ArmServoCvArguments>(record.arguments());
-        auto request = provider_.servoCvRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::body_servo_cf: {
-        const auto& slot = slotIn<ArmBodyServoCfArguments>(record.arguments());
-        auto request = provider_.bodyServoCfRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::spatial_servo_cf: {
-        const auto& slot = slotIn<ArmSpatialServoCfArguments>(record.arguments());
-        auto request = provider_.spatialServoCfRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::interpolate_jp: {
-        const auto& slot = slotIn<ArmInterpolateJpArguments>(record.arguments());
-        auto request = provider_.interpolateJpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::interpolate_jr: {
-        const auto& slot = slotIn<ArmInterpolateJrArguments>(record.arguments());
-        auto request = provider_.interpolateJrRequest();
-        toWire(slot.step, request.initStep());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::interpolate_cp: {
-        const auto& slot = slotIn<ArmInterpolateCpArguments>(record.arguments());
-        auto request = provider_.interpolateCpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::interpolate_cr: {
-        const auto& slot = slotIn<ArmInterpolateCrArguments>(record.arguments());
-        auto request = provider_.interpolateCrRequest();
-        toWire(slot.step, request.initStep());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::move_jr: {
-        const auto& slot = slotIn<ArmMoveJrArguments>(record.arguments());
-        auto request = provider_.moveJrRequest();
-        toWire(slot.step, request.initStep());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::move_cp: {
-        const auto& slot = slotIn<ArmMoveCpArguments>(record.arguments());
-        auto request = provider_.moveCpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::move_cr: {
-        const auto& slot = slotIn<ArmMoveCrArguments>(record.arguments());
-        auto request = provider_.moveCrRequest();
-        toWire(slot.step, request.initStep());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::trajectory_j_set_ratio: {
-        const auto& slot = slotIn<ArmTrajectoryJSetRatioArguments>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioRequest();
-        request.setRatio(slot.ratio);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::trajectory_j_set_ratio_v: {
-        const auto& slot = slotIn<ArmTrajectoryJSetRatioVArguments>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioVRequest();
-        request.setRatio(slot.ratio);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::trajectory_j_set_ratio_a: {
-        const auto& slot = slotIn<ArmTrajectoryJSetRatioAArguments>(record.arguments());
-        auto request = provider_.trajectoryJSetRatioARequest();
-        request.setRatio(slot.ratio);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::trajectory_j_ratio: {
-        auto request = provider_.trajectoryJRatioRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case ArmCommand::trajectory_j_ratio_v: {
-        auto request = provider_.trajectoryJRatioVRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case ArmCommand::trajectory_j_ratio_a: {
-        auto request = provider_.trajectoryJRatioARequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case ArmCommand::query_cp: {
-        const auto& slot = slotIn<ArmQueryCpArguments>(record.arguments());
-        auto request = provider_.queryCpRequest();
-        toWire(slot.q, request.initQ());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::local_query_cp: {
-        const auto& slot = slotIn<ArmLocalQueryCpArguments>(record.arguments());
-        auto request = provider_.localQueryCpRequest();
-        toWire(slot.q, request.initQ());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return base_->send(record);
-  }
-
- private:
-  kj::Own<suture::rpc::Proxy> base_;
-  wire::Arm::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kArmEventCodecs[] = {
+    {.method = 4,
+     .payload = messageOf<wire::ArmEvents::StatusParams, suture::MessageSlot, encodeArmStatusEvent,
+                          decodeArmStatusEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::ArmEvents::WarningParams, suture::MessageSlot,
+                          encodeArmWarningEvent, decodeArmWarningEvent>},
+    {.method = 5,
+     .payload = messageOf<wire::ArmEvents::ErrorParams, suture::MessageSlot, encodeArmErrorEvent,
+                          decodeArmErrorEvent>},
+    {.method = 1,
+     .payload = messageOf<wire::ArmEvents::OperatingStateParams, OperatingStateSlot,
+                          encodeArmOperatingStateEvent, decodeArmOperatingStateEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::ArmEvents::GoalReachedParams, std::uint8_t,
+                          encodeArmGoalReachedEvent, decodeArmGoalReachedEvent>},
+    {.method = 6,
+     .payload = messageOf<wire::ArmEvents::DesiredStateParams, std::uint8_t,
+                          encodeArmDesiredStateEvent, decodeArmDesiredStateEvent>},
+    {.method = 7,
+     .payload = messageOf<wire::ArmEvents::GravityCompensationParams, std::uint8_t,
+                          encodeArmGravityCompensationEvent, decodeArmGravityCompensationEvent>},
+    {.method = 8,
+     .payload = messageOf<wire::ArmEvents::TrajectoryJRatioParams, double,
+                          encodeArmTrajectoryJRatioEvent, decodeArmTrajectoryJRatioEvent>},
+    {.method = 9,
+     .payload = messageOf<wire::ArmEvents::TrajectoryJRatioVParams, double,
+                          encodeArmTrajectoryJRatioVEvent, decodeArmTrajectoryJRatioVEvent>},
+    {.method = 10,
+     .payload = messageOf<wire::ArmEvents::TrajectoryJRatioAParams, double,
+                          encodeArmTrajectoryJRatioAEvent, decodeArmTrajectoryJRatioAEvent>},
 };
 
-class ArmBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<ArmServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<ArmProxy>(contract.castAs<wire::Arm>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<ArmSink>(subscriber.castAs<wire::ArmEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Arm>();
-  }
-};
-
-const suture::rpc::Binding& armBinding() {
-  static const ArmBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& armCodec() {
+  static const suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Arm>,
+      .contract = capnp::typeId<wire::Arm>(),
+      .subscriber = capnp::typeId<wire::ArmEvents>(),
+      .commands = kArmCommandCodecs,
+      .events = kArmEventCodecs,
+      .row = suture::rpc::rowOf<wire::ArmEvents::StateParams, wire::ArmStateRow, encodeArmColumn,
+                                decodeArmColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kArmCommands[] = {
@@ -2885,7 +2476,7 @@ const InterfaceInfo& interfaceInfo<robots::Arm>() {
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = kEvents,
-      .binding = &robots::armBinding,
+      .codec = &robots::armCodec,
       .base = &interfaceInfo<suture::Messages>,
       .toBase = &castToBase<robots::Arm, suture::Messages>,
       .wireEvents = robots::kArmWireEvents,

@@ -1,9 +1,7 @@
 // Written by suturec from arm/gripper.h. Do not edit.
 #include "arm/gripper.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -32,11 +30,14 @@ using suture::CommandKind;
 using suture::Errc;
 using suture::EventInfo;
 using suture::checkSlot;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::newSlot;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -44,192 +45,100 @@ using suture::slotSize;
 
 namespace {
 
-// --- Gripper over Cap'n Proto RPC: the provider's side
+// --- Gripper as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class GripperSink final : public suture::rpc::EventSink {
- public:
-  explicit GripperSink(wire::GripperEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeGripperConfigurationJsResult(const JointConfigurationSlot& slot,
+                                        wire::Gripper::ConfigurationJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGripperConfigurationJsResult(wire::Gripper::ConfigurationJsResults::Reader in,
+                                        JointConfigurationSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(GripperEvent::closed): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.closedRequest();
-        request.setValue(slot != 0);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeGripperMeasuredJsResult(const JointStateSlot& slot,
+                                   wire::Gripper::MeasuredJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGripperMeasuredJsResult(wire::Gripper::MeasuredJsResults::Reader in,
+                                   JointStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<JointConfigurationSlot>(columns[0]);
+void encodeGripperClosedEvent(const std::uint8_t& slot,
+                              wire::GripperEvents::ClosedParams::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeGripperClosedEvent(wire::GripperEvents::ClosedParams::Reader in, std::uint8_t& slot,
+                              suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeGripperColumn(unsigned column, const std::byte* memory,
+                         wire::GripperStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<JointConfigurationSlot>(memory);
       toWire(slot, out.initConfigurationJs());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<JointStateSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<JointStateSlot>(memory);
       toWire(slot, out.initMeasuredJs());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::GripperEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class GripperServant final : public wire::Gripper::Server {
- public:
-  explicit GripperServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<GripperSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> configurationJs(ConfigurationJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointConfigurationSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(GripperCommand::configuration_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> measuredJs(MeasuredJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(GripperCommand::measured_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Gripper over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class GripperReceiver final : public wire::GripperEvents::Server {
- public:
-  explicit GripperReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<JointConfigurationSlot>(0);
-      const Errc error =
-          in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<JointConfigurationSlot>(memory);
+      return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
+          : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<JointStateSlot>(1);
-      const Errc error =
-          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
+    case 1: {
+      auto& slot = newSlot<JointStateSlot>(memory);
+      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> closed(ClosedContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(GripperEvent::closed), [&](std::uint8_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kGripperCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Gripper>(),
+     .method = 1,
+     .sent = sentIn<wire::Gripper::ConfigurationJsParams>,
+     .result = messageOf<wire::Gripper::ConfigurationJsResults, JointConfigurationSlot,
+                         encodeGripperConfigurationJsResult, decodeGripperConfigurationJsResult>,
+     .stamp = stampIn<wire::Gripper::ConfigurationJsResults>},
+    {.interface = capnp::typeId<wire::Gripper>(),
+     .method = 2,
+     .sent = sentIn<wire::Gripper::MeasuredJsParams>,
+     .result = messageOf<wire::Gripper::MeasuredJsResults, JointStateSlot,
+                         encodeGripperMeasuredJsResult, decodeGripperMeasuredJsResult>,
+     .stamp = stampIn<wire::Gripper::MeasuredJsResults>},
 };
 
-/// Makes remote calls of commands.
-class GripperProxy final : public suture::rpc::Proxy {
- public:
-  GripperProxy(wire::Gripper::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<GripperReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<GripperCommand>(record.command)) {
-      case GripperCommand::configuration_js: {
-        auto request = provider_.configurationJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointConfigurationSlot>(call, response.getStamp(),
-                                               [&](JointConfigurationSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case GripperCommand::measured_js: {
-        auto request = provider_.measuredJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Gripper::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kGripperEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::GripperEvents::ClosedParams, std::uint8_t, encodeGripperClosedEvent,
+                          decodeGripperClosedEvent>},
 };
 
-class GripperBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<GripperServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<GripperProxy>(contract.castAs<wire::Gripper>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<GripperSink>(subscriber.castAs<wire::GripperEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Gripper>();
-  }
-};
-
-const suture::rpc::Binding& gripperBinding() {
-  static const GripperBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& gripperCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Gripper>,
+      .contract = capnp::typeId<wire::Gripper>(),
+      .subscriber = capnp::typeId<wire::GripperEvents>(),
+      .commands = kGripperCommandCodecs,
+      .events = kGripperEventCodecs,
+      .row = suture::rpc::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow,
+                                encodeGripperColumn, decodeGripperColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kGripperCommands[] = {
@@ -345,7 +254,7 @@ const InterfaceInfo& interfaceInfo<robots::Gripper>() {
       .description = robots::kGripperDescription,
       .commands = robots::kGripperCommands,
       .events = robots::kGripperEvents,
-      .binding = &robots::gripperBinding,
+      .codec = &robots::gripperCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from arm/jaw.h. Do not edit.
 #include "arm/jaw.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -50,11 +48,13 @@ using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -89,328 +89,198 @@ bool acceptsJawMoveJp(const JawMoveJpArguments& slot, FieldPath* path) {
   return isValid(slot.goal, path) || refusedAt(path, "goal");
 }
 
-// --- Jaw over Cap'n Proto RPC: the provider's side
+// --- Jaw as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class JawSink final : public suture::rpc::EventSink {
- public:
-  explicit JawSink(wire::JawEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeJawConfigurationJsResult(const JointConfigurationSlot& slot,
+                                    wire::Jaw::ConfigurationJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeJawConfigurationJsResult(wire::Jaw::ConfigurationJsResults::Reader in,
+                                    JointConfigurationSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(suture::MessagesEvent::status): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.statusRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(suture::MessagesEvent::warning): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.warningRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(suture::MessagesEvent::error): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.errorRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(JawEvent::goal_reached): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.goalReachedRequest();
-        request.setValue(slot != 0);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeJawMeasuredJsResult(const JointStateSlot& slot,
+                               wire::Jaw::MeasuredJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeJawMeasuredJsResult(wire::Jaw::MeasuredJsResults::Reader in, JointStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<JointConfigurationSlot>(columns[0]);
+void encodeJawSetpointJsResult(const JointStateSlot& slot,
+                               wire::Jaw::SetpointJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeJawSetpointJsResult(wire::Jaw::SetpointJsResults::Reader in, JointStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeJawServoJp(const JawServoJpArguments& slot, wire::Jaw::ServoJpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeJawServoJp(wire::Jaw::ServoJpParams::Reader in, JawServoJpArguments& slot,
+                      suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeJawServoJf(const JawServoJfArguments& slot, wire::Jaw::ServoJfParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeJawServoJf(wire::Jaw::ServoJfParams::Reader in, JawServoJfArguments& slot,
+                      suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeJawMoveJp(const JawMoveJpArguments& slot, wire::Jaw::MoveJpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeJawMoveJp(wire::Jaw::MoveJpParams::Reader in, JawMoveJpArguments& slot,
+                     suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
+
+void encodeJawStatusEvent(const suture::MessageSlot& slot,
+                          wire::JawEvents::StatusParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeJawStatusEvent(wire::JawEvents::StatusParams::Reader in, suture::MessageSlot& slot,
+                          suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeJawWarningEvent(const suture::MessageSlot& slot,
+                           wire::JawEvents::WarningParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeJawWarningEvent(wire::JawEvents::WarningParams::Reader in, suture::MessageSlot& slot,
+                           suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeJawErrorEvent(const suture::MessageSlot& slot,
+                         wire::JawEvents::ErrorParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeJawErrorEvent(wire::JawEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
+                         suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeJawGoalReachedEvent(const std::uint8_t& slot,
+                               wire::JawEvents::GoalReachedParams::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeJawGoalReachedEvent(wire::JawEvents::GoalReachedParams::Reader in, std::uint8_t& slot,
+                               suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeJawColumn(unsigned column, const std::byte* memory, wire::JawStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<JointConfigurationSlot>(memory);
       toWire(slot, out.initConfigurationJs());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<JointStateSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<JointStateSlot>(memory);
       toWire(slot, out.initMeasuredJs());
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<JointStateSlot>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<JointStateSlot>(memory);
       toWire(slot, out.initSetpointJs());
+      break;
     }
-    return request.send().ignoreResult();
   }
+}
+Errc decodeJawColumn(wire::JawStateRow::Reader in, unsigned column, std::byte* memory,
+                     suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<JointConfigurationSlot>(memory);
+      return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
+          : Errc::Invalid;
+    }
+    case 1: {
+      auto& slot = newSlot<JointStateSlot>(memory);
+      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+    }
+    case 2: {
+      auto& slot = newSlot<JointStateSlot>(memory);
+      return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : Errc::Invalid;
+    }
+  }
+  return Errc::Invalid;
+}
 
- private:
-  wire::JawEvents::Client subscriber_;
+constexpr CommandCodec kJawCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Jaw>(),
+     .method = 1,
+     .sent = sentIn<wire::Jaw::ConfigurationJsParams>,
+     .result = messageOf<wire::Jaw::ConfigurationJsResults, JointConfigurationSlot,
+                         encodeJawConfigurationJsResult, decodeJawConfigurationJsResult>,
+     .stamp = stampIn<wire::Jaw::ConfigurationJsResults>},
+    {.interface = capnp::typeId<wire::Jaw>(),
+     .method = 2,
+     .sent = sentIn<wire::Jaw::MeasuredJsParams>,
+     .result = messageOf<wire::Jaw::MeasuredJsResults, JointStateSlot, encodeJawMeasuredJsResult,
+                         decodeJawMeasuredJsResult>,
+     .stamp = stampIn<wire::Jaw::MeasuredJsResults>},
+    {.interface = capnp::typeId<wire::Jaw>(),
+     .method = 3,
+     .sent = sentIn<wire::Jaw::SetpointJsParams>,
+     .result = messageOf<wire::Jaw::SetpointJsResults, JointStateSlot, encodeJawSetpointJsResult,
+                         decodeJawSetpointJsResult>,
+     .stamp = stampIn<wire::Jaw::SetpointJsResults>},
+    {.interface = capnp::typeId<wire::Jaw>(),
+     .method = 4,
+     .sent = sentIn<wire::Jaw::ServoJpParams>,
+     .arguments = messageOf<wire::Jaw::ServoJpParams, JawServoJpArguments, encodeJawServoJp,
+                            decodeJawServoJp>},
+    {.interface = capnp::typeId<wire::Jaw>(),
+     .method = 5,
+     .sent = sentIn<wire::Jaw::ServoJfParams>,
+     .arguments = messageOf<wire::Jaw::ServoJfParams, JawServoJfArguments, encodeJawServoJf,
+                            decodeJawServoJf>},
+    {.interface = capnp::typeId<wire::Jaw>(),
+     .method = 6,
+     .sent = sentIn<wire::Jaw::MoveJpParams>,
+     .arguments = messageOf<wire::Jaw::MoveJpParams, JawMoveJpArguments, encodeJawMoveJp,
+                            decodeJawMoveJp>},
 };
 
-/// Puts remote calls into the provider's mailbox.
-class JawServant final : public wire::Jaw::Server {
- public:
-  explicit JawServant(kj::Own<ServantPort> port)
-      : base_(suture::interfaceInfo<suture::Messages>().binding().makeServant(kj::addRef(*port))),
-        port_(kj::mv(port)) {}
-
-  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
-                                  suture::rpc::AnyCall call) override {
-    if (contract != capnp::typeId<wire::Jaw>()) {
-      return base_->dispatchCall(contract, method, call);
-    }
-    return wire::Jaw::Server::dispatchCall(contract, method, call);
-  }
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<JawSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> configurationJs(ConfigurationJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointConfigurationSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(JawCommand::configuration_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> measuredJs(MeasuredJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(JawCommand::measured_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> setpointJs(SetpointJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(JawCommand::setpoint_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> servoJp(ServoJpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<JawServoJpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(JawCommand::servo_jp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> servoJf(ServoJfContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<JawServoJfArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(JawCommand::servo_jf), in.getSent(), fill);
-  }
-
-  kj::Promise<void> moveJp(MoveJpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<JawMoveJpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(JawCommand::move_jp), in.getSent(), fill);
-  }
-
- private:
-  kj::Own<capnp::Capability::Server> base_;
-  kj::Own<ServantPort> port_;
+constexpr EventCodec kJawEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::JawEvents::StatusParams, suture::MessageSlot, encodeJawStatusEvent,
+                          decodeJawStatusEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::JawEvents::WarningParams, suture::MessageSlot,
+                          encodeJawWarningEvent, decodeJawWarningEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::JawEvents::ErrorParams, suture::MessageSlot, encodeJawErrorEvent,
+                          decodeJawErrorEvent>},
+    {.method = 4,
+     .payload = messageOf<wire::JawEvents::GoalReachedParams, std::uint8_t,
+                          encodeJawGoalReachedEvent, decodeJawGoalReachedEvent>},
 };
 
-// --- Jaw over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class JawReceiver final : public wire::JawEvents::Server {
- public:
-  explicit JawReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<JointConfigurationSlot>(0);
-      const Errc error =
-          in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
-    }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<JointStateSlot>(1);
-      const Errc error =
-          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
-    }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<JointStateSlot>(2);
-      const Errc error =
-          in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(2, error);
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> status(StatusContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::status),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> warning(WarningContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::warning),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> error(ErrorContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::error),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> goalReached(GoalReachedContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(JawEvent::goal_reached), [&](std::uint8_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class JawProxy final : public suture::rpc::Proxy {
- public:
-  JawProxy(wire::Jaw::Client provider, ProxyPort& port)
-      : base_(suture::interfaceInfo<suture::Messages>().binding().makeProxy(provider, port)),
-        provider_(kj::mv(provider)),
-        port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<JawReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<JawCommand>(record.command)) {
-      case JawCommand::configuration_js: {
-        auto request = provider_.configurationJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointConfigurationSlot>(call, response.getStamp(),
-                                               [&](JointConfigurationSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case JawCommand::measured_js: {
-        auto request = provider_.measuredJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case JawCommand::setpoint_js: {
-        auto request = provider_.setpointJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case JawCommand::servo_jp: {
-        const auto& slot = slotIn<JawServoJpArguments>(record.arguments());
-        auto request = provider_.servoJpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case JawCommand::servo_jf: {
-        const auto& slot = slotIn<JawServoJfArguments>(record.arguments());
-        auto request = provider_.servoJfRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case JawCommand::move_jp: {
-        const auto& slot = slotIn<JawMoveJpArguments>(record.arguments());
-        auto request = provider_.moveJpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-    }
-    return base_->send(record);
-  }
-
- private:
-  kj::Own<suture::rpc::Proxy> base_;
-  wire::Jaw::Client provider_;
-  ProxyPort& port_;
-};
-
-class JawBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<JawServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<JawProxy>(contract.castAs<wire::Jaw>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<JawSink>(subscriber.castAs<wire::JawEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Jaw>();
-  }
-};
-
-const suture::rpc::Binding& jawBinding() {
-  static const JawBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& jawCodec() {
+  static const suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Jaw>,
+      .contract = capnp::typeId<wire::Jaw>(),
+      .subscriber = capnp::typeId<wire::JawEvents>(),
+      .commands = kJawCommandCodecs,
+      .events = kJawEventCodecs,
+      .row = suture::rpc::rowOf<wire::JawEvents::StateParams, wire::JawStateRow, encodeJawColumn,
+                                decodeJawColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kJawCommands[] = {
@@ -625,7 +495,7 @@ const InterfaceInfo& interfaceInfo<robots::Jaw>() {
       .description = robots::kJawDescription,
       .commands = robots::kJawCommands,
       .events = kEvents,
-      .binding = &robots::jawBinding,
+      .codec = &robots::jawCodec,
       .base = &interfaceInfo<suture::Messages>,
       .toBase = &castToBase<robots::Jaw, suture::Messages>,
   };

@@ -1,9 +1,7 @@
 // Written by suturec from bench/loop.h. Do not edit.
 #include "bench/loop.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -28,11 +26,13 @@ using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -63,194 +63,102 @@ bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot, FieldPath* p
   return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-// --- LoopServer over Cap'n Proto RPC: the provider's side
+// --- LoopServer as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class LoopServerSink final : public suture::rpc::EventSink {
- public:
-  explicit LoopServerSink(wire::LoopServerEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeLoopServerPut(const LoopServerPutArguments& slot,
+                         wire::LoopServer::PutParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeLoopServerPut(wire::LoopServer::PutParams::Reader in, LoopServerPutArguments& slot,
+                         suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(LoopServerEvent::echo): {
-        const auto& slot = slotIn<robots::PosePrmSlot>(payload);
-        auto request = subscriber_.echoRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeLoopServerBounce(const LoopServerBounceArguments& slot,
+                            wire::LoopServer::BounceParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeLoopServerBounce(wire::LoopServer::BounceParams::Reader in,
+                            LoopServerBounceArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<robots::PosePrmSlot>(columns[0]);
+void encodeLoopServerValueResult(const robots::PosePrmSlot& slot,
+                                 wire::LoopServer::ValueResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeLoopServerValueResult(wire::LoopServer::ValueResults::Reader in,
+                                 robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeLoopServerEchoEvent(const robots::PosePrmSlot& slot,
+                               wire::LoopServerEvents::EchoParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeLoopServerEchoEvent(wire::LoopServerEvents::EchoParams::Reader in,
+                               robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeLoopServerColumn(unsigned column, const std::byte* memory,
+                            wire::LoopServerStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<robots::PosePrmSlot>(memory);
       toWire(slot, out.initValue());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::LoopServerEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class LoopServerServant final : public wire::LoopServer::Server {
- public:
-  explicit LoopServerServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<LoopServerSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> put(PutContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<LoopServerPutArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(LoopServerCommand::put), in.getSent(), fill);
-  }
-
-  kj::Promise<void> bounce(BounceContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<LoopServerBounceArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(LoopServerCommand::bounce), in.getSent(), fill);
-  }
-
-  kj::Promise<void> value(ValueContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<robots::PosePrmSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(LoopServerCommand::value), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- LoopServer over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class LoopServerReceiver final : public wire::LoopServerEvents::Server {
- public:
-  explicit LoopServerReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<robots::PosePrmSlot>(0);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeLoopServerColumn(wire::LoopServerStateRow::Reader in, unsigned column, std::byte* memory,
+                            suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<robots::PosePrmSlot>(memory);
+      return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> echo(EchoContext context) override {
-    auto in = context.getParams();
-    return port_->event<robots::PosePrmSlot>(numberOf(LoopServerEvent::echo),
-                                             [&](robots::PosePrmSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kLoopServerCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::LoopServer>(),
+     .method = 1,
+     .sent = sentIn<wire::LoopServer::PutParams>,
+     .arguments = messageOf<wire::LoopServer::PutParams, LoopServerPutArguments,
+                            encodeLoopServerPut, decodeLoopServerPut>},
+    {.interface = capnp::typeId<wire::LoopServer>(),
+     .method = 2,
+     .sent = sentIn<wire::LoopServer::BounceParams>,
+     .arguments = messageOf<wire::LoopServer::BounceParams, LoopServerBounceArguments,
+                            encodeLoopServerBounce, decodeLoopServerBounce>},
+    {.interface = capnp::typeId<wire::LoopServer>(),
+     .method = 3,
+     .sent = sentIn<wire::LoopServer::ValueParams>,
+     .result = messageOf<wire::LoopServer::ValueResults, robots::PosePrmSlot,
+                         encodeLoopServerValueResult, decodeLoopServerValueResult>,
+     .stamp = stampIn<wire::LoopServer::ValueResults>},
 };
 
-/// Makes remote calls of commands.
-class LoopServerProxy final : public suture::rpc::Proxy {
- public:
-  LoopServerProxy(wire::LoopServer::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<LoopServerReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<LoopServerCommand>(record.command)) {
-      case LoopServerCommand::put: {
-        const auto& slot = slotIn<LoopServerPutArguments>(record.arguments());
-        auto request = provider_.putRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case LoopServerCommand::bounce: {
-        const auto& slot = slotIn<LoopServerBounceArguments>(record.arguments());
-        auto request = provider_.bounceRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case LoopServerCommand::value: {
-        auto request = provider_.valueRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PosePrmSlot>(call, response.getStamp(),
-                                            [&](robots::PosePrmSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::LoopServer::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kLoopServerEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::LoopServerEvents::EchoParams, robots::PosePrmSlot,
+                          encodeLoopServerEchoEvent, decodeLoopServerEchoEvent>},
 };
 
-class LoopServerBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<LoopServerServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<LoopServerProxy>(contract.castAs<wire::LoopServer>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<LoopServerSink>(subscriber.castAs<wire::LoopServerEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::LoopServer>();
-  }
-};
-
-const suture::rpc::Binding& loopServerBinding() {
-  static const LoopServerBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& loopServerCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::LoopServer>,
+      .contract = capnp::typeId<wire::LoopServer>(),
+      .subscriber = capnp::typeId<wire::LoopServerEvents>(),
+      .commands = kLoopServerCommandCodecs,
+      .events = kLoopServerEventCodecs,
+      .row = suture::rpc::rowOf<wire::LoopServerEvents::StateParams, wire::LoopServerStateRow,
+                                encodeLoopServerColumn, decodeLoopServerColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kLoopServerCommands[] = {
@@ -341,7 +249,7 @@ const InterfaceInfo& interfaceInfo<bench::LoopServer>() {
       .description = bench::kLoopServerDescription,
       .commands = bench::kLoopServerCommands,
       .events = bench::kLoopServerEvents,
-      .binding = &bench::loopServerBinding,
+      .codec = &bench::loopServerCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from bench/sample_loop.h. Do not edit.
 #include "bench/sample_loop.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -28,11 +26,13 @@ using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -63,194 +63,102 @@ bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot, FieldPat
   return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-// --- SampleServer over Cap'n Proto RPC: the provider's side
+// --- SampleServer as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class SampleServerSink final : public suture::rpc::EventSink {
- public:
-  explicit SampleServerSink(wire::SampleServerEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeSampleServerPut(const SampleServerPutArguments& slot,
+                           wire::SampleServer::PutParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeSampleServerPut(wire::SampleServer::PutParams::Reader in, SampleServerPutArguments& slot,
+                           suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(SampleServerEvent::echo): {
-        const auto& slot = slotIn<robots::PoseSampleSlot>(payload);
-        auto request = subscriber_.echoRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeSampleServerBounce(const SampleServerBounceArguments& slot,
+                              wire::SampleServer::BounceParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeSampleServerBounce(wire::SampleServer::BounceParams::Reader in,
+                              SampleServerBounceArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<robots::PoseSampleSlot>(columns[0]);
+void encodeSampleServerValueResult(const robots::PoseSampleSlot& slot,
+                                   wire::SampleServer::ValueResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeSampleServerValueResult(wire::SampleServer::ValueResults::Reader in,
+                                   robots::PoseSampleSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeSampleServerEchoEvent(const robots::PoseSampleSlot& slot,
+                                 wire::SampleServerEvents::EchoParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeSampleServerEchoEvent(wire::SampleServerEvents::EchoParams::Reader in,
+                                 robots::PoseSampleSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeSampleServerColumn(unsigned column, const std::byte* memory,
+                              wire::SampleServerStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<robots::PoseSampleSlot>(memory);
       toWire(slot, out.initValue());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::SampleServerEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class SampleServerServant final : public wire::SampleServer::Server {
- public:
-  explicit SampleServerServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<SampleServerSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> put(PutContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<SampleServerPutArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(SampleServerCommand::put), in.getSent(), fill);
-  }
-
-  kj::Promise<void> bounce(BounceContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<SampleServerBounceArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(SampleServerCommand::bounce), in.getSent(), fill);
-  }
-
-  kj::Promise<void> value(ValueContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<robots::PoseSampleSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(SampleServerCommand::value), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- SampleServer over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class SampleServerReceiver final : public wire::SampleServerEvents::Server {
- public:
-  explicit SampleServerReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<robots::PoseSampleSlot>(0);
-      const Errc error =
-          in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeSampleServerColumn(wire::SampleServerStateRow::Reader in, unsigned column,
+                              std::byte* memory, suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<robots::PoseSampleSlot>(memory);
+      return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> echo(EchoContext context) override {
-    auto in = context.getParams();
-    return port_->event<robots::PoseSampleSlot>(numberOf(SampleServerEvent::echo),
-                                                [&](robots::PoseSampleSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kSampleServerCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::SampleServer>(),
+     .method = 1,
+     .sent = sentIn<wire::SampleServer::PutParams>,
+     .arguments = messageOf<wire::SampleServer::PutParams, SampleServerPutArguments,
+                            encodeSampleServerPut, decodeSampleServerPut>},
+    {.interface = capnp::typeId<wire::SampleServer>(),
+     .method = 2,
+     .sent = sentIn<wire::SampleServer::BounceParams>,
+     .arguments = messageOf<wire::SampleServer::BounceParams, SampleServerBounceArguments,
+                            encodeSampleServerBounce, decodeSampleServerBounce>},
+    {.interface = capnp::typeId<wire::SampleServer>(),
+     .method = 3,
+     .sent = sentIn<wire::SampleServer::ValueParams>,
+     .result = messageOf<wire::SampleServer::ValueResults, robots::PoseSampleSlot,
+                         encodeSampleServerValueResult, decodeSampleServerValueResult>,
+     .stamp = stampIn<wire::SampleServer::ValueResults>},
 };
 
-/// Makes remote calls of commands.
-class SampleServerProxy final : public suture::rpc::Proxy {
- public:
-  SampleServerProxy(wire::SampleServer::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<SampleServerReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<SampleServerCommand>(record.command)) {
-      case SampleServerCommand::put: {
-        const auto& slot = slotIn<SampleServerPutArguments>(record.arguments());
-        auto request = provider_.putRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case SampleServerCommand::bounce: {
-        const auto& slot = slotIn<SampleServerBounceArguments>(record.arguments());
-        auto request = provider_.bounceRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case SampleServerCommand::value: {
-        auto request = provider_.valueRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PoseSampleSlot>(call, response.getStamp(),
-                                               [&](robots::PoseSampleSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::SampleServer::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kSampleServerEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::SampleServerEvents::EchoParams, robots::PoseSampleSlot,
+                          encodeSampleServerEchoEvent, decodeSampleServerEchoEvent>},
 };
 
-class SampleServerBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<SampleServerServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<SampleServerProxy>(contract.castAs<wire::SampleServer>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<SampleServerSink>(subscriber.castAs<wire::SampleServerEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::SampleServer>();
-  }
-};
-
-const suture::rpc::Binding& sampleServerBinding() {
-  static const SampleServerBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& sampleServerCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::SampleServer>,
+      .contract = capnp::typeId<wire::SampleServer>(),
+      .subscriber = capnp::typeId<wire::SampleServerEvents>(),
+      .commands = kSampleServerCommandCodecs,
+      .events = kSampleServerEventCodecs,
+      .row = suture::rpc::rowOf<wire::SampleServerEvents::StateParams, wire::SampleServerStateRow,
+                                encodeSampleServerColumn, decodeSampleServerColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kSampleServerCommands[] = {
@@ -335,7 +243,7 @@ const InterfaceInfo& interfaceInfo<bench::SampleServer>() {
       .description = bench::kSampleServerDescription,
       .commands = bench::kSampleServerCommands,
       .events = bench::kSampleServerEvents,
-      .binding = &bench::sampleServerBinding,
+      .codec = &bench::sampleServerCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from console/console.h. Do not edit.
 #include "console/console.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -25,10 +23,13 @@ using suture::Errc;
 using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::newSlot;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::slotIn;
 using suture::slotSize;
@@ -100,235 +101,116 @@ bool acceptsConsoleConsoleStateEvent(const std::uint8_t& slot, FieldPath*) {
   return isKnownConsoleState(slot);
 }
 
-// --- Console over Cap'n Proto RPC: the provider's side
+// --- Console as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class ConsoleSink final : public suture::rpc::EventSink {
- public:
-  explicit ConsoleSink(wire::ConsoleEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeConsoleConsoleStateResult(const std::uint8_t& slot,
+                                     wire::Console::ConsoleStateResults::Builder out) {
+  out.setValue(wireConsoleState(slot));
+}
+Errc decodeConsoleConsoleStateResult(wire::Console::ConsoleStateResults::Reader in,
+                                     std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(suture::MessagesEvent::status): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.statusRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(suture::MessagesEvent::warning): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.warningRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(suture::MessagesEvent::error): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.errorRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(ConsoleEvent::console_state): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.consoleStateRequest();
-        request.setValue(wireConsoleState(slot));
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeConsoleStatusEvent(const suture::MessageSlot& slot,
+                              wire::ConsoleEvents::StatusParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeConsoleStatusEvent(wire::ConsoleEvents::StatusParams::Reader in,
+                              suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<std::uint8_t>(columns[0]);
+void encodeConsoleWarningEvent(const suture::MessageSlot& slot,
+                               wire::ConsoleEvents::WarningParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeConsoleWarningEvent(wire::ConsoleEvents::WarningParams::Reader in,
+                               suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeConsoleErrorEvent(const suture::MessageSlot& slot,
+                             wire::ConsoleEvents::ErrorParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeConsoleErrorEvent(wire::ConsoleEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
+                             suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeConsoleConsoleStateEvent(const std::uint8_t& slot,
+                                    wire::ConsoleEvents::ConsoleStateParams::Builder out) {
+  out.setValue(wireConsoleState(slot));
+}
+Errc decodeConsoleConsoleStateEvent(wire::ConsoleEvents::ConsoleStateParams::Reader in,
+                                    std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+// Of a row of the state, each column.
+void encodeConsoleColumn(unsigned column, const std::byte* memory,
+                         wire::ConsoleStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<std::uint8_t>(memory);
       out.setConsoleState(wireConsoleState(slot));
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::ConsoleEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class ConsoleServant final : public wire::Console::Server {
- public:
-  explicit ConsoleServant(kj::Own<ServantPort> port)
-      : base_(suture::interfaceInfo<suture::Messages>().binding().makeServant(kj::addRef(*port))),
-        port_(kj::mv(port)) {}
-
-  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
-                                  suture::rpc::AnyCall call) override {
-    if (contract != capnp::typeId<wire::Console>()) {
-      return base_->dispatchCall(contract, method, call);
+}
+Errc decodeConsoleColumn(wire::ConsoleStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<std::uint8_t>(memory);
+      return fromWire(in.getConsoleState(), slot);
     }
-    return wire::Console::Server::dispatchCall(contract, method, call);
   }
+  return Errc::Invalid;
+}
 
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<ConsoleSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> bringUp(BringUpContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ConsoleCommand::bring_up), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> bringDown(BringDownContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ConsoleCommand::bring_down), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> consoleState(ConsoleStateContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(wireConsoleState(slot));
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ConsoleCommand::console_state), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<capnp::Capability::Server> base_;
-  kj::Own<ServantPort> port_;
+constexpr CommandCodec kConsoleCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Console>(),
+     .method = 1,
+     .sent = sentIn<wire::Console::BringUpParams>},
+    {.interface = capnp::typeId<wire::Console>(),
+     .method = 2,
+     .sent = sentIn<wire::Console::BringDownParams>},
+    {.interface = capnp::typeId<wire::Console>(),
+     .method = 3,
+     .sent = sentIn<wire::Console::ConsoleStateParams>,
+     .result = messageOf<wire::Console::ConsoleStateResults, std::uint8_t,
+                         encodeConsoleConsoleStateResult, decodeConsoleConsoleStateResult>,
+     .stamp = stampIn<wire::Console::ConsoleStateResults>},
 };
 
-// --- Console over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class ConsoleReceiver final : public wire::ConsoleEvents::Server {
- public:
-  explicit ConsoleReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<std::uint8_t>(0);
-      const Errc error = fromWire(in.getConsoleState(), slot);
-      columns.enter(0, error);
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> status(StatusContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::status),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> warning(WarningContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::warning),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> error(ErrorContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::error),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> consoleState(ConsoleStateContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(ConsoleEvent::console_state),
-                                      [&](std::uint8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr EventCodec kConsoleEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::ConsoleEvents::StatusParams, suture::MessageSlot,
+                          encodeConsoleStatusEvent, decodeConsoleStatusEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::ConsoleEvents::WarningParams, suture::MessageSlot,
+                          encodeConsoleWarningEvent, decodeConsoleWarningEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::ConsoleEvents::ErrorParams, suture::MessageSlot,
+                          encodeConsoleErrorEvent, decodeConsoleErrorEvent>},
+    {.method = 4,
+     .payload = messageOf<wire::ConsoleEvents::ConsoleStateParams, std::uint8_t,
+                          encodeConsoleConsoleStateEvent, decodeConsoleConsoleStateEvent>},
 };
 
-/// Makes remote calls of commands.
-class ConsoleProxy final : public suture::rpc::Proxy {
- public:
-  ConsoleProxy(wire::Console::Client provider, ProxyPort& port)
-      : base_(suture::interfaceInfo<suture::Messages>().binding().makeProxy(provider, port)),
-        provider_(kj::mv(provider)),
-        port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<ConsoleReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<ConsoleCommand>(record.command)) {
-      case ConsoleCommand::bring_up: {
-        auto request = provider_.bringUpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ConsoleCommand::bring_down: {
-        auto request = provider_.bringDownRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ConsoleCommand::console_state: {
-        auto request = provider_.consoleStateRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-    }
-    return base_->send(record);
-  }
-
- private:
-  kj::Own<suture::rpc::Proxy> base_;
-  wire::Console::Client provider_;
-  ProxyPort& port_;
-};
-
-class ConsoleBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<ConsoleServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<ConsoleProxy>(contract.castAs<wire::Console>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<ConsoleSink>(subscriber.castAs<wire::ConsoleEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Console>();
-  }
-};
-
-const suture::rpc::Binding& consoleBinding() {
-  static const ConsoleBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& consoleCodec() {
+  static const suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Console>,
+      .contract = capnp::typeId<wire::Console>(),
+      .subscriber = capnp::typeId<wire::ConsoleEvents>(),
+      .commands = kConsoleCommandCodecs,
+      .events = kConsoleEventCodecs,
+      .row = suture::rpc::rowOf<wire::ConsoleEvents::StateParams, wire::ConsoleStateRow,
+                                encodeConsoleColumn, decodeConsoleColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kConsoleCommands[] = {
@@ -439,7 +321,7 @@ const InterfaceInfo& interfaceInfo<robots::Console>() {
       .description = robots::kConsoleDescription,
       .commands = robots::kConsoleCommands,
       .events = kEvents,
-      .binding = &robots::consoleBinding,
+      .codec = &robots::consoleCodec,
       .base = &interfaceInfo<suture::Messages>,
       .toBase = &castToBase<robots::Console, suture::Messages>,
   };

@@ -1,9 +1,7 @@
 // Written by suturec from coordinator/emergency_stop.h. Do not edit.
 #include "coordinator/emergency_stop.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -20,11 +18,14 @@ using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::newSlot;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -104,182 +105,80 @@ bool isValid(const StopNewsSlot&, FieldPath*) {
 
 namespace {
 
-// --- EmergencyStop over Cap'n Proto RPC: the provider's side
+// --- EmergencyStop as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class EmergencyStopSink final : public suture::rpc::EventSink {
- public:
-  explicit EmergencyStopSink(wire::EmergencyStopEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeEmergencyStopPermitResult(const PermitSlot& slot,
+                                     wire::EmergencyStop::PermitResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeEmergencyStopPermitResult(wire::EmergencyStop::PermitResults::Reader in,
+                                     PermitSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(EmergencyStopEvent::stop): {
-        const auto& slot = slotIn<StopNewsSlot>(payload);
-        auto request = subscriber_.stopRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeEmergencyStopStopEvent(const StopNewsSlot& slot,
+                                  wire::EmergencyStopEvents::StopParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeEmergencyStopStopEvent(wire::EmergencyStopEvents::StopParams::Reader in,
+                                  StopNewsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PermitSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeEmergencyStopColumn(unsigned column, const std::byte* memory,
+                               wire::EmergencyStopStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PermitSlot>(memory);
       toWire(slot, out.initPermit());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::EmergencyStopEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class EmergencyStopServant final : public wire::EmergencyStop::Server {
- public:
-  explicit EmergencyStopServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<EmergencyStopSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> press(PressContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(EmergencyStopCommand::press), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> release(ReleaseContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(EmergencyStopCommand::release), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> permit(PermitContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PermitSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(EmergencyStopCommand::permit), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- EmergencyStop over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class EmergencyStopReceiver final : public wire::EmergencyStopEvents::Server {
- public:
-  explicit EmergencyStopReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PermitSlot>(0);
-      const Errc error =
-          in.hasPermit() ? fromWire(in.getPermit(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeEmergencyStopColumn(wire::EmergencyStopStateRow::Reader in, unsigned column,
+                               std::byte* memory, suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PermitSlot>(memory);
+      return in.hasPermit() ? fromWire(in.getPermit(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> stop(StopContext context) override {
-    auto in = context.getParams();
-    return port_->event<StopNewsSlot>(numberOf(EmergencyStopEvent::stop), [&](StopNewsSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kEmergencyStopCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::EmergencyStop>(),
+     .method = 1,
+     .sent = sentIn<wire::EmergencyStop::PressParams>},
+    {.interface = capnp::typeId<wire::EmergencyStop>(),
+     .method = 2,
+     .sent = sentIn<wire::EmergencyStop::ReleaseParams>},
+    {.interface = capnp::typeId<wire::EmergencyStop>(),
+     .method = 3,
+     .sent = sentIn<wire::EmergencyStop::PermitParams>,
+     .result = messageOf<wire::EmergencyStop::PermitResults, PermitSlot,
+                         encodeEmergencyStopPermitResult, decodeEmergencyStopPermitResult>,
+     .stamp = stampIn<wire::EmergencyStop::PermitResults>},
 };
 
-/// Makes remote calls of commands.
-class EmergencyStopProxy final : public suture::rpc::Proxy {
- public:
-  EmergencyStopProxy(wire::EmergencyStop::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<EmergencyStopReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<EmergencyStopCommand>(record.command)) {
-      case EmergencyStopCommand::press: {
-        auto request = provider_.pressRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case EmergencyStopCommand::release: {
-        auto request = provider_.releaseRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case EmergencyStopCommand::permit: {
-        auto request = provider_.permitRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PermitSlot>(call, response.getStamp(), [&](PermitSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::EmergencyStop::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kEmergencyStopEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::EmergencyStopEvents::StopParams, StopNewsSlot,
+                          encodeEmergencyStopStopEvent, decodeEmergencyStopStopEvent>},
 };
 
-class EmergencyStopBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<EmergencyStopServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<EmergencyStopProxy>(contract.castAs<wire::EmergencyStop>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<EmergencyStopSink>(subscriber.castAs<wire::EmergencyStopEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::EmergencyStop>();
-  }
-};
-
-const suture::rpc::Binding& emergencyStopBinding() {
-  static const EmergencyStopBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& emergencyStopCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::EmergencyStop>,
+      .contract = capnp::typeId<wire::EmergencyStop>(),
+      .subscriber = capnp::typeId<wire::EmergencyStopEvents>(),
+      .commands = kEmergencyStopCommandCodecs,
+      .events = kEmergencyStopEventCodecs,
+      .row = suture::rpc::rowOf<wire::EmergencyStopEvents::StateParams, wire::EmergencyStopStateRow,
+                                encodeEmergencyStopColumn, decodeEmergencyStopColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kEmergencyStopCommands[] = {
@@ -356,7 +255,7 @@ const InterfaceInfo& interfaceInfo<robots::EmergencyStop>() {
       .description = robots::kEmergencyStopDescription,
       .commands = robots::kEmergencyStopCommands,
       .events = robots::kEmergencyStopEvents,
-      .binding = &robots::emergencyStopBinding,
+      .codec = &robots::emergencyStopCodec,
   };
   return kInfo;
 }

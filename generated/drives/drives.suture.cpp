@@ -1,9 +1,7 @@
 // Written by suturec from drives/drives.h. Do not edit.
 #include "drives/drives.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -22,12 +20,14 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -199,203 +199,106 @@ bool acceptsDrivesPowerEvent(const std::uint8_t& slot, FieldPath*) {
   return isKnownDrivePower(slot);
 }
 
-// --- Drives over Cap'n Proto RPC: the provider's side
+// --- Drives as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class DrivesSink final : public suture::rpc::EventSink {
- public:
-  explicit DrivesSink(wire::DrivesEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeDrivesPowerOn(const DrivesPowerOnArguments& slot,
+                         wire::Drives::PowerOnParams::Builder out) {
+  out.setPermitted(slot.permitted);
+}
+Errc decodeDrivesPowerOn(wire::Drives::PowerOnParams::Reader in, DrivesPowerOnArguments& slot,
+                         suture::Duration shift) {
+  slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(DrivesEvent::power): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.powerRequest();
-        request.setValue(wireDrivePower(slot));
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeDrivesServoJp(const DrivesServoJpArguments& slot,
+                         wire::Drives::ServoJpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeDrivesServoJp(wire::Drives::ServoJpParams::Reader in, DrivesServoJpArguments& slot,
+                         suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<DriveFeedbackSlot>(columns[0]);
+void encodeDrivesFeedbackResult(const DriveFeedbackSlot& slot,
+                                wire::Drives::FeedbackResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeDrivesFeedbackResult(wire::Drives::FeedbackResults::Reader in, DriveFeedbackSlot& slot,
+                                suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeDrivesPowerEvent(const std::uint8_t& slot,
+                            wire::DrivesEvents::PowerParams::Builder out) {
+  out.setValue(wireDrivePower(slot));
+}
+Errc decodeDrivesPowerEvent(wire::DrivesEvents::PowerParams::Reader in, std::uint8_t& slot,
+                            suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+// Of a row of the state, each column.
+void encodeDrivesColumn(unsigned column, const std::byte* memory,
+                        wire::DrivesStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<DriveFeedbackSlot>(memory);
       toWire(slot, out.initFeedback());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::DrivesEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class DrivesServant final : public wire::Drives::Server {
- public:
-  explicit DrivesServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<DrivesSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> powerOn(PowerOnContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<DrivesPowerOnArguments>(memory);
-      slot.permitted = suture::rpc::shifted(in.getPermitted(), port_->shift());
-      return Errc{};
-    };
-    return port_->command(numberOf(DrivesCommand::power_on), in.getSent(), fill);
-  }
-
-  kj::Promise<void> powerOff(PowerOffContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(DrivesCommand::power_off), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> servoJp(ServoJpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<DrivesServoJpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(DrivesCommand::servo_jp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> feedback(FeedbackContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<DriveFeedbackSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(DrivesCommand::feedback), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Drives over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class DrivesReceiver final : public wire::DrivesEvents::Server {
- public:
-  explicit DrivesReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<DriveFeedbackSlot>(0);
-      const Errc error =
-          in.hasFeedback() ? fromWire(in.getFeedback(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeDrivesColumn(wire::DrivesStateRow::Reader in, unsigned column, std::byte* memory,
+                        suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<DriveFeedbackSlot>(memory);
+      return in.hasFeedback() ? fromWire(in.getFeedback(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> power(PowerContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(DrivesEvent::power), [&](std::uint8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kDrivesCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Drives>(),
+     .method = 1,
+     .sent = sentIn<wire::Drives::PowerOnParams>,
+     .arguments = messageOf<wire::Drives::PowerOnParams, DrivesPowerOnArguments,
+                            encodeDrivesPowerOn, decodeDrivesPowerOn>},
+    {.interface = capnp::typeId<wire::Drives>(),
+     .method = 2,
+     .sent = sentIn<wire::Drives::PowerOffParams>},
+    {.interface = capnp::typeId<wire::Drives>(),
+     .method = 3,
+     .sent = sentIn<wire::Drives::ServoJpParams>,
+     .arguments = messageOf<wire::Drives::ServoJpParams, DrivesServoJpArguments,
+                            encodeDrivesServoJp, decodeDrivesServoJp>},
+    {.interface = capnp::typeId<wire::Drives>(),
+     .method = 4,
+     .sent = sentIn<wire::Drives::FeedbackParams>,
+     .result = messageOf<wire::Drives::FeedbackResults, DriveFeedbackSlot,
+                         encodeDrivesFeedbackResult, decodeDrivesFeedbackResult>,
+     .stamp = stampIn<wire::Drives::FeedbackResults>},
 };
 
-/// Makes remote calls of commands.
-class DrivesProxy final : public suture::rpc::Proxy {
- public:
-  DrivesProxy(wire::Drives::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<DrivesReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<DrivesCommand>(record.command)) {
-      case DrivesCommand::power_on: {
-        const auto& slot = slotIn<DrivesPowerOnArguments>(record.arguments());
-        auto request = provider_.powerOnRequest();
-        request.setPermitted(slot.permitted);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case DrivesCommand::power_off: {
-        auto request = provider_.powerOffRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case DrivesCommand::servo_jp: {
-        const auto& slot = slotIn<DrivesServoJpArguments>(record.arguments());
-        auto request = provider_.servoJpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case DrivesCommand::feedback: {
-        auto request = provider_.feedbackRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<DriveFeedbackSlot>(call, response.getStamp(),
-                                          [&](DriveFeedbackSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Drives::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kDrivesEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::DrivesEvents::PowerParams, std::uint8_t, encodeDrivesPowerEvent,
+                          decodeDrivesPowerEvent>},
 };
 
-class DrivesBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<DrivesServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<DrivesProxy>(contract.castAs<wire::Drives>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<DrivesSink>(subscriber.castAs<wire::DrivesEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Drives>();
-  }
-};
-
-const suture::rpc::Binding& drivesBinding() {
-  static const DrivesBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& drivesCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Drives>,
+      .contract = capnp::typeId<wire::Drives>(),
+      .subscriber = capnp::typeId<wire::DrivesEvents>(),
+      .commands = kDrivesCommandCodecs,
+      .events = kDrivesEventCodecs,
+      .row = suture::rpc::rowOf<wire::DrivesEvents::StateParams, wire::DrivesStateRow,
+                                encodeDrivesColumn, decodeDrivesColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kDrivesCommands[] = {
@@ -515,7 +418,7 @@ const InterfaceInfo& interfaceInfo<robots::Drives>() {
       .description = robots::kDrivesDescription,
       .commands = robots::kDrivesCommands,
       .events = robots::kDrivesEvents,
-      .binding = &robots::drivesBinding,
+      .codec = &robots::drivesCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from drives/gripper_hand.h. Do not edit.
 #include "drives/gripper_hand.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -18,13 +16,11 @@ using suture::Duration;
 using suture::Errc;
 using suture::FieldPath;
 using suture::checkSlot;
-using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
-using suture::slotIn;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
 using suture::slotSize;
 using suture::store;
 
@@ -38,128 +34,36 @@ bool acceptsGripperHandSqueeze(const GripperHandSqueezeArguments& slot, FieldPat
   return isValid(slot.angle) || refusedAt(path, "angle");
 }
 
-// --- GripperHand over Cap'n Proto RPC: the provider's side
+// --- GripperHand as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class GripperHandSink final : public suture::rpc::EventSink {
- public:
-  explicit GripperHandSink(wire::GripperHandEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeGripperHandSqueeze(const GripperHandSqueezeArguments& slot,
+                              wire::GripperHand::SqueezeParams::Builder out) {
+  out.setAngle(slot.angle);
+}
+Errc decodeGripperHandSqueeze(wire::GripperHand::SqueezeParams::Reader in,
+                              GripperHandSqueezeArguments& slot, suture::Duration) {
+  slot.angle = in.getAngle();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
-
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const>) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    return request.send().ignoreResult();
-  }
-
- private:
-  wire::GripperHandEvents::Client subscriber_;
+constexpr CommandCodec kGripperHandCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::GripperHand>(),
+     .method = 1,
+     .sent = sentIn<wire::GripperHand::SqueezeParams>,
+     .arguments = messageOf<wire::GripperHand::SqueezeParams, GripperHandSqueezeArguments,
+                            encodeGripperHandSqueeze, decodeGripperHandSqueeze>},
 };
 
-/// Puts remote calls into the provider's mailbox.
-class GripperHandServant final : public wire::GripperHand::Server {
- public:
-  explicit GripperHandServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<GripperHandSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> squeeze(SqueezeContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<GripperHandSqueezeArguments>(memory);
-      slot.angle = in.getAngle();
-      return Errc{};
-    };
-    return port_->command(numberOf(GripperHandCommand::squeeze), in.getSent(), fill);
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- GripperHand over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class GripperHandReceiver final : public wire::GripperHandEvents::Server {
- public:
-  explicit GripperHandReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class GripperHandProxy final : public suture::rpc::Proxy {
- public:
-  GripperHandProxy(wire::GripperHand::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<GripperHandReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<GripperHandCommand>(record.command)) {
-      case GripperHandCommand::squeeze: {
-        const auto& slot = slotIn<GripperHandSqueezeArguments>(record.arguments());
-        auto request = provider_.squeezeRequest();
-        request.setAngle(slot.angle);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::GripperHand::Client provider_;
-  ProxyPort& port_;
-};
-
-class GripperHandBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<GripperHandServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<GripperHandProxy>(contract.castAs<wire::GripperHand>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<GripperHandSink>(subscriber.castAs<wire::GripperHandEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::GripperHand>();
-  }
-};
-
-const suture::rpc::Binding& gripperHandBinding() {
-  static const GripperHandBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& gripperHandCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::GripperHand>,
+      .contract = capnp::typeId<wire::GripperHand>(),
+      .subscriber = capnp::typeId<wire::GripperHandEvents>(),
+      .commands = kGripperHandCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::GripperHandEvents::StateParams, wire::GripperHandStateRow>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kGripperHandCommands[] = {
@@ -206,7 +110,7 @@ const InterfaceInfo& interfaceInfo<robots::GripperHand>() {
       .description = robots::kGripperHandDescription,
       .commands = robots::kGripperHandCommands,
       .events = {},
-      .binding = &robots::gripperHandBinding,
+      .codec = &robots::gripperHandCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from guidance/guidance.h. Do not edit.
 #include "guidance/guidance.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -20,13 +18,16 @@ using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -148,213 +149,104 @@ bool acceptsGuidanceGuidanceStateEvent(const std::uint8_t& slot, FieldPath*) {
   return isKnownGuidanceState(slot);
 }
 
-// --- Guidance over Cap'n Proto RPC: the provider's side
+// --- Guidance as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class GuidanceSink final : public suture::rpc::EventSink {
- public:
-  explicit GuidanceSink(wire::GuidanceEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeGuidanceGuidanceStateResult(const std::uint8_t& slot,
+                                       wire::Guidance::GuidanceStateResults::Builder out) {
+  out.setValue(wireGuidanceState(slot));
+}
+Errc decodeGuidanceGuidanceStateResult(wire::Guidance::GuidanceStateResults::Reader in,
+                                       std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(GuidanceEvent::guidance_state): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.guidanceStateRequest();
-        request.setValue(wireGuidanceState(slot));
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeGuidanceProgressResult(const GuidanceProgressSlot& slot,
+                                  wire::Guidance::ProgressResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGuidanceProgressResult(wire::Guidance::ProgressResults::Reader in,
+                                  GuidanceProgressSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<std::uint8_t>(columns[0]);
+void encodeGuidanceGuidanceStateEvent(const std::uint8_t& slot,
+                                      wire::GuidanceEvents::GuidanceStateParams::Builder out) {
+  out.setValue(wireGuidanceState(slot));
+}
+Errc decodeGuidanceGuidanceStateEvent(wire::GuidanceEvents::GuidanceStateParams::Reader in,
+                                      std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+// Of a row of the state, each column.
+void encodeGuidanceColumn(unsigned column, const std::byte* memory,
+                          wire::GuidanceStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<std::uint8_t>(memory);
       out.setGuidanceState(wireGuidanceState(slot));
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<GuidanceProgressSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<GuidanceProgressSlot>(memory);
       toWire(slot, out.initProgress());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::GuidanceEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class GuidanceServant final : public wire::Guidance::Server {
- public:
-  explicit GuidanceServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<GuidanceSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> guidanceState(GuidanceStateContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(wireGuidanceState(slot));
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(GuidanceCommand::guidance_state), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> progress(ProgressContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<GuidanceProgressSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(GuidanceCommand::progress), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> enable(EnableContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(GuidanceCommand::enable), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> disable(DisableContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(GuidanceCommand::disable), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Guidance over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class GuidanceReceiver final : public wire::GuidanceEvents::Server {
- public:
-  explicit GuidanceReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<std::uint8_t>(0);
-      const Errc error = fromWire(in.getGuidanceState(), slot);
-      columns.enter(0, error);
+}
+Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned column, std::byte* memory,
+                          suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<std::uint8_t>(memory);
+      return fromWire(in.getGuidanceState(), slot);
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<GuidanceProgressSlot>(1);
-      const Errc error =
-          in.hasProgress() ? fromWire(in.getProgress(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
+    case 1: {
+      auto& slot = newSlot<GuidanceProgressSlot>(memory);
+      return in.hasProgress() ? fromWire(in.getProgress(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> guidanceState(GuidanceStateContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(GuidanceEvent::guidance_state),
-                                      [&](std::uint8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kGuidanceCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Guidance>(),
+     .method = 1,
+     .sent = sentIn<wire::Guidance::GuidanceStateParams>,
+     .result = messageOf<wire::Guidance::GuidanceStateResults, std::uint8_t,
+                         encodeGuidanceGuidanceStateResult, decodeGuidanceGuidanceStateResult>,
+     .stamp = stampIn<wire::Guidance::GuidanceStateResults>},
+    {.interface = capnp::typeId<wire::Guidance>(),
+     .method = 2,
+     .sent = sentIn<wire::Guidance::ProgressParams>,
+     .result = messageOf<wire::Guidance::ProgressResults, GuidanceProgressSlot,
+                         encodeGuidanceProgressResult, decodeGuidanceProgressResult>,
+     .stamp = stampIn<wire::Guidance::ProgressResults>},
+    {.interface = capnp::typeId<wire::Guidance>(),
+     .method = 3,
+     .sent = sentIn<wire::Guidance::EnableParams>},
+    {.interface = capnp::typeId<wire::Guidance>(),
+     .method = 4,
+     .sent = sentIn<wire::Guidance::DisableParams>},
 };
 
-/// Makes remote calls of commands.
-class GuidanceProxy final : public suture::rpc::Proxy {
- public:
-  GuidanceProxy(wire::Guidance::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<GuidanceReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<GuidanceCommand>(record.command)) {
-      case GuidanceCommand::guidance_state: {
-        auto request = provider_.guidanceStateRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case GuidanceCommand::progress: {
-        auto request = provider_.progressRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<GuidanceProgressSlot>(call, response.getStamp(),
-                                             [&](GuidanceProgressSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case GuidanceCommand::enable: {
-        auto request = provider_.enableRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case GuidanceCommand::disable: {
-        auto request = provider_.disableRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Guidance::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kGuidanceEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::GuidanceEvents::GuidanceStateParams, std::uint8_t,
+                          encodeGuidanceGuidanceStateEvent, decodeGuidanceGuidanceStateEvent>},
 };
 
-class GuidanceBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<GuidanceServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<GuidanceProxy>(contract.castAs<wire::Guidance>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<GuidanceSink>(subscriber.castAs<wire::GuidanceEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Guidance>();
-  }
-};
-
-const suture::rpc::Binding& guidanceBinding() {
-  static const GuidanceBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& guidanceCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Guidance>,
+      .contract = capnp::typeId<wire::Guidance>(),
+      .subscriber = capnp::typeId<wire::GuidanceEvents>(),
+      .commands = kGuidanceCommandCodecs,
+      .events = kGuidanceEventCodecs,
+      .row = suture::rpc::rowOf<wire::GuidanceEvents::StateParams, wire::GuidanceStateRow,
+                                encodeGuidanceColumn, decodeGuidanceColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kGuidanceCommands[] = {
@@ -458,7 +350,7 @@ const InterfaceInfo& interfaceInfo<robots::Guidance>() {
       .description = robots::kGuidanceDescription,
       .commands = robots::kGuidanceCommands,
       .events = robots::kGuidanceEvents,
-      .binding = &robots::guidanceBinding,
+      .codec = &robots::guidanceCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from loadable/turntable.h. Do not edit.
 #include "loadable/turntable.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -19,10 +17,11 @@ using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::slotIn;
 using suture::slotSize;
 using suture::store;
@@ -37,157 +36,75 @@ bool acceptsTurntableTurn(const TurntableTurnArguments& slot, FieldPath* path) {
 
 bool acceptsTurntableAngleResult(const double& slot, FieldPath*) { return isValid(slot); }
 
-// --- Turntable over Cap'n Proto RPC: the provider's side
+// --- Turntable as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class TurntableSink final : public suture::rpc::EventSink {
- public:
-  explicit TurntableSink(wire::TurntableEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeTurntableTurn(const TurntableTurnArguments& slot,
+                         wire::Turntable::TurnParams::Builder out) {
+  out.setAngle(slot.angle);
+}
+Errc decodeTurntableTurn(wire::Turntable::TurnParams::Reader in, TurntableTurnArguments& slot,
+                         suture::Duration) {
+  slot.angle = in.getAngle();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
+void encodeTurntableAngleResult(const double& slot, wire::Turntable::AngleResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeTurntableAngleResult(wire::Turntable::AngleResults::Reader in, double& slot,
+                                suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<double>(columns[0]);
+// Of a row of the state, each column.
+void encodeTurntableColumn(unsigned column, const std::byte* memory,
+                           wire::TurntableStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<double>(memory);
       out.setAngle(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::TurntableEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class TurntableServant final : public wire::Turntable::Server {
- public:
-  explicit TurntableServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<TurntableSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> turn(TurnContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<TurntableTurnArguments>(memory);
-      slot.angle = in.getAngle();
-      return Errc{};
-    };
-    return port_->command(numberOf(TurntableCommand::turn), in.getSent(), fill);
-  }
-
-  kj::Promise<void> angle(AngleContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TurntableCommand::angle), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Turntable over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class TurntableReceiver final : public wire::TurntableEvents::Server {
- public:
-  explicit TurntableReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<double>(0);
+}
+Errc decodeTurntableColumn(wire::TurntableStateRow::Reader in, unsigned column, std::byte* memory,
+                           suture::Duration) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getAngle();
+      return Errc{};
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kTurntableCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Turntable>(),
+     .method = 1,
+     .sent = sentIn<wire::Turntable::TurnParams>,
+     .arguments = messageOf<wire::Turntable::TurnParams, TurntableTurnArguments,
+                            encodeTurntableTurn, decodeTurntableTurn>},
+    {.interface = capnp::typeId<wire::Turntable>(),
+     .method = 2,
+     .sent = sentIn<wire::Turntable::AngleParams>,
+     .result = messageOf<wire::Turntable::AngleResults, double, encodeTurntableAngleResult,
+                         decodeTurntableAngleResult>,
+     .stamp = stampIn<wire::Turntable::AngleResults>},
 };
 
-/// Makes remote calls of commands.
-class TurntableProxy final : public suture::rpc::Proxy {
- public:
-  TurntableProxy(wire::Turntable::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<TurntableReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<TurntableCommand>(record.command)) {
-      case TurntableCommand::turn: {
-        const auto& slot = slotIn<TurntableTurnArguments>(record.arguments());
-        auto request = provider_.turnRequest();
-        request.setAngle(slot.angle);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case TurntableCommand::angle: {
-        auto request = provider_.angleRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Turntable::Client provider_;
-  ProxyPort& port_;
-};
-
-class TurntableBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<TurntableServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<TurntableProxy>(contract.castAs<wire::Turntable>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<TurntableSink>(subscriber.castAs<wire::TurntableEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Turntable>();
-  }
-};
-
-const suture::rpc::Binding& turntableBinding() {
-  static const TurntableBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& turntableCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Turntable>,
+      .contract = capnp::typeId<wire::Turntable>(),
+      .subscriber = capnp::typeId<wire::TurntableEvents>(),
+      .commands = kTurntableCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::TurntableEvents::StateParams, wire::TurntableStateRow,
+                                encodeTurntableColumn, decodeTurntableColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kTurntableCommands[] = {
@@ -237,7 +154,7 @@ const InterfaceInfo& interfaceInfo<loadable::Turntable>() {
       .description = loadable::kTurntableDescription,
       .commands = loadable::kTurntableCommands,
       .events = {},
-      .binding = &loadable::turntableBinding,
+      .codec = &loadable::turntableCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from pedals/foot_pedals.h. Do not edit.
 #include "pedals/foot_pedals.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -20,11 +18,14 @@ using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::newSlot;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -83,190 +84,101 @@ bool isValid(const PedalStateSlot&, FieldPath*) {
 
 namespace {
 
-// --- FootPedals over Cap'n Proto RPC: the provider's side
+// --- FootPedals as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class FootPedalsSink final : public suture::rpc::EventSink {
- public:
-  explicit FootPedalsSink(wire::FootPedalsEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeFootPedalsPedalsResult(const PedalStateSlot& slot,
+                                  wire::FootPedals::PedalsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeFootPedalsPedalsResult(wire::FootPedals::PedalsResults::Reader in, PedalStateSlot& slot,
+                                  suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(FootPedalsEvent::clutch): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.clutchRequest();
-        request.setValue(slot != 0);
-        return request.send().ignoreResult();
-      }
-      case numberOf(FootPedalsEvent::camera): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.cameraRequest();
-        request.setValue(slot != 0);
-        return request.send().ignoreResult();
-      }
-      case numberOf(FootPedalsEvent::coagulation): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.coagulationRequest();
-        request.setValue(slot != 0);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeFootPedalsClutchEvent(const std::uint8_t& slot,
+                                 wire::FootPedalsEvents::ClutchParams::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeFootPedalsClutchEvent(wire::FootPedalsEvents::ClutchParams::Reader in,
+                                 std::uint8_t& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PedalStateSlot>(columns[0]);
+void encodeFootPedalsCameraEvent(const std::uint8_t& slot,
+                                 wire::FootPedalsEvents::CameraParams::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeFootPedalsCameraEvent(wire::FootPedalsEvents::CameraParams::Reader in,
+                                 std::uint8_t& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeFootPedalsCoagulationEvent(const std::uint8_t& slot,
+                                      wire::FootPedalsEvents::CoagulationParams::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeFootPedalsCoagulationEvent(wire::FootPedalsEvents::CoagulationParams::Reader in,
+                                      std::uint8_t& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeFootPedalsColumn(unsigned column, const std::byte* memory,
+                            wire::FootPedalsStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PedalStateSlot>(memory);
       toWire(slot, out.initPedals());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::FootPedalsEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class FootPedalsServant final : public wire::FootPedals::Server {
- public:
-  explicit FootPedalsServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<FootPedalsSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> pedals(PedalsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PedalStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(FootPedalsCommand::pedals), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- FootPedals over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class FootPedalsReceiver final : public wire::FootPedalsEvents::Server {
- public:
-  explicit FootPedalsReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PedalStateSlot>(0);
-      const Errc error =
-          in.hasPedals() ? fromWire(in.getPedals(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeFootPedalsColumn(wire::FootPedalsStateRow::Reader in, unsigned column, std::byte* memory,
+                            suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PedalStateSlot>(memory);
+      return in.hasPedals() ? fromWire(in.getPedals(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> clutch(ClutchContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(FootPedalsEvent::clutch), [&](std::uint8_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
-  kj::Promise<void> camera(CameraContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(FootPedalsEvent::camera), [&](std::uint8_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
-  kj::Promise<void> coagulation(CoagulationContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(FootPedalsEvent::coagulation),
-                                      [&](std::uint8_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kFootPedalsCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::FootPedals>(),
+     .method = 1,
+     .sent = sentIn<wire::FootPedals::PedalsParams>,
+     .result = messageOf<wire::FootPedals::PedalsResults, PedalStateSlot,
+                         encodeFootPedalsPedalsResult, decodeFootPedalsPedalsResult>,
+     .stamp = stampIn<wire::FootPedals::PedalsResults>},
 };
 
-/// Makes remote calls of commands.
-class FootPedalsProxy final : public suture::rpc::Proxy {
- public:
-  FootPedalsProxy(wire::FootPedals::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<FootPedalsReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<FootPedalsCommand>(record.command)) {
-      case FootPedalsCommand::pedals: {
-        auto request = provider_.pedalsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PedalStateSlot>(call, response.getStamp(), [&](PedalStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::FootPedals::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kFootPedalsEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::FootPedalsEvents::ClutchParams, std::uint8_t,
+                          encodeFootPedalsClutchEvent, decodeFootPedalsClutchEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::FootPedalsEvents::CameraParams, std::uint8_t,
+                          encodeFootPedalsCameraEvent, decodeFootPedalsCameraEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::FootPedalsEvents::CoagulationParams, std::uint8_t,
+                          encodeFootPedalsCoagulationEvent, decodeFootPedalsCoagulationEvent>},
 };
 
-class FootPedalsBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<FootPedalsServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<FootPedalsProxy>(contract.castAs<wire::FootPedals>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<FootPedalsSink>(subscriber.castAs<wire::FootPedalsEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::FootPedals>();
-  }
-};
-
-const suture::rpc::Binding& footPedalsBinding() {
-  static const FootPedalsBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& footPedalsCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::FootPedals>,
+      .contract = capnp::typeId<wire::FootPedals>(),
+      .subscriber = capnp::typeId<wire::FootPedalsEvents>(),
+      .commands = kFootPedalsCommandCodecs,
+      .events = kFootPedalsEventCodecs,
+      .row = suture::rpc::rowOf<wire::FootPedalsEvents::StateParams, wire::FootPedalsStateRow,
+                                encodeFootPedalsColumn, decodeFootPedalsColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kFootPedalsCommands[] = {
@@ -334,7 +246,7 @@ const InterfaceInfo& interfaceInfo<robots::FootPedals>() {
       .description = robots::kFootPedalsDescription,
       .commands = robots::kFootPedalsCommands,
       .events = robots::kFootPedalsEvents,
-      .binding = &robots::footPedalsBinding,
+      .codec = &robots::footPedalsCodec,
   };
   return kInfo;
 }

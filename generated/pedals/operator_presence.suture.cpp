@@ -1,9 +1,7 @@
 // Written by suturec from pedals/operator_presence.h. Do not edit.
 #include "pedals/operator_presence.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -20,11 +18,14 @@ using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::newSlot;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -73,162 +74,79 @@ bool isValid(const PresenceSlot&, FieldPath*) {
 
 namespace {
 
-// --- OperatorPresence over Cap'n Proto RPC: the provider's side
+// --- OperatorPresence as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class OperatorPresenceSink final : public suture::rpc::EventSink {
- public:
-  explicit OperatorPresenceSink(wire::OperatorPresenceEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeOperatorPresencePresenceResult(const PresenceSlot& slot,
+                                          wire::OperatorPresence::PresenceResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeOperatorPresencePresenceResult(wire::OperatorPresence::PresenceResults::Reader in,
+                                          PresenceSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(OperatorPresenceEvent::operator_present): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.operatorPresentRequest();
-        request.setValue(slot != 0);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeOperatorPresenceOperatorPresentEvent(const std::uint8_t& slot,
+                                                wire::OperatorPresenceEvents::OperatorPresentParams::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeOperatorPresenceOperatorPresentEvent(
+    wire::OperatorPresenceEvents::OperatorPresentParams::Reader in, std::uint8_t& slot,
+                                                suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PresenceSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeOperatorPresenceColumn(unsigned column, const std::byte* memory,
+                                  wire::OperatorPresenceStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PresenceSlot>(memory);
       toWire(slot, out.initPresence());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::OperatorPresenceEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class OperatorPresenceServant final : public wire::OperatorPresence::Server {
- public:
-  explicit OperatorPresenceServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<OperatorPresenceSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> presence(PresenceContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PresenceSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(OperatorPresenceCommand::presence), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- OperatorPresence over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class OperatorPresenceReceiver final : public wire::OperatorPresenceEvents::Server {
- public:
-  explicit OperatorPresenceReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PresenceSlot>(0);
-      const Errc error =
-          in.hasPresence() ? fromWire(in.getPresence(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeOperatorPresenceColumn(wire::OperatorPresenceStateRow::Reader in, unsigned column,
+                                  std::byte* memory, suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PresenceSlot>(memory);
+      return in.hasPresence() ? fromWire(in.getPresence(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> operatorPresent(OperatorPresentContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(OperatorPresenceEvent::operator_present),
-                                      [&](std::uint8_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kOperatorPresenceCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::OperatorPresence>(),
+     .method = 1,
+     .sent = sentIn<wire::OperatorPresence::PresenceParams>,
+     .result = messageOf<wire::OperatorPresence::PresenceResults, PresenceSlot,
+                         encodeOperatorPresencePresenceResult,
+                         decodeOperatorPresencePresenceResult>,
+     .stamp = stampIn<wire::OperatorPresence::PresenceResults>},
 };
 
-/// Makes remote calls of commands.
-class OperatorPresenceProxy final : public suture::rpc::Proxy {
- public:
-  OperatorPresenceProxy(wire::OperatorPresence::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<OperatorPresenceReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<OperatorPresenceCommand>(record.command)) {
-      case OperatorPresenceCommand::presence: {
-        auto request = provider_.presenceRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PresenceSlot>(call, response.getStamp(), [&](PresenceSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::OperatorPresence::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kOperatorPresenceEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::OperatorPresenceEvents::OperatorPresentParams, std::uint8_t,
+                          encodeOperatorPresenceOperatorPresentEvent,
+                          decodeOperatorPresenceOperatorPresentEvent>},
 };
 
-class OperatorPresenceBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<OperatorPresenceServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<OperatorPresenceProxy>(contract.castAs<wire::OperatorPresence>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<OperatorPresenceSink>(subscriber.castAs<wire::OperatorPresenceEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::OperatorPresence>();
-  }
-};
-
-const suture::rpc::Binding& operatorPresenceBinding() {
-  static const OperatorPresenceBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& operatorPresenceCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::OperatorPresence>,
+      .contract = capnp::typeId<wire::OperatorPresence>(),
+      .subscriber = capnp::typeId<wire::OperatorPresenceEvents>(),
+      .commands = kOperatorPresenceCommandCodecs,
+      .events = kOperatorPresenceEventCodecs,
+      .row = suture::rpc::rowOf<wire::OperatorPresenceEvents::StateParams,
+                                wire::OperatorPresenceStateRow, encodeOperatorPresenceColumn,
+                                decodeOperatorPresenceColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kOperatorPresenceCommands[] = {
@@ -288,7 +206,7 @@ const InterfaceInfo& interfaceInfo<robots::OperatorPresence>() {
       .description = robots::kOperatorPresenceDescription,
       .commands = robots::kOperatorPresenceCommands,
       .events = robots::kOperatorPresenceEvents,
-      .binding = &robots::operatorPresenceBinding,
+      .codec = &robots::operatorPresenceCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from registration/registration.h. Do not edit.
 #include "registration/registration.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -21,13 +19,14 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::slotIn;
 using suture::slotSize;
@@ -118,159 +117,73 @@ bool acceptsRegistrationSetCamera(const RegistrationSetCameraArguments& slot, Fi
   return isValid(slot.camera) || refusedAt(path, "camera");
 }
 
-// --- Registration over Cap'n Proto RPC: the provider's side
+// --- Registration as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class RegistrationSink final : public suture::rpc::EventSink {
- public:
-  explicit RegistrationSink(wire::RegistrationEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeRegistrationFramesResult(const SceneFramesSlot& slot,
+                                    wire::Registration::FramesResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeRegistrationFramesResult(wire::Registration::FramesResults::Reader in,
+                                    SceneFramesSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
+void encodeRegistrationSetCamera(const RegistrationSetCameraArguments& slot,
+                                 wire::Registration::SetCameraParams::Builder out) {
+  toWire(slot.camera, out.initCamera());
+}
+Errc decodeRegistrationSetCamera(wire::Registration::SetCameraParams::Reader in,
+                                 RegistrationSetCameraArguments& slot, suture::Duration) {
+  return in.hasCamera() ? fromWire(in.getCamera(), slot.camera) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<SceneFramesSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeRegistrationColumn(unsigned column, const std::byte* memory,
+                              wire::RegistrationStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<SceneFramesSlot>(memory);
       toWire(slot, out.initFrames());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::RegistrationEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class RegistrationServant final : public wire::Registration::Server {
- public:
-  explicit RegistrationServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<RegistrationSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> frames(FramesContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<SceneFramesSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(RegistrationCommand::frames), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> setCamera(SetCameraContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<RegistrationSetCameraArguments>(memory);
-      return in.hasCamera() ? fromWire(in.getCamera(), slot.camera) : Errc::Invalid;
-    };
-    return port_->command(numberOf(RegistrationCommand::set_camera), in.getSent(), fill);
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Registration over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class RegistrationReceiver final : public wire::RegistrationEvents::Server {
- public:
-  explicit RegistrationReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<SceneFramesSlot>(0);
-      const Errc error =
-          in.hasFrames() ? fromWire(in.getFrames(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeRegistrationColumn(wire::RegistrationStateRow::Reader in, unsigned column,
+                              std::byte* memory, suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<SceneFramesSlot>(memory);
+      return in.hasFrames() ? fromWire(in.getFrames(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kRegistrationCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Registration>(),
+     .method = 1,
+     .sent = sentIn<wire::Registration::FramesParams>,
+     .result = messageOf<wire::Registration::FramesResults, SceneFramesSlot,
+                         encodeRegistrationFramesResult, decodeRegistrationFramesResult>,
+     .stamp = stampIn<wire::Registration::FramesResults>},
+    {.interface = capnp::typeId<wire::Registration>(),
+     .method = 2,
+     .sent = sentIn<wire::Registration::SetCameraParams>,
+     .arguments = messageOf<wire::Registration::SetCameraParams, RegistrationSetCameraArguments,
+                            encodeRegistrationSetCamera, decodeRegistrationSetCamera>},
 };
 
-/// Makes remote calls of commands.
-class RegistrationProxy final : public suture::rpc::Proxy {
- public:
-  RegistrationProxy(wire::Registration::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<RegistrationReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<RegistrationCommand>(record.command)) {
-      case RegistrationCommand::frames: {
-        auto request = provider_.framesRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<SceneFramesSlot>(call, response.getStamp(), [&](SceneFramesSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case RegistrationCommand::set_camera: {
-        const auto& slot = slotIn<RegistrationSetCameraArguments>(record.arguments());
-        auto request = provider_.setCameraRequest();
-        toWire(slot.camera, request.initCamera());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Registration::Client provider_;
-  ProxyPort& port_;
-};
-
-class RegistrationBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<RegistrationServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<RegistrationProxy>(contract.castAs<wire::Registration>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<RegistrationSink>(subscriber.castAs<wire::RegistrationEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Registration>();
-  }
-};
-
-const suture::rpc::Binding& registrationBinding() {
-  static const RegistrationBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& registrationCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Registration>,
+      .contract = capnp::typeId<wire::Registration>(),
+      .subscriber = capnp::typeId<wire::RegistrationEvents>(),
+      .commands = kRegistrationCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::RegistrationEvents::StateParams, wire::RegistrationStateRow,
+                                encodeRegistrationColumn, decodeRegistrationColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kRegistrationCommands[] = {
@@ -346,7 +259,7 @@ const InterfaceInfo& interfaceInfo<robots::Registration>() {
       .description = robots::kRegistrationDescription,
       .commands = robots::kRegistrationCommands,
       .events = {},
-      .binding = &robots::registrationBinding,
+      .codec = &robots::registrationCodec,
   };
   return kInfo;
 }

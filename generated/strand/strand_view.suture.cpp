@@ -1,9 +1,7 @@
 // Written by suturec from strand/strand_view.h. Do not edit.
 #include "strand/strand_view.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -19,13 +17,15 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -97,143 +97,59 @@ bool isValid(const StrandStateSlot& slot, FieldPath* path) {
 
 namespace {
 
-// --- StrandView over Cap'n Proto RPC: the provider's side
+// --- StrandView as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class StrandViewSink final : public suture::rpc::EventSink {
- public:
-  explicit StrandViewSink(wire::StrandViewEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeStrandViewStrandResult(const StrandStateSlot& slot,
+                                  wire::StrandView::StrandResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeStrandViewStrandResult(wire::StrandView::StrandResults::Reader in, StrandStateSlot& slot,
+                                  suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
-
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<StrandStateSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeStrandViewColumn(unsigned column, const std::byte* memory,
+                            wire::StrandViewStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<StrandStateSlot>(memory);
       toWire(slot, out.initStrand());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::StrandViewEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class StrandViewServant final : public wire::StrandView::Server {
- public:
-  explicit StrandViewServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<StrandViewSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> strand(StrandContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<StrandStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(StrandViewCommand::strand), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- StrandView over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class StrandViewReceiver final : public wire::StrandViewEvents::Server {
- public:
-  explicit StrandViewReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<StrandStateSlot>(0);
-      const Errc error =
-          in.hasStrand() ? fromWire(in.getStrand(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeStrandViewColumn(wire::StrandViewStateRow::Reader in, unsigned column, std::byte* memory,
+                            suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<StrandStateSlot>(memory);
+      return in.hasStrand() ? fromWire(in.getStrand(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kStrandViewCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::StrandView>(),
+     .method = 1,
+     .sent = sentIn<wire::StrandView::StrandParams>,
+     .result = messageOf<wire::StrandView::StrandResults, StrandStateSlot,
+                         encodeStrandViewStrandResult, decodeStrandViewStrandResult>,
+     .stamp = stampIn<wire::StrandView::StrandResults>},
 };
 
-/// Makes remote calls of commands.
-class StrandViewProxy final : public suture::rpc::Proxy {
- public:
-  StrandViewProxy(wire::StrandView::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<StrandViewReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<StrandViewCommand>(record.command)) {
-      case StrandViewCommand::strand: {
-        auto request = provider_.strandRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<StrandStateSlot>(call, response.getStamp(), [&](StrandStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::StrandView::Client provider_;
-  ProxyPort& port_;
-};
-
-class StrandViewBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<StrandViewServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<StrandViewProxy>(contract.castAs<wire::StrandView>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<StrandViewSink>(subscriber.castAs<wire::StrandViewEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::StrandView>();
-  }
-};
-
-const suture::rpc::Binding& strandViewBinding() {
-  static const StrandViewBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& strandViewCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::StrandView>,
+      .contract = capnp::typeId<wire::StrandView>(),
+      .subscriber = capnp::typeId<wire::StrandViewEvents>(),
+      .commands = kStrandViewCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::StrandViewEvents::StateParams, wire::StrandViewStateRow,
+                                encodeStrandViewColumn, decodeStrandViewColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kStrandViewCommands[] = {
@@ -293,7 +209,7 @@ const InterfaceInfo& interfaceInfo<robots::StrandView>() {
       .description = robots::kStrandViewDescription,
       .commands = robots::kStrandViewCommands,
       .events = {},
-      .binding = &robots::strandViewBinding,
+      .codec = &robots::strandViewCodec,
   };
   return kInfo;
 }

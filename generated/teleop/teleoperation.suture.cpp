@@ -1,9 +1,7 @@
 // Written by suturec from teleop/teleoperation.h. Do not edit.
 #include "teleop/teleoperation.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -22,14 +20,16 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -221,326 +221,203 @@ bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot, FieldPath*) 
   return isKnownTeleopState(slot);
 }
 
-// --- Teleoperation over Cap'n Proto RPC: the provider's side
+// --- Teleoperation as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class TeleoperationSink final : public suture::rpc::EventSink {
- public:
-  explicit TeleoperationSink(wire::TeleoperationEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeTeleoperationTeleopStateResult(const std::uint8_t& slot,
+                                          wire::Teleoperation::TeleopStateResults::Builder out) {
+  out.setValue(wireTeleopState(slot));
+}
+Errc decodeTeleoperationTeleopStateResult(wire::Teleoperation::TeleopStateResults::Reader in,
+                                          std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(TeleoperationEvent::teleop_state): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.teleopStateRequest();
-        request.setValue(wireTeleopState(slot));
-        return request.send().ignoreResult();
-      }
-      case numberOf(TeleoperationEvent::followed): {
-        const auto& slot = slotIn<FollowAnchorsSlot>(payload);
-        auto request = subscriber_.followedRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(TeleoperationEvent::settings): {
-        const auto& slot = slotIn<TeleopSettingsSlot>(payload);
-        auto request = subscriber_.settingsRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeTeleoperationAnchorsResult(const FollowAnchorsSlot& slot,
+                                      wire::Teleoperation::AnchorsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeTeleoperationAnchorsResult(wire::Teleoperation::AnchorsResults::Reader in,
+                                      FollowAnchorsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<std::uint8_t>(columns[0]);
+void encodeTeleoperationSetScale(const TeleoperationSetScaleArguments& slot,
+                                 wire::Teleoperation::SetScaleParams::Builder out) {
+  out.setScale(slot.scale);
+}
+Errc decodeTeleoperationSetScale(wire::Teleoperation::SetScaleParams::Reader in,
+                                 TeleoperationSetScaleArguments& slot, suture::Duration) {
+  slot.scale = in.getScale();
+  return Errc{};
+}
+
+void encodeTeleoperationLockRotation(const TeleoperationLockRotationArguments& slot,
+                                     wire::Teleoperation::LockRotationParams::Builder out) {
+  out.setLock(slot.lock != 0);
+}
+Errc decodeTeleoperationLockRotation(wire::Teleoperation::LockRotationParams::Reader in,
+                                     TeleoperationLockRotationArguments& slot, suture::Duration) {
+  slot.lock = in.getLock();
+  return Errc{};
+}
+
+void encodeTeleoperationLockTranslation(const TeleoperationLockTranslationArguments& slot,
+                                        wire::Teleoperation::LockTranslationParams::Builder out) {
+  out.setLock(slot.lock != 0);
+}
+Errc decodeTeleoperationLockTranslation(wire::Teleoperation::LockTranslationParams::Reader in,
+                                        TeleoperationLockTranslationArguments& slot,
+                                        suture::Duration) {
+  slot.lock = in.getLock();
+  return Errc{};
+}
+
+void encodeTeleoperationSettingsResult(const TeleopSettingsSlot& slot,
+                                       wire::Teleoperation::SettingsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeTeleoperationSettingsResult(wire::Teleoperation::SettingsResults::Reader in,
+                                       TeleopSettingsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeTeleoperationTeleopStateEvent(const std::uint8_t& slot,
+                                         wire::TeleoperationEvents::TeleopStateParams::Builder out) {
+  out.setValue(wireTeleopState(slot));
+}
+Errc decodeTeleoperationTeleopStateEvent(wire::TeleoperationEvents::TeleopStateParams::Reader in,
+                                         std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeTeleoperationFollowedEvent(const FollowAnchorsSlot& slot,
+                                      wire::TeleoperationEvents::FollowedParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeTeleoperationFollowedEvent(wire::TeleoperationEvents::FollowedParams::Reader in,
+                                      FollowAnchorsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeTeleoperationSettingsEvent(const TeleopSettingsSlot& slot,
+                                      wire::TeleoperationEvents::SettingsParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeTeleoperationSettingsEvent(wire::TeleoperationEvents::SettingsParams::Reader in,
+                                      TeleopSettingsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeTeleoperationColumn(unsigned column, const std::byte* memory,
+                               wire::TeleoperationStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<std::uint8_t>(memory);
       out.setTeleopState(wireTeleopState(slot));
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<FollowAnchorsSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<FollowAnchorsSlot>(memory);
       toWire(slot, out.initAnchors());
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<TeleopSettingsSlot>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<TeleopSettingsSlot>(memory);
       toWire(slot, out.initSettings());
+      break;
     }
-    return request.send().ignoreResult();
   }
+}
+Errc decodeTeleoperationColumn(wire::TeleoperationStateRow::Reader in, unsigned column,
+                               std::byte* memory, suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<std::uint8_t>(memory);
+      return fromWire(in.getTeleopState(), slot);
+    }
+    case 1: {
+      auto& slot = newSlot<FollowAnchorsSlot>(memory);
+      return in.hasAnchors() ? fromWire(in.getAnchors(), slot, shift) : Errc::Invalid;
+    }
+    case 2: {
+      auto& slot = newSlot<TeleopSettingsSlot>(memory);
+      return in.hasSettings() ? fromWire(in.getSettings(), slot, shift) : Errc::Invalid;
+    }
+  }
+  return Errc::Invalid;
+}
 
- private:
-  wire::TeleoperationEvents::Client subscriber_;
+constexpr CommandCodec kTeleoperationCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Teleoperation>(),
+     .method = 1,
+     .sent = sentIn<wire::Teleoperation::EnableParams>},
+    {.interface = capnp::typeId<wire::Teleoperation>(),
+     .method = 2,
+     .sent = sentIn<wire::Teleoperation::DisableParams>},
+    {.interface = capnp::typeId<wire::Teleoperation>(),
+     .method = 3,
+     .sent = sentIn<wire::Teleoperation::TeleopStateParams>,
+     .result = messageOf<wire::Teleoperation::TeleopStateResults, std::uint8_t,
+                         encodeTeleoperationTeleopStateResult,
+                         decodeTeleoperationTeleopStateResult>,
+     .stamp = stampIn<wire::Teleoperation::TeleopStateResults>},
+    {.interface = capnp::typeId<wire::Teleoperation>(),
+     .method = 4,
+     .sent = sentIn<wire::Teleoperation::AnchorsParams>,
+     .result = messageOf<wire::Teleoperation::AnchorsResults, FollowAnchorsSlot,
+                         encodeTeleoperationAnchorsResult, decodeTeleoperationAnchorsResult>,
+     .stamp = stampIn<wire::Teleoperation::AnchorsResults>},
+    {.interface = capnp::typeId<wire::Teleoperation>(),
+     .method = 5,
+     .sent = sentIn<wire::Teleoperation::SetScaleParams>,
+     .arguments = messageOf<wire::Teleoperation::SetScaleParams, TeleoperationSetScaleArguments,
+                            encodeTeleoperationSetScale, decodeTeleoperationSetScale>},
+    {.interface = capnp::typeId<wire::Teleoperation>(),
+     .method = 6,
+     .sent = sentIn<wire::Teleoperation::LockRotationParams>,
+     .arguments = messageOf<wire::Teleoperation::LockRotationParams,
+                            TeleoperationLockRotationArguments, encodeTeleoperationLockRotation,
+                            decodeTeleoperationLockRotation>},
+    {.interface = capnp::typeId<wire::Teleoperation>(),
+     .method = 7,
+     .sent = sentIn<wire::Teleoperation::LockTranslationParams>,
+     .arguments = messageOf<wire::Teleoperation::LockTranslationParams,
+                            TeleoperationLockTranslationArguments,
+                            encodeTeleoperationLockTranslation,
+                            decodeTeleoperationLockTranslation>},
+    {.interface = capnp::typeId<wire::Teleoperation>(),
+     .method = 8,
+     .sent = sentIn<wire::Teleoperation::SettingsParams>,
+     .result = messageOf<wire::Teleoperation::SettingsResults, TeleopSettingsSlot,
+                         encodeTeleoperationSettingsResult, decodeTeleoperationSettingsResult>,
+     .stamp = stampIn<wire::Teleoperation::SettingsResults>},
 };
 
-/// Puts remote calls into the provider's mailbox.
-class TeleoperationServant final : public wire::Teleoperation::Server {
- public:
-  explicit TeleoperationServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<TeleoperationSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> enable(EnableContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(TeleoperationCommand::enable), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> disable(DisableContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(TeleoperationCommand::disable), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> teleopState(TeleopStateContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(wireTeleopState(slot));
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TeleoperationCommand::teleop_state), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> anchors(AnchorsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<FollowAnchorsSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TeleoperationCommand::anchors), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> setScale(SetScaleContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<TeleoperationSetScaleArguments>(memory);
-      slot.scale = in.getScale();
-      return Errc{};
-    };
-    return port_->command(numberOf(TeleoperationCommand::set_scale), in.getSent(), fill);
-  }
-
-  kj::Promise<void> lockRotation(LockRotationContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<TeleoperationLockRotationArguments>(memory);
-      slot.lock = in.getLock();
-      return Errc{};
-    };
-    return port_->command(numberOf(TeleoperationCommand::lock_rotation), in.getSent(), fill);
-  }
-
-  kj::Promise<void> lockTranslation(LockTranslationContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<TeleoperationLockTranslationArguments>(memory);
-      slot.lock = in.getLock();
-      return Errc{};
-    };
-    return port_->command(numberOf(TeleoperationCommand::lock_translation), in.getSent(), fill);
-  }
-
-  kj::Promise<void> settings(SettingsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<TeleopSettingsSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TeleoperationCommand::settings), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
+constexpr EventCodec kTeleoperationEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::TeleoperationEvents::TeleopStateParams, std::uint8_t,
+                          encodeTeleoperationTeleopStateEvent,
+                          decodeTeleoperationTeleopStateEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::TeleoperationEvents::FollowedParams, FollowAnchorsSlot,
+                          encodeTeleoperationFollowedEvent, decodeTeleoperationFollowedEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::TeleoperationEvents::SettingsParams, TeleopSettingsSlot,
+                          encodeTeleoperationSettingsEvent, decodeTeleoperationSettingsEvent>},
 };
 
-// --- Teleoperation over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class TeleoperationReceiver final : public wire::TeleoperationEvents::Server {
- public:
-  explicit TeleoperationReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<std::uint8_t>(0);
-      const Errc error = fromWire(in.getTeleopState(), slot);
-      columns.enter(0, error);
-    }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<FollowAnchorsSlot>(1);
-      const Errc error =
-          in.hasAnchors() ? fromWire(in.getAnchors(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
-    }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<TeleopSettingsSlot>(2);
-      const Errc error =
-          in.hasSettings() ? fromWire(in.getSettings(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(2, error);
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> teleopState(TeleopStateContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(TeleoperationEvent::teleop_state),
-                                      [&](std::uint8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
-  kj::Promise<void> followed(FollowedContext context) override {
-    auto in = context.getParams();
-    return port_->event<FollowAnchorsSlot>(numberOf(TeleoperationEvent::followed),
-                                           [&](FollowAnchorsSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> settings(SettingsContext context) override {
-    auto in = context.getParams();
-    return port_->event<TeleopSettingsSlot>(numberOf(TeleoperationEvent::settings),
-                                            [&](TeleopSettingsSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class TeleoperationProxy final : public suture::rpc::Proxy {
- public:
-  TeleoperationProxy(wire::Teleoperation::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<TeleoperationReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<TeleoperationCommand>(record.command)) {
-      case TeleoperationCommand::enable: {
-        auto request = provider_.enableRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case TeleoperationCommand::disable: {
-        auto request = provider_.disableRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case TeleoperationCommand::teleop_state: {
-        auto request = provider_.teleopStateRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case TeleoperationCommand::anchors: {
-        auto request = provider_.anchorsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<FollowAnchorsSlot>(call, response.getStamp(),
-                                          [&](FollowAnchorsSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case TeleoperationCommand::set_scale: {
-        const auto& slot = slotIn<TeleoperationSetScaleArguments>(record.arguments());
-        auto request = provider_.setScaleRequest();
-        request.setScale(slot.scale);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case TeleoperationCommand::lock_rotation: {
-        const auto& slot = slotIn<TeleoperationLockRotationArguments>(record.arguments());
-        auto request = provider_.lockRotationRequest();
-        request.setLock(slot.lock != 0);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case TeleoperationCommand::lock_translation: {
-        const auto& slot = slotIn<TeleoperationLockTranslationArguments>(record.arguments());
-        auto request = provider_.lockTranslationRequest();
-        request.setLock(slot.lock != 0);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case TeleoperationCommand::settings: {
-        auto request = provider_.settingsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<TeleopSettingsSlot>(call, response.getStamp(),
-                                           [&](TeleopSettingsSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Teleoperation::Client provider_;
-  ProxyPort& port_;
-};
-
-class TeleoperationBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<TeleoperationServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<TeleoperationProxy>(contract.castAs<wire::Teleoperation>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<TeleoperationSink>(subscriber.castAs<wire::TeleoperationEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Teleoperation>();
-  }
-};
-
-const suture::rpc::Binding& teleoperationBinding() {
-  static const TeleoperationBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& teleoperationCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Teleoperation>,
+      .contract = capnp::typeId<wire::Teleoperation>(),
+      .subscriber = capnp::typeId<wire::TeleoperationEvents>(),
+      .commands = kTeleoperationCommandCodecs,
+      .events = kTeleoperationEventCodecs,
+      .row = suture::rpc::rowOf<wire::TeleoperationEvents::StateParams, wire::TeleoperationStateRow,
+                                encodeTeleoperationColumn, decodeTeleoperationColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kTeleoperationCommands[] = {
@@ -713,7 +590,7 @@ const InterfaceInfo& interfaceInfo<robots::Teleoperation>() {
       .description = robots::kTeleoperationDescription,
       .commands = robots::kTeleoperationCommands,
       .events = robots::kTeleoperationEvents,
-      .binding = &robots::teleoperationBinding,
+      .codec = &robots::teleoperationCodec,
   };
   return kInfo;
 }

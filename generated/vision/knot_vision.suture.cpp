@@ -1,9 +1,7 @@
 // Written by suturec from vision/knot_vision.h. Do not edit.
 #include "vision/knot_vision.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -19,14 +17,16 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -98,143 +98,59 @@ bool isValid(const KnotSightingSlot& slot, FieldPath* path) {
 
 namespace {
 
-// --- KnotVision over Cap'n Proto RPC: the provider's side
+// --- KnotVision as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class KnotVisionSink final : public suture::rpc::EventSink {
- public:
-  explicit KnotVisionSink(wire::KnotVisionEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeKnotVisionSightingResult(const KnotSightingSlot& slot,
+                                    wire::KnotVision::SightingResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeKnotVisionSightingResult(wire::KnotVision::SightingResults::Reader in,
+                                    KnotSightingSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
-
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<KnotSightingSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeKnotVisionColumn(unsigned column, const std::byte* memory,
+                            wire::KnotVisionStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<KnotSightingSlot>(memory);
       toWire(slot, out.initSighting());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::KnotVisionEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class KnotVisionServant final : public wire::KnotVision::Server {
- public:
-  explicit KnotVisionServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<KnotVisionSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> sighting(SightingContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<KnotSightingSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(KnotVisionCommand::sighting), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- KnotVision over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class KnotVisionReceiver final : public wire::KnotVisionEvents::Server {
- public:
-  explicit KnotVisionReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<KnotSightingSlot>(0);
-      const Errc error =
-          in.hasSighting() ? fromWire(in.getSighting(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeKnotVisionColumn(wire::KnotVisionStateRow::Reader in, unsigned column, std::byte* memory,
+                            suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<KnotSightingSlot>(memory);
+      return in.hasSighting() ? fromWire(in.getSighting(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kKnotVisionCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::KnotVision>(),
+     .method = 1,
+     .sent = sentIn<wire::KnotVision::SightingParams>,
+     .result = messageOf<wire::KnotVision::SightingResults, KnotSightingSlot,
+                         encodeKnotVisionSightingResult, decodeKnotVisionSightingResult>,
+     .stamp = stampIn<wire::KnotVision::SightingResults>},
 };
 
-/// Makes remote calls of commands.
-class KnotVisionProxy final : public suture::rpc::Proxy {
- public:
-  KnotVisionProxy(wire::KnotVision::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<KnotVisionReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<KnotVisionCommand>(record.command)) {
-      case KnotVisionCommand::sighting: {
-        auto request = provider_.sightingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<KnotSightingSlot>(call, response.getStamp(), [&](KnotSightingSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::KnotVision::Client provider_;
-  ProxyPort& port_;
-};
-
-class KnotVisionBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<KnotVisionServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<KnotVisionProxy>(contract.castAs<wire::KnotVision>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<KnotVisionSink>(subscriber.castAs<wire::KnotVisionEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::KnotVision>();
-  }
-};
-
-const suture::rpc::Binding& knotVisionBinding() {
-  static const KnotVisionBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& knotVisionCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::KnotVision>,
+      .contract = capnp::typeId<wire::KnotVision>(),
+      .subscriber = capnp::typeId<wire::KnotVisionEvents>(),
+      .commands = kKnotVisionCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::KnotVisionEvents::StateParams, wire::KnotVisionStateRow,
+                                encodeKnotVisionColumn, decodeKnotVisionColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kKnotVisionCommands[] = {
@@ -292,7 +208,7 @@ const InterfaceInfo& interfaceInfo<robots::KnotVision>() {
       .description = robots::kKnotVisionDescription,
       .commands = robots::kKnotVisionCommands,
       .events = {},
-      .binding = &robots::knotVisionBinding,
+      .codec = &robots::knotVisionCodec,
   };
   return kInfo;
 }

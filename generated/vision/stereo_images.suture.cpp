@@ -1,9 +1,7 @@
 // Written by suturec from vision/stereo_images.h. Do not edit.
 #include "vision/stereo_images.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -26,13 +24,15 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -91,173 +91,85 @@ bool isValid(const StereoPairSlot& slot, FieldPath* path) {
 
 namespace {
 
-// --- StereoImages over Cap'n Proto RPC: the provider's side
+// --- StereoImages as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class StereoImagesSink final : public suture::rpc::EventSink {
- public:
-  explicit StereoImagesSink(wire::StereoImagesEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeStereoImagesImagesResult(const StereoPairSlot& slot,
+                                    wire::StereoImages::ImagesResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeStereoImagesImagesResult(wire::StereoImages::ImagesResults::Reader in,
+                                    StereoPairSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
+void encodeStereoImagesExposedResult(const std::int64_t& slot,
+                                     wire::StereoImages::ExposedResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeStereoImagesExposedResult(wire::StereoImages::ExposedResults::Reader in,
+                                     std::int64_t& slot, suture::Duration shift) {
+  slot = suture::rpc::shifted(in.getValue(), shift);
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<StereoPairSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeStereoImagesColumn(unsigned column, const std::byte* memory,
+                              wire::StereoImagesStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<StereoPairSlot>(memory);
       toWire(slot, out.initImages());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<std::int64_t>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<std::int64_t>(memory);
       out.setExposed(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::StereoImagesEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class StereoImagesServant final : public wire::StereoImages::Server {
- public:
-  explicit StereoImagesServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<StereoImagesSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> images(ImagesContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<StereoPairSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(StereoImagesCommand::images), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> exposed(ExposedContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::int64_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(StereoImagesCommand::exposed), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- StereoImages over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class StereoImagesReceiver final : public wire::StereoImagesEvents::Server {
- public:
-  explicit StereoImagesReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<StereoPairSlot>(0);
-      const Errc error =
-          in.hasImages() ? fromWire(in.getImages(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeStereoImagesColumn(wire::StereoImagesStateRow::Reader in, unsigned column,
+                              std::byte* memory, suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<StereoPairSlot>(memory);
+      return in.hasImages() ? fromWire(in.getImages(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<std::int64_t>(1);
-      slot = suture::rpc::shifted(in.getExposed(), port_->shift());
+    case 1: {
+      auto& slot = newSlot<std::int64_t>(memory);
+      slot = suture::rpc::shifted(in.getExposed(), shift);
+      return Errc{};
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kStereoImagesCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::StereoImages>(),
+     .method = 1,
+     .sent = sentIn<wire::StereoImages::ImagesParams>,
+     .result = messageOf<wire::StereoImages::ImagesResults, StereoPairSlot,
+                         encodeStereoImagesImagesResult, decodeStereoImagesImagesResult>,
+     .stamp = stampIn<wire::StereoImages::ImagesResults>},
+    {.interface = capnp::typeId<wire::StereoImages>(),
+     .method = 2,
+     .sent = sentIn<wire::StereoImages::ExposedParams>,
+     .result = messageOf<wire::StereoImages::ExposedResults, std::int64_t,
+                         encodeStereoImagesExposedResult, decodeStereoImagesExposedResult>,
+     .stamp = stampIn<wire::StereoImages::ExposedResults>},
 };
 
-/// Makes remote calls of commands.
-class StereoImagesProxy final : public suture::rpc::Proxy {
- public:
-  StereoImagesProxy(wire::StereoImages::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<StereoImagesReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<StereoImagesCommand>(record.command)) {
-      case StereoImagesCommand::images: {
-        auto request = provider_.imagesRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<StereoPairSlot>(call, response.getStamp(), [&](StereoPairSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case StereoImagesCommand::exposed: {
-        auto request = provider_.exposedRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::int64_t>(call, response.getStamp(), [&](std::int64_t& answer) {
-            answer = suture::rpc::shifted(response.getValue(), port_.shift());
-            return Errc{};
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::StereoImages::Client provider_;
-  ProxyPort& port_;
-};
-
-class StereoImagesBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<StereoImagesServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<StereoImagesProxy>(contract.castAs<wire::StereoImages>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<StereoImagesSink>(subscriber.castAs<wire::StereoImagesEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::StereoImages>();
-  }
-};
-
-const suture::rpc::Binding& stereoImagesBinding() {
-  static const StereoImagesBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& stereoImagesCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::StereoImages>,
+      .contract = capnp::typeId<wire::StereoImages>(),
+      .subscriber = capnp::typeId<wire::StereoImagesEvents>(),
+      .commands = kStereoImagesCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::StereoImagesEvents::StateParams, wire::StereoImagesStateRow,
+                                encodeStereoImagesColumn, decodeStereoImagesColumn>,
+  };
+  return kCodec;
 }
 
 void shiftStereoImagesExposedResult(std::int64_t& slot, Duration shift) {
@@ -334,7 +246,7 @@ const InterfaceInfo& interfaceInfo<robots::StereoImages>() {
       .description = robots::kStereoImagesDescription,
       .commands = robots::kStereoImagesCommands,
       .events = {},
-      .binding = &robots::stereoImagesBinding,
+      .codec = &robots::stereoImagesCodec,
   };
   return kInfo;
 }

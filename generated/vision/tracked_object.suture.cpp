@@ -1,9 +1,7 @@
 // Written by suturec from vision/tracked_object.h. Do not edit.
 #include "vision/tracked_object.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -30,11 +28,13 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::checkSlot;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::newSlot;
+using suture::rpc::CommandCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -42,175 +42,83 @@ using suture::slotSize;
 
 namespace {
 
-// --- TrackedObject over Cap'n Proto RPC: the provider's side
+// --- TrackedObject as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class TrackedObjectSink final : public suture::rpc::EventSink {
- public:
-  explicit TrackedObjectSink(wire::TrackedObjectEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeTrackedObjectMeasuredCpResult(const PoseStampedSlot& slot,
+                                         wire::TrackedObject::MeasuredCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeTrackedObjectMeasuredCpResult(wire::TrackedObject::MeasuredCpResults::Reader in,
+                                         PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
+void encodeTrackedObjectMeasuredCvResult(const TwistSlot& slot,
+                                         wire::TrackedObject::MeasuredCvResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeTrackedObjectMeasuredCvResult(wire::TrackedObject::MeasuredCvResults::Reader in,
+                                         TwistSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeTrackedObjectColumn(unsigned column, const std::byte* memory,
+                               wire::TrackedObjectStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initMeasuredCp());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<TwistSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<TwistSlot>(memory);
       toWire(slot, out.initMeasuredCv());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::TrackedObjectEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class TrackedObjectServant final : public wire::TrackedObject::Server {
- public:
-  explicit TrackedObjectServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<TrackedObjectSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TrackedObjectCommand::measured_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> measuredCv(MeasuredCvContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<TwistSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TrackedObjectCommand::measured_cv), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- TrackedObject over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class TrackedObjectReceiver final : public wire::TrackedObjectEvents::Server {
- public:
-  explicit TrackedObjectReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PoseStampedSlot>(0);
-      const Errc error =
-          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeTrackedObjectColumn(wire::TrackedObjectStateRow::Reader in, unsigned column,
+                               std::byte* memory, suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<TwistSlot>(1);
-      const Errc error =
-          in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
+    case 1: {
+      auto& slot = newSlot<TwistSlot>(memory);
+      return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kTrackedObjectCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::TrackedObject>(),
+     .method = 1,
+     .sent = sentIn<wire::TrackedObject::MeasuredCpParams>,
+     .result = messageOf<wire::TrackedObject::MeasuredCpResults, PoseStampedSlot,
+                         encodeTrackedObjectMeasuredCpResult, decodeTrackedObjectMeasuredCpResult>,
+     .stamp = stampIn<wire::TrackedObject::MeasuredCpResults>},
+    {.interface = capnp::typeId<wire::TrackedObject>(),
+     .method = 2,
+     .sent = sentIn<wire::TrackedObject::MeasuredCvParams>,
+     .result = messageOf<wire::TrackedObject::MeasuredCvResults, TwistSlot,
+                         encodeTrackedObjectMeasuredCvResult, decodeTrackedObjectMeasuredCvResult>,
+     .stamp = stampIn<wire::TrackedObject::MeasuredCvResults>},
 };
 
-/// Makes remote calls of commands.
-class TrackedObjectProxy final : public suture::rpc::Proxy {
- public:
-  TrackedObjectProxy(wire::TrackedObject::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<TrackedObjectReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<TrackedObjectCommand>(record.command)) {
-      case TrackedObjectCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case TrackedObjectCommand::measured_cv: {
-        auto request = provider_.measuredCvRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<TwistSlot>(call, response.getStamp(), [&](TwistSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::TrackedObject::Client provider_;
-  ProxyPort& port_;
-};
-
-class TrackedObjectBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<TrackedObjectServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<TrackedObjectProxy>(contract.castAs<wire::TrackedObject>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<TrackedObjectSink>(subscriber.castAs<wire::TrackedObjectEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::TrackedObject>();
-  }
-};
-
-const suture::rpc::Binding& trackedObjectBinding() {
-  static const TrackedObjectBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& trackedObjectCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::TrackedObject>,
+      .contract = capnp::typeId<wire::TrackedObject>(),
+      .subscriber = capnp::typeId<wire::TrackedObjectEvents>(),
+      .commands = kTrackedObjectCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::TrackedObjectEvents::StateParams, wire::TrackedObjectStateRow,
+                                encodeTrackedObjectColumn, decodeTrackedObjectColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kTrackedObjectCommands[] = {
@@ -292,7 +200,7 @@ const InterfaceInfo& interfaceInfo<robots::TrackedObject>() {
       .description = robots::kTrackedObjectDescription,
       .commands = robots::kTrackedObjectCommands,
       .events = {},
-      .binding = &robots::trackedObjectBinding,
+      .codec = &robots::trackedObjectCodec,
   };
   return kInfo;
 }

@@ -4,6 +4,13 @@
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
+struct Subscription {
+  # The parameters of `subscribe`, method 0 of every contract; a later call replaces an earlier one.
+  events @0 :Capability;   # receives them: of the contract's events interface
+  eventMask @1 :UInt64;    # bit i: event i
+  stateMask @2 :UInt64;    # bit i: column i
+}
+
 struct Sent {
   # Travels with every command. A client that says nothing of it is served all the same.
   stamp @0 :Int64;   # the sender's steady clock when it sent, ns; 0: not said

@@ -1,9 +1,7 @@
 // Written by suturec from reference/arm_like.h. Do not edit.
 #include "reference/arm_like.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -35,13 +33,15 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -121,394 +121,258 @@ bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot, FieldPath* path) 
   return isValid(slot.value2) || refusedAt(path, "value2");
 }
 
-// --- ArmLike over Cap'n Proto RPC: the provider's side
+// --- ArmLike as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class ArmLikeSink final : public suture::rpc::EventSink {
- public:
-  explicit ArmLikeSink(wire::ArmLikeEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeArmLikeServoCp(const ArmLikeServoCpArguments& slot,
+                          wire::ArmLike::ServoCpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmLikeServoCp(wire::ArmLike::ServoCpParams::Reader in, ArmLikeServoCpArguments& slot,
+                          suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(ArmLikeEvent::mode): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.modeRequest();
-        request.setValue(wireMode(slot));
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmLikeEvent::arrived): {
-        const auto& slot = slotIn<PoseStampedSlot>(payload);
-        auto request = subscriber_.arrivedRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmLikeEvent::stopped): {
-        return subscriber_.stoppedRequest().send().ignoreResult();
-      }
-      case numberOf(ArmLikeEvent::moved): {
-        const auto& slot = slotIn<ArmLikeMovedPayload>(payload);
-        auto request = subscriber_.movedRequest();
-        toWire(slot.value, request.initValue());
-        request.setValue2(slot.value2);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeArmLikeServoJp(const ArmLikeServoJpArguments& slot,
+                          wire::ArmLike::ServoJpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmLikeServoJp(wire::ArmLike::ServoJpParams::Reader in, ArmLikeServoJpArguments& slot,
+                          suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
+void encodeArmLikeSetMode(const ArmLikeSetModeArguments& slot,
+                          wire::ArmLike::SetModeParams::Builder out) {
+  out.setMode(wireMode(slot.mode));
+}
+Errc decodeArmLikeSetMode(wire::ArmLike::SetModeParams::Reader in, ArmLikeSetModeArguments& slot,
+                          suture::Duration) {
+  return fromWire(in.getMode(), slot.mode);
+}
+
+void encodeArmLikeMeasuredCpResult(const PoseStampedSlot& slot,
+                                   wire::ArmLike::MeasuredCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmLikeMeasuredCpResult(wire::ArmLike::MeasuredCpResults::Reader in,
+                                   PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLikeMeasuredJsResult(const JointStateSlot& slot,
+                                   wire::ArmLike::MeasuredJsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmLikeMeasuredJsResult(wire::ArmLike::MeasuredJsResults::Reader in,
+                                   JointStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLikeDistance(const ArmLikeDistanceArguments& slot,
+                           wire::ArmLike::DistanceParams::Builder out) {
+  toWire(slot.to, out.initTo());
+}
+Errc decodeArmLikeDistance(wire::ArmLike::DistanceParams::Reader in, ArmLikeDistanceArguments& slot,
+                           suture::Duration shift) {
+  return in.hasTo() ? fromWire(in.getTo(), slot.to, shift) : Errc::Invalid;
+}
+
+void encodeArmLikeDistanceResult(const double& slot, wire::ArmLike::DistanceResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmLikeDistanceResult(wire::ArmLike::DistanceResults::Reader in, double& slot,
+                                 suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmLikeMove(const ArmLikeMoveArguments& slot, wire::ArmLike::MoveParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+  out.setSpeed(slot.speed);
+  toWire(slot.reason, out.initReason(slot.reason.size));
+}
+Errc decodeArmLikeMove(wire::ArmLike::MoveParams::Reader in, ArmLikeMoveArguments& slot,
+                       suture::Duration shift) {
+  slot.speed = in.getSpeed();
+  return firstError({
+      in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid,
+      fromWire(in.getReason(), slot.reason),
+  });
+}
+
+void encodeArmLikeMoveResult(const std::uint8_t& slot, wire::ArmLike::MoveResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeArmLikeMoveResult(wire::ArmLike::MoveResults::Reader in, std::uint8_t& slot,
+                             suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmLikeResetResult(const std::uint32_t& slot, wire::ArmLike::ResetResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmLikeResetResult(wire::ArmLike::ResetResults::Reader in, std::uint32_t& slot,
+                              suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmLikeLimit(const ArmLikeLimitArguments& slot,
+                        wire::ArmLike::LimitParams::Builder out) {
+  out.setSpeed(slot.speed);
+  out.setMode(wireMode(slot.mode));
+}
+Errc decodeArmLikeLimit(wire::ArmLike::LimitParams::Reader in, ArmLikeLimitArguments& slot,
+                        suture::Duration) {
+  slot.speed = in.getSpeed();
+  return fromWire(in.getMode(), slot.mode);
+}
+
+void encodeArmLikeModeEvent(const std::uint8_t& slot,
+                            wire::ArmLikeEvents::ModeParams::Builder out) {
+  out.setValue(wireMode(slot));
+}
+Errc decodeArmLikeModeEvent(wire::ArmLikeEvents::ModeParams::Reader in, std::uint8_t& slot,
+                            suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeArmLikeArrivedEvent(const PoseStampedSlot& slot,
+                               wire::ArmLikeEvents::ArrivedParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmLikeArrivedEvent(wire::ArmLikeEvents::ArrivedParams::Reader in, PoseStampedSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLikeMovedEvent(const ArmLikeMovedPayload& slot,
+                             wire::ArmLikeEvents::MovedParams::Builder out) {
+  toWire(slot.value, out.initValue());
+  out.setValue2(slot.value2);
+}
+Errc decodeArmLikeMovedEvent(wire::ArmLikeEvents::MovedParams::Reader in, ArmLikeMovedPayload& slot,
+                             suture::Duration shift) {
+  slot.value2 = in.getValue2();
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeArmLikeColumn(unsigned column, const std::byte* memory,
+                         wire::ArmLikeStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initMeasuredCp());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<JointStateSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<JointStateSlot>(memory);
       toWire(slot, out.initMeasuredJs());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::ArmLikeEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class ArmLikeServant final : public wire::ArmLike::Server {
- public:
-  explicit ArmLikeServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<ArmLikeSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> servoCp(ServoCpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmLikeServoCpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmLikeCommand::servo_cp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> servoJp(ServoJpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmLikeServoJpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmLikeCommand::servo_jp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> hold(HoldContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmLikeCommand::hold), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> setMode(SetModeContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmLikeSetModeArguments>(memory);
-      return fromWire(in.getMode(), slot.mode);
-    };
-    return port_->command(numberOf(ArmLikeCommand::set_mode), in.getSent(), fill);
-  }
-
-  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmLikeCommand::measured_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> measuredJs(MeasuredJsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<JointStateSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmLikeCommand::measured_js), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> distance(DistanceContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmLikeDistanceArguments>(memory);
-      return in.hasTo() ? fromWire(in.getTo(), slot.to, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-    };
-    return port_->call(numberOf(ArmLikeCommand::distance), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> move(MoveContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmLikeMoveArguments>(memory);
-      slot.speed = in.getSpeed();
-      return firstError({
-          in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid,
-          fromWire(in.getReason(), slot.reason),
-      });
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(ArmLikeCommand::move), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> reset(ResetContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint32_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-    };
-    return port_->call(numberOf(ArmLikeCommand::reset), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> limit(LimitContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmLikeLimitArguments>(memory);
-      slot.speed = in.getSpeed();
-      return fromWire(in.getMode(), slot.mode);
-    };
-    return port_->command(numberOf(ArmLikeCommand::limit), in.getSent(), fill);
-  }
-
-  kj::Promise<void> park(ParkContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmLikeCommand::park), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- ArmLike over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class ArmLikeReceiver final : public wire::ArmLikeEvents::Server {
- public:
-  explicit ArmLikeReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PoseStampedSlot>(0);
-      const Errc error =
-          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeArmLikeColumn(wire::ArmLikeStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<JointStateSlot>(1);
-      const Errc error =
-          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
+    case 1: {
+      auto& slot = newSlot<JointStateSlot>(memory);
+      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> mode(ModeContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(ArmLikeEvent::mode), [&](std::uint8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
-  kj::Promise<void> arrived(ArrivedContext context) override {
-    auto in = context.getParams();
-    return port_->event<PoseStampedSlot>(numberOf(ArmLikeEvent::arrived),
-                                         [&](PoseStampedSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> stopped(StoppedContext) override {
-    return port_->event(numberOf(ArmLikeEvent::stopped));
-  }
-
-  kj::Promise<void> moved(MovedContext context) override {
-    auto in = context.getParams();
-    return port_->event<ArmLikeMovedPayload>(numberOf(ArmLikeEvent::moved),
-                                             [&](ArmLikeMovedPayload& slot) {
-      slot.value2 = in.getValue2();
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kArmLikeCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 1,
+     .sent = sentIn<wire::ArmLike::ServoCpParams>,
+     .arguments = messageOf<wire::ArmLike::ServoCpParams, ArmLikeServoCpArguments,
+                            encodeArmLikeServoCp, decodeArmLikeServoCp>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 2,
+     .sent = sentIn<wire::ArmLike::ServoJpParams>,
+     .arguments = messageOf<wire::ArmLike::ServoJpParams, ArmLikeServoJpArguments,
+                            encodeArmLikeServoJp, decodeArmLikeServoJp>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 3,
+     .sent = sentIn<wire::ArmLike::HoldParams>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 4,
+     .sent = sentIn<wire::ArmLike::SetModeParams>,
+     .arguments = messageOf<wire::ArmLike::SetModeParams, ArmLikeSetModeArguments,
+                            encodeArmLikeSetMode, decodeArmLikeSetMode>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 5,
+     .sent = sentIn<wire::ArmLike::MeasuredCpParams>,
+     .result = messageOf<wire::ArmLike::MeasuredCpResults, PoseStampedSlot,
+                         encodeArmLikeMeasuredCpResult, decodeArmLikeMeasuredCpResult>,
+     .stamp = stampIn<wire::ArmLike::MeasuredCpResults>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 6,
+     .sent = sentIn<wire::ArmLike::MeasuredJsParams>,
+     .result = messageOf<wire::ArmLike::MeasuredJsResults, JointStateSlot,
+                         encodeArmLikeMeasuredJsResult, decodeArmLikeMeasuredJsResult>,
+     .stamp = stampIn<wire::ArmLike::MeasuredJsResults>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 7,
+     .sent = sentIn<wire::ArmLike::DistanceParams>,
+     .arguments = messageOf<wire::ArmLike::DistanceParams, ArmLikeDistanceArguments,
+                            encodeArmLikeDistance, decodeArmLikeDistance>,
+     .result = messageOf<wire::ArmLike::DistanceResults, double, encodeArmLikeDistanceResult,
+                         decodeArmLikeDistanceResult>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 8,
+     .sent = sentIn<wire::ArmLike::MoveParams>,
+     .arguments = messageOf<wire::ArmLike::MoveParams, ArmLikeMoveArguments, encodeArmLikeMove,
+                            decodeArmLikeMove>,
+     .result = messageOf<wire::ArmLike::MoveResults, std::uint8_t, encodeArmLikeMoveResult,
+                         decodeArmLikeMoveResult>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 9,
+     .sent = sentIn<wire::ArmLike::ResetParams>,
+     .result = messageOf<wire::ArmLike::ResetResults, std::uint32_t, encodeArmLikeResetResult,
+                         decodeArmLikeResetResult>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 10,
+     .sent = sentIn<wire::ArmLike::LimitParams>,
+     .arguments = messageOf<wire::ArmLike::LimitParams, ArmLikeLimitArguments, encodeArmLikeLimit,
+                            decodeArmLikeLimit>},
+    {.interface = capnp::typeId<wire::ArmLike>(),
+     .method = 11,
+     .sent = sentIn<wire::ArmLike::ParkParams>},
 };
 
-/// Makes remote calls of commands.
-class ArmLikeProxy final : public suture::rpc::Proxy {
- public:
-  ArmLikeProxy(wire::ArmLike::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<ArmLikeReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<ArmLikeCommand>(record.command)) {
-      case ArmLikeCommand::servo_cp: {
-        const auto& slot = slotIn<ArmLikeServoCpArguments>(record.arguments());
-        auto request = provider_.servoCpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmLikeCommand::servo_jp: {
-        const auto& slot = slotIn<ArmLikeServoJpArguments>(record.arguments());
-        auto request = provider_.servoJpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmLikeCommand::hold: {
-        auto request = provider_.holdRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmLikeCommand::set_mode: {
-        const auto& slot = slotIn<ArmLikeSetModeArguments>(record.arguments());
-        auto request = provider_.setModeRequest();
-        request.setMode(wireMode(slot.mode));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmLikeCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmLikeCommand::measured_js: {
-        auto request = provider_.measuredJsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<JointStateSlot>(call, response.getStamp(), [&](JointStateSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmLikeCommand::distance: {
-        const auto& slot = slotIn<ArmLikeDistanceArguments>(record.arguments());
-        auto request = provider_.distanceRequest();
-        toWire(slot.to, request.initTo());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case ArmLikeCommand::move: {
-        const auto& slot = slotIn<ArmLikeMoveArguments>(record.arguments());
-        auto request = provider_.moveRequest();
-        toWire(slot.goal, request.initGoal());
-        request.setSpeed(slot.speed);
-        toWire(slot.reason, request.initReason(slot.reason.size));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case ArmLikeCommand::reset: {
-        auto request = provider_.resetRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case ArmLikeCommand::limit: {
-        const auto& slot = slotIn<ArmLikeLimitArguments>(record.arguments());
-        auto request = provider_.limitRequest();
-        request.setSpeed(slot.speed);
-        request.setMode(wireMode(slot.mode));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmLikeCommand::park: {
-        auto request = provider_.parkRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::ArmLike::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kArmLikeEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::ArmLikeEvents::ModeParams, std::uint8_t, encodeArmLikeModeEvent,
+                          decodeArmLikeModeEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::ArmLikeEvents::ArrivedParams, PoseStampedSlot,
+                          encodeArmLikeArrivedEvent, decodeArmLikeArrivedEvent>},
+    {.method = 3},
+    {.method = 4,
+     .payload = messageOf<wire::ArmLikeEvents::MovedParams, ArmLikeMovedPayload,
+                          encodeArmLikeMovedEvent, decodeArmLikeMovedEvent>},
 };
 
-class ArmLikeBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<ArmLikeServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<ArmLikeProxy>(contract.castAs<wire::ArmLike>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<ArmLikeSink>(subscriber.castAs<wire::ArmLikeEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::ArmLike>();
-  }
-};
-
-const suture::rpc::Binding& armLikeBinding() {
-  static const ArmLikeBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& armLikeCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::ArmLike>,
+      .contract = capnp::typeId<wire::ArmLike>(),
+      .subscriber = capnp::typeId<wire::ArmLikeEvents>(),
+      .commands = kArmLikeCommandCodecs,
+      .events = kArmLikeEventCodecs,
+      .row = suture::rpc::rowOf<wire::ArmLikeEvents::StateParams, wire::ArmLikeStateRow,
+                                encodeArmLikeColumn, decodeArmLikeColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kArmLikeCommands[] = {
@@ -608,7 +472,7 @@ const InterfaceInfo& interfaceInfo<reference::ArmLike>() {
       .description = reference::kArmLikeDescription,
       .commands = reference::kArmLikeCommands,
       .events = reference::kArmLikeEvents,
-      .binding = &reference::armLikeBinding,
+      .codec = &reference::armLikeCodec,
   };
   return kInfo;
 }

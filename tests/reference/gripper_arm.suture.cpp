@@ -1,9 +1,7 @@
 // Written by suturec from reference/gripper_arm.h. Do not edit.
 #include "reference/gripper_arm.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -33,11 +31,13 @@ using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::slotIn;
 using suture::slotSize;
@@ -62,308 +62,192 @@ bool acceptsGripperArmFits(const GripperArmFitsArguments& slot, FieldPath* path)
 
 bool acceptsGripperArmGrippedEvent(const double& slot, FieldPath*) { return isValid(slot); }
 
-// --- GripperArm over Cap'n Proto RPC: the provider's side
+// --- GripperArm as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class GripperArmSink final : public suture::rpc::EventSink {
- public:
-  explicit GripperArmSink(wire::GripperArmEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeGripperArmClose(const GripperArmCloseArguments& slot,
+                           wire::GripperArm::CloseParams::Builder out) {
+  out.setWidth(slot.width);
+}
+Errc decodeGripperArmClose(wire::GripperArm::CloseParams::Reader in, GripperArmCloseArguments& slot,
+                           suture::Duration) {
+  slot.width = in.getWidth();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(ArmLikeEvent::mode): {
-        const auto& slot = slotIn<std::uint8_t>(payload);
-        auto request = subscriber_.modeRequest();
-        request.setValue(wireMode(slot));
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmLikeEvent::arrived): {
-        const auto& slot = slotIn<PoseStampedSlot>(payload);
-        auto request = subscriber_.arrivedRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmLikeEvent::stopped): {
-        return subscriber_.stoppedRequest().send().ignoreResult();
-      }
-      case numberOf(ArmLikeEvent::moved): {
-        const auto& slot = slotIn<ArmLikeMovedPayload>(payload);
-        auto request = subscriber_.movedRequest();
-        toWire(slot.value, request.initValue());
-        request.setValue2(slot.value2);
-        return request.send().ignoreResult();
-      }
-      case numberOf(GripperArmEvent::gripped): {
-        const auto& slot = slotIn<double>(payload);
-        auto request = subscriber_.grippedRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeGripperArmCloseResult(const double& slot, wire::GripperArm::CloseResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeGripperArmCloseResult(wire::GripperArm::CloseResults::Reader in, double& slot,
+                                 suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
+void encodeGripperArmOpeningResult(const double& slot,
+                                   wire::GripperArm::OpeningResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeGripperArmOpeningResult(wire::GripperArm::OpeningResults::Reader in, double& slot,
+                                   suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeGripperArmFits(const GripperArmFitsArguments& slot,
+                          wire::GripperArm::FitsParams::Builder out) {
+  out.setWidth(slot.width);
+}
+Errc decodeGripperArmFits(wire::GripperArm::FitsParams::Reader in, GripperArmFitsArguments& slot,
+                          suture::Duration) {
+  slot.width = in.getWidth();
+  return Errc{};
+}
+
+void encodeGripperArmFitsResult(const std::uint8_t& slot,
+                                wire::GripperArm::FitsResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeGripperArmFitsResult(wire::GripperArm::FitsResults::Reader in, std::uint8_t& slot,
+                                suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeGripperArmModeEvent(const std::uint8_t& slot,
+                               wire::GripperArmEvents::ModeParams::Builder out) {
+  out.setValue(wireMode(slot));
+}
+Errc decodeGripperArmModeEvent(wire::GripperArmEvents::ModeParams::Reader in, std::uint8_t& slot,
+                               suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeGripperArmArrivedEvent(const PoseStampedSlot& slot,
+                                  wire::GripperArmEvents::ArrivedParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGripperArmArrivedEvent(wire::GripperArmEvents::ArrivedParams::Reader in,
+                                  PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeGripperArmMovedEvent(const ArmLikeMovedPayload& slot,
+                                wire::GripperArmEvents::MovedParams::Builder out) {
+  toWire(slot.value, out.initValue());
+  out.setValue2(slot.value2);
+}
+Errc decodeGripperArmMovedEvent(wire::GripperArmEvents::MovedParams::Reader in,
+                                ArmLikeMovedPayload& slot, suture::Duration shift) {
+  slot.value2 = in.getValue2();
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+void encodeGripperArmGrippedEvent(const double& slot,
+                                  wire::GripperArmEvents::GrippedParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeGripperArmGrippedEvent(wire::GripperArmEvents::GrippedParams::Reader in, double& slot,
+                                  suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeGripperArmColumn(unsigned column, const std::byte* memory,
+                            wire::GripperArmStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initMeasuredCp());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<JointStateSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<JointStateSlot>(memory);
       toWire(slot, out.initMeasuredJs());
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<double>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<double>(memory);
       out.setOpening(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::GripperArmEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class GripperArmServant final : public wire::GripperArm::Server {
- public:
-  explicit GripperArmServant(kj::Own<ServantPort> port)
-      : base_(suture::interfaceInfo<reference::ArmLike>().binding().makeServant(kj::addRef(*port))),
-        port_(kj::mv(port)) {}
-
-  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
-                                  suture::rpc::AnyCall call) override {
-    if (contract != capnp::typeId<wire::GripperArm>()) {
-      return base_->dispatchCall(contract, method, call);
+}
+Errc decodeGripperArmColumn(wire::GripperArmStateRow::Reader in, unsigned column, std::byte* memory,
+                            suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
     }
-    return wire::GripperArm::Server::dispatchCall(contract, method, call);
-  }
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<GripperArmSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> close(CloseContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<GripperArmCloseArguments>(memory);
-      slot.width = in.getWidth();
-      return Errc{};
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-    };
-    return port_->call(numberOf(GripperArmCommand::close), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> opening(OpeningContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(GripperArmCommand::opening), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> release(ReleaseContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(GripperArmCommand::release), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> fits(FitsContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<GripperArmFitsArguments>(memory);
-      slot.width = in.getWidth();
-      return Errc{};
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(GripperArmCommand::fits), in.getSent(), fill, kj::mv(take));
-  }
-
- private:
-  kj::Own<capnp::Capability::Server> base_;
-  kj::Own<ServantPort> port_;
-};
-
-// --- GripperArm over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class GripperArmReceiver final : public wire::GripperArmEvents::Server {
- public:
-  explicit GripperArmReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PoseStampedSlot>(0);
-      const Errc error =
-          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+    case 1: {
+      auto& slot = newSlot<JointStateSlot>(memory);
+      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<JointStateSlot>(1);
-      const Errc error =
-          in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
-    }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<double>(2);
+    case 2: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getOpening();
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> mode(ModeContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::uint8_t>(numberOf(ArmLikeEvent::mode), [&](std::uint8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
-  kj::Promise<void> arrived(ArrivedContext context) override {
-    auto in = context.getParams();
-    return port_->event<PoseStampedSlot>(numberOf(ArmLikeEvent::arrived),
-                                         [&](PoseStampedSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> stopped(StoppedContext) override {
-    return port_->event(numberOf(ArmLikeEvent::stopped));
-  }
-
-  kj::Promise<void> moved(MovedContext context) override {
-    auto in = context.getParams();
-    return port_->event<ArmLikeMovedPayload>(numberOf(ArmLikeEvent::moved),
-                                             [&](ArmLikeMovedPayload& slot) {
-      slot.value2 = in.getValue2();
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> gripped(GrippedContext context) override {
-    auto in = context.getParams();
-    return port_->event<double>(numberOf(GripperArmEvent::gripped), [&](double& slot) {
-      slot = in.getValue();
       return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class GripperArmProxy final : public suture::rpc::Proxy {
- public:
-  GripperArmProxy(wire::GripperArm::Client provider, ProxyPort& port)
-      : base_(suture::interfaceInfo<reference::ArmLike>().binding().makeProxy(provider, port)),
-        provider_(kj::mv(provider)),
-        port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<GripperArmReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<GripperArmCommand>(record.command)) {
-      case GripperArmCommand::close: {
-        const auto& slot = slotIn<GripperArmCloseArguments>(record.arguments());
-        auto request = provider_.closeRequest();
-        request.setWidth(slot.width);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case GripperArmCommand::opening: {
-        auto request = provider_.openingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case GripperArmCommand::release: {
-        auto request = provider_.releaseRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case GripperArmCommand::fits: {
-        const auto& slot = slotIn<GripperArmFitsArguments>(record.arguments());
-        auto request = provider_.fitsRequest();
-        request.setWidth(slot.width);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
     }
-    return base_->send(record);
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<suture::rpc::Proxy> base_;
-  wire::GripperArm::Client provider_;
-  ProxyPort& port_;
+constexpr CommandCodec kGripperArmCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::GripperArm>(),
+     .method = 1,
+     .sent = sentIn<wire::GripperArm::CloseParams>,
+     .arguments = messageOf<wire::GripperArm::CloseParams, GripperArmCloseArguments,
+                            encodeGripperArmClose, decodeGripperArmClose>,
+     .result = messageOf<wire::GripperArm::CloseResults, double, encodeGripperArmCloseResult,
+                         decodeGripperArmCloseResult>},
+    {.interface = capnp::typeId<wire::GripperArm>(),
+     .method = 2,
+     .sent = sentIn<wire::GripperArm::OpeningParams>,
+     .result = messageOf<wire::GripperArm::OpeningResults, double, encodeGripperArmOpeningResult,
+                         decodeGripperArmOpeningResult>,
+     .stamp = stampIn<wire::GripperArm::OpeningResults>},
+    {.interface = capnp::typeId<wire::GripperArm>(),
+     .method = 3,
+     .sent = sentIn<wire::GripperArm::ReleaseParams>},
+    {.interface = capnp::typeId<wire::GripperArm>(),
+     .method = 4,
+     .sent = sentIn<wire::GripperArm::FitsParams>,
+     .arguments = messageOf<wire::GripperArm::FitsParams, GripperArmFitsArguments,
+                            encodeGripperArmFits, decodeGripperArmFits>,
+     .result = messageOf<wire::GripperArm::FitsResults, std::uint8_t, encodeGripperArmFitsResult,
+                         decodeGripperArmFitsResult>},
 };
 
-class GripperArmBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<GripperArmServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<GripperArmProxy>(contract.castAs<wire::GripperArm>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<GripperArmSink>(subscriber.castAs<wire::GripperArmEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::GripperArm>();
-  }
+constexpr EventCodec kGripperArmEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::GripperArmEvents::ModeParams, std::uint8_t,
+                          encodeGripperArmModeEvent, decodeGripperArmModeEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::GripperArmEvents::ArrivedParams, PoseStampedSlot,
+                          encodeGripperArmArrivedEvent, decodeGripperArmArrivedEvent>},
+    {.method = 3},
+    {.method = 4,
+     .payload = messageOf<wire::GripperArmEvents::MovedParams, ArmLikeMovedPayload,
+                          encodeGripperArmMovedEvent, decodeGripperArmMovedEvent>},
+    {.method = 5,
+     .payload = messageOf<wire::GripperArmEvents::GrippedParams, double,
+                          encodeGripperArmGrippedEvent, decodeGripperArmGrippedEvent>},
 };
 
-const suture::rpc::Binding& gripperArmBinding() {
-  static const GripperArmBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& gripperArmCodec() {
+  static const auto kCommands = suture::extended<15>(
+      suture::interfaceInfo<reference::ArmLike>().codec().commands, kGripperArmCommandCodecs);
+  static const suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::GripperArm>,
+      .contract = capnp::typeId<wire::GripperArm>(),
+      .subscriber = capnp::typeId<wire::GripperArmEvents>(),
+      .commands = kCommands,
+      .events = kGripperArmEventCodecs,
+      .row = suture::rpc::rowOf<wire::GripperArmEvents::StateParams, wire::GripperArmStateRow,
+                                encodeGripperArmColumn, decodeGripperArmColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kGripperArmCommands[] = {
@@ -417,7 +301,7 @@ const InterfaceInfo& interfaceInfo<reference::GripperArm>() {
       .description = reference::kGripperArmDescription,
       .commands = kCommands,
       .events = kEvents,
-      .binding = &reference::gripperArmBinding,
+      .codec = &reference::gripperArmCodec,
       .base = &interfaceInfo<reference::ArmLike>,
       .toBase = &castToBase<reference::GripperArm, reference::ArmLike>,
   };

@@ -1,7 +1,7 @@
 #include "compiler/emit/cpp/stamps.h"
 #include "compiler/emit/text/contract.h"
 #include "compiler/emit/text/parts.h"
-#include "compiler/emit/wire/remote.h"
+#include "compiler/emit/wire/codec.h"
 #include "compiler/emit/wire/wire_form.h"
 #include "compiler/emit/wire/wire_places.h"
 #include "compiler/model/naming.h"
@@ -27,21 +27,6 @@ const char* kindName(model::CommandKind kind) {
 
 std::string duration(const char* name, std::int64_t nanoseconds) {
   return std::string(name) + " = Duration(" + grouped(nanoseconds) + ")";
-}
-
-/// One row of a table: on one line if it fits, else one member a line.
-void emitEntry(Code& code, const std::vector<std::string>& members) {
-  std::string row;
-  for (const std::string& member : members) row += (row.empty() ? "    {" : ", ") + member;
-  if (row.size() + 2 <= Code::kColumns) {
-    code.line(row, "},");
-    return;
-  }
-  for (const std::string& member : members) {
-    const bool first = &member == &members.front();
-    const bool last = &member == &members.back();
-    code.line(first ? "    {" : "     ", member, last ? "}," : ",");
-  }
 }
 
 /// The same JSON in as few lines as there have to be.
@@ -202,7 +187,7 @@ void emitInfo(Code& code, const Context& context, const model::Interface& interf
   code.line("    .description = ", tables, "Description,");
   code.line("    .commands = ", commands, ",");
   code.line("    .events = ", events, ",");
-  code.line("    .binding = &", home.empty() ? "::" : home + "::", bindingFunction(interface), ",");
+  code.line("    .codec = &", home.empty() ? "::" : home + "::", codecFunction(interface), ",");
   if (derives) {
     code.line("    .base = &interfaceInfo<", interface.base, ">,");
     code.line("    .toBase = &castToBase<", interface.name, ", ", kBreakText, interface.base, ">,");

@@ -79,10 +79,18 @@ std::string startOf(std::size_t inherited) {
   return inherited == 0 ? "" : " = " + std::to_string(inherited);
 }
 
-std::string eventNumber(const model::Interface& interface, const model::Event& event,
-                        const std::string& inNamespace) {
-  const std::string& home = event.inheritedFrom.empty() ? interface.name : event.inheritedFrom;
-  return "numberOf(" + relative(home, inNamespace) + "Event::" + event.name + ")";
+void emitEntry(Code& code, const std::vector<std::string>& members) {
+  std::string row;
+  for (const std::string& member : members) row += (row.empty() ? "    {" : ", ") + member;
+  if (row.size() + 2 <= Code::kColumns) {
+    code.line(row, "},");
+    return;
+  }
+  for (const std::string& member : members) {
+    const bool first = &member == &members.front();
+    const bool last = &member == &members.back();
+    code.line(first ? "    {" : "     ", member, last ? "}," : ",");
+  }
 }
 
 std::vector<const model::Command*> readsOf(const model::Interface& interface) {

@@ -41,9 +41,8 @@ std::vector<const model::Event*> ownEvents(const model::Interface& interface);
 /// the enum: " = 11".
 std::string startOf(std::size_t inherited);
 
-/// "numberOf(ArmEvent::arrived)", with the enum of the contract that declares the event.
-std::string eventNumber(const model::Interface& interface, const model::Event& event,
-                        const std::string& inNamespace);
+/// One row of a table: on one line if it fits, else one member a line.
+void emitEntry(Code& code, const std::vector<std::string>& members);
 
 /// The read commands, in the order of their columns.
 std::vector<const model::Command*> readsOf(const model::Interface& interface);

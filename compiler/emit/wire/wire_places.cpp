@@ -12,14 +12,18 @@
 namespace suture::compiler::emit {
 namespace {
 
+const lock::Node& nodeFor(const Context& context, const model::Interface& interface,
+                          const char* annotation) {
+  const std::string path = lock::lockPath(context.lookup.headerOf(interface.name)->path);
+  return *lock::nodeOf(context.schemas.at(path), annotation, interface.name);
+}
+
 /// Names what lives in a node and came from the contract, in the order of the ordinals.
 std::vector<std::string> namesIn(const Context& context, const model::Interface& interface,
                                  const char* annotation,
                                  std::span<const std::string_view> builtIn) {
-  const std::string path = lock::lockPath(context.lookup.headerOf(interface.name)->path);
-  const lock::Node& node = *lock::nodeOf(context.schemas.at(path), annotation, interface.name);
   std::vector<std::string> names;
-  for (const lock::Member& member : node.members) {
+  for (const lock::Member& member : nodeFor(context, interface, annotation).members) {
     const bool isBuiltIn = std::find(builtIn.begin(), builtIn.end(), member.name) != builtIn.end();
     if (!member.removed() && !isBuiltIn) names.push_back(member.name);
   }
@@ -51,10 +55,10 @@ void emitPlaces(Code& code, const model::Interface& interface, const char* table
   code.blank();
 }
 
-std::string converted(const char* function, bool isOther, const model::Interface& interface,
-                      const char* table, const std::string& set) {
-  if (!isOther) return set;
-  return std::string("suture::") + function + "(k" + prefixOf(interface) + table + ", " + set + ")";
+unsigned ordinalOf(const lock::Node& node, const std::string& name) {
+  return std::find_if(node.members.begin(), node.members.end(),
+                      [&](const lock::Member& one) { return !one.removed() && one.name == name; })
+      ->ordinal;
 }
 
 }  // namespace
@@ -76,28 +80,14 @@ void emitWirePlaces(Code& code, const Context& context, const model::Interface& 
   emitPlaces(code, interface, "WireColumns", wireColumns(context, interface));
 }
 
-std::string eventsToWire(const Context& context, const model::Interface& interface,
-                         const std::string& set) {
-  return converted("toWireNumbers", !wireEvents(context, interface).empty(), interface,
-                   "WireEvents", set);
+unsigned methodOf(const Context& context, const model::Interface& interface,
+                  const model::Command& command) {
+  return ordinalOf(nodeFor(context, interface, "cxx"), command.wireName);
 }
 
-std::string eventsFromWire(const Context& context, const model::Interface& interface,
-                           const std::string& set) {
-  return converted("fromWireNumbers", !wireEvents(context, interface).empty(), interface,
-                   "WireEvents", set);
-}
-
-std::string columnsToWire(const Context& context, const model::Interface& interface,
-                          const std::string& set) {
-  return converted("toWireNumbers", !wireColumns(context, interface).empty(), interface,
-                   "WireColumns", set);
-}
-
-std::string columnsFromWire(const Context& context, const model::Interface& interface,
-                            const std::string& set) {
-  return converted("fromWireNumbers", !wireColumns(context, interface).empty(), interface,
-                   "WireColumns", set);
+unsigned methodOf(const Context& context, const model::Interface& interface,
+                  const model::Event& event) {
+  return ordinalOf(nodeFor(context, interface, "eventsOf"), event.wireName);
 }
 
 }  // namespace suture::compiler::emit

@@ -15,18 +15,13 @@ namespace suture::compiler::emit {
 std::vector<unsigned> wireEvents(const Context& context, const model::Interface& interface);
 std::vector<unsigned> wireColumns(const Context& context, const model::Interface& interface);
 
-/// Both as tables that the functions below name.
-void emitWirePlaces(Code& code, const Context& context, const model::Interface& interface);
+/// The number of a command's or an event's method in the lock.
+unsigned methodOf(const Context& context, const model::Interface& interface,
+                  const model::Command& command);
+unsigned methodOf(const Context& context, const model::Interface& interface,
+                  const model::Event& event);
 
-/// "toWireNumbers(kArmWireEvents, events)": `set` as the wire has it, or as it is where that is the
-/// same.
-std::string eventsToWire(const Context& context, const model::Interface& interface,
-                         const std::string& set);
-std::string eventsFromWire(const Context& context, const model::Interface& interface,
-                           const std::string& set);
-std::string columnsToWire(const Context& context, const model::Interface& interface,
-                          const std::string& set);
-std::string columnsFromWire(const Context& context, const model::Interface& interface,
-                            const std::string& set);
+/// The places as tables.
+void emitWirePlaces(Code& code, const Context& context, const model::Interface& interface);
 
 }  // namespace suture::compiler::emit

@@ -1,9 +1,7 @@
 // Written by suturec from rt/scenarios/all_kinds.h. Do not edit.
 #include "rt/scenarios/all_kinds.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -28,11 +26,13 @@ using suture::FieldPath;
 using suture::checkSlot;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::shiftSlot;
 using suture::slotIn;
@@ -167,666 +167,506 @@ bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot, FieldPath*
   return isValid(slot, path);
 }
 
-// --- AllKinds over Cap'n Proto RPC: the provider's side
+// --- AllKinds as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class AllKindsSink final : public suture::rpc::EventSink {
- public:
-  explicit AllKindsSink(wire::AllKindsEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeAllKindsSetScalar(const AllKindsSetScalarArguments& slot,
+                             wire::AllKinds::SetScalarParams::Builder out) {
+  out.setValue(slot.value);
+}
+Errc decodeAllKindsSetScalar(wire::AllKinds::SetScalarParams::Reader in,
+                             AllKindsSetScalarArguments& slot, suture::Duration) {
+  slot.value = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(AllKindsEvent::cleared): {
-        return subscriber_.clearedRequest().send().ignoreResult();
-      }
-      case numberOf(AllKindsEvent::scalar_set): {
-        const auto& slot = slotIn<double>(payload);
-        auto request = subscriber_.scalarSetRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-      case numberOf(AllKindsEvent::vector_set): {
-        const auto& slot = slotIn<std::array<double, 3>>(payload);
-        auto request = subscriber_.vectorSetRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(AllKindsEvent::record_set): {
-        const auto& slot = slotIn<robots::PosePrmSlot>(payload);
-        auto request = subscriber_.recordSetRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(AllKindsEvent::text_set): {
-        const auto& slot = slotIn<suture::BoundedText<31>>(payload);
-        auto request = subscriber_.textSetRequest();
-        toWire(slot, request.initValue(slot.size));
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeAllKindsSetVector(const AllKindsSetVectorArguments& slot,
+                             wire::AllKinds::SetVectorParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeAllKindsSetVector(wire::AllKinds::SetVectorParams::Reader in,
+                             AllKindsSetVectorArguments& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<double>(columns[0]);
+void encodeAllKindsSetRecord(const AllKindsSetRecordArguments& slot,
+                             wire::AllKinds::SetRecordParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeAllKindsSetRecord(wire::AllKinds::SetRecordParams::Reader in,
+                             AllKindsSetRecordArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsSetText(const AllKindsSetTextArguments& slot,
+                           wire::AllKinds::SetTextParams::Builder out) {
+  toWire(slot.value, out.initValue(slot.value.size));
+}
+Errc decodeAllKindsSetText(wire::AllKinds::SetTextParams::Reader in, AllKindsSetTextArguments& slot,
+                           suture::Duration) {
+  return fromWire(in.getValue(), slot.value);
+}
+
+void encodeAllKindsScalarResult(const double& slot, wire::AllKinds::ScalarResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeAllKindsScalarResult(wire::AllKinds::ScalarResults::Reader in, double& slot,
+                                suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeAllKindsVectorResult(const std::array<double, 3>& slot,
+                                wire::AllKinds::VectorResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsVectorResult(wire::AllKinds::VectorResults::Reader in,
+                                std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+}
+
+void encodeAllKindsRecordResult(const robots::PosePrmSlot& slot,
+                                wire::AllKinds::RecordResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsRecordResult(wire::AllKinds::RecordResults::Reader in, robots::PosePrmSlot& slot,
+                                suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsTextResult(const suture::BoundedText<31>& slot,
+                              wire::AllKinds::TextResults::Builder out) {
+  toWire(slot, out.initValue(slot.size));
+}
+Errc decodeAllKindsTextResult(wire::AllKinds::TextResults::Reader in, suture::BoundedText<31>& slot,
+                              suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot,
+                               wire::AllKinds::TwiceScalarParams::Builder out) {
+  out.setValue(slot.value);
+}
+Errc decodeAllKindsTwiceScalar(wire::AllKinds::TwiceScalarParams::Reader in,
+                               AllKindsTwiceScalarArguments& slot, suture::Duration) {
+  slot.value = in.getValue();
+  return Errc{};
+}
+
+void encodeAllKindsTwiceScalarResult(const double& slot,
+                                     wire::AllKinds::TwiceScalarResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeAllKindsTwiceScalarResult(wire::AllKinds::TwiceScalarResults::Reader in, double& slot,
+                                     suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot,
+                               wire::AllKinds::TwiceVectorParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeAllKindsTwiceVector(wire::AllKinds::TwiceVectorParams::Reader in,
+                               AllKindsTwiceVectorArguments& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+}
+
+void encodeAllKindsTwiceVectorResult(const std::array<double, 3>& slot,
+                                     wire::AllKinds::TwiceVectorResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsTwiceVectorResult(wire::AllKinds::TwiceVectorResults::Reader in,
+                                     std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+}
+
+void encodeAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot,
+                               wire::AllKinds::TwiceRecordParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeAllKindsTwiceRecord(wire::AllKinds::TwiceRecordParams::Reader in,
+                               AllKindsTwiceRecordArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot,
+                                     wire::AllKinds::TwiceRecordResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsTwiceRecordResult(wire::AllKinds::TwiceRecordResults::Reader in,
+                                     robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsTwiceText(const AllKindsTwiceTextArguments& slot,
+                             wire::AllKinds::TwiceTextParams::Builder out) {
+  toWire(slot.value, out.initValue(slot.value.size));
+}
+Errc decodeAllKindsTwiceText(wire::AllKinds::TwiceTextParams::Reader in,
+                             AllKindsTwiceTextArguments& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot.value);
+}
+
+void encodeAllKindsTwiceTextResult(const suture::BoundedText<31>& slot,
+                                   wire::AllKinds::TwiceTextResults::Builder out) {
+  toWire(slot, out.initValue(slot.size));
+}
+Errc decodeAllKindsTwiceTextResult(wire::AllKinds::TwiceTextResults::Reader in,
+                                   suture::BoundedText<31>& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeAllKindsTakeScalarResult(const double& slot,
+                                    wire::AllKinds::TakeScalarResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeAllKindsTakeScalarResult(wire::AllKinds::TakeScalarResults::Reader in, double& slot,
+                                    suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeAllKindsTakeVectorResult(const std::array<double, 3>& slot,
+                                    wire::AllKinds::TakeVectorResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsTakeVectorResult(wire::AllKinds::TakeVectorResults::Reader in,
+                                    std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+}
+
+void encodeAllKindsTakeRecordResult(const robots::PosePrmSlot& slot,
+                                    wire::AllKinds::TakeRecordResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsTakeRecordResult(wire::AllKinds::TakeRecordResults::Reader in,
+                                    robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsTakeTextResult(const suture::BoundedText<31>& slot,
+                                  wire::AllKinds::TakeTextResults::Builder out) {
+  toWire(slot, out.initValue(slot.size));
+}
+Errc decodeAllKindsTakeTextResult(wire::AllKinds::TakeTextResults::Reader in,
+                                  suture::BoundedText<31>& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot,
+                              wire::AllKinds::SwapScalarParams::Builder out) {
+  out.setValue(slot.value);
+}
+Errc decodeAllKindsSwapScalar(wire::AllKinds::SwapScalarParams::Reader in,
+                              AllKindsSwapScalarArguments& slot, suture::Duration) {
+  slot.value = in.getValue();
+  return Errc{};
+}
+
+void encodeAllKindsSwapScalarResult(const double& slot,
+                                    wire::AllKinds::SwapScalarResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeAllKindsSwapScalarResult(wire::AllKinds::SwapScalarResults::Reader in, double& slot,
+                                    suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeAllKindsSwapVector(const AllKindsSwapVectorArguments& slot,
+                              wire::AllKinds::SwapVectorParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeAllKindsSwapVector(wire::AllKinds::SwapVectorParams::Reader in,
+                              AllKindsSwapVectorArguments& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+}
+
+void encodeAllKindsSwapVectorResult(const std::array<double, 3>& slot,
+                                    wire::AllKinds::SwapVectorResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsSwapVectorResult(wire::AllKinds::SwapVectorResults::Reader in,
+                                    std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+}
+
+void encodeAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot,
+                              wire::AllKinds::SwapRecordParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeAllKindsSwapRecord(wire::AllKinds::SwapRecordParams::Reader in,
+                              AllKindsSwapRecordArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsSwapRecordResult(const robots::PosePrmSlot& slot,
+                                    wire::AllKinds::SwapRecordResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsSwapRecordResult(wire::AllKinds::SwapRecordResults::Reader in,
+                                    robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsSwapText(const AllKindsSwapTextArguments& slot,
+                            wire::AllKinds::SwapTextParams::Builder out) {
+  toWire(slot.value, out.initValue(slot.value.size));
+}
+Errc decodeAllKindsSwapText(wire::AllKinds::SwapTextParams::Reader in,
+                            AllKindsSwapTextArguments& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot.value);
+}
+
+void encodeAllKindsSwapTextResult(const suture::BoundedText<31>& slot,
+                                  wire::AllKinds::SwapTextResults::Builder out) {
+  toWire(slot, out.initValue(slot.size));
+}
+Errc decodeAllKindsSwapTextResult(wire::AllKinds::SwapTextResults::Reader in,
+                                  suture::BoundedText<31>& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeAllKindsScalarSetEvent(const double& slot,
+                                  wire::AllKindsEvents::ScalarSetParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeAllKindsScalarSetEvent(wire::AllKindsEvents::ScalarSetParams::Reader in, double& slot,
+                                  suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeAllKindsVectorSetEvent(const std::array<double, 3>& slot,
+                                  wire::AllKindsEvents::VectorSetParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsVectorSetEvent(wire::AllKindsEvents::VectorSetParams::Reader in,
+                                  std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+}
+
+void encodeAllKindsRecordSetEvent(const robots::PosePrmSlot& slot,
+                                  wire::AllKindsEvents::RecordSetParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeAllKindsRecordSetEvent(wire::AllKindsEvents::RecordSetParams::Reader in,
+                                  robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsTextSetEvent(const suture::BoundedText<31>& slot,
+                                wire::AllKindsEvents::TextSetParams::Builder out) {
+  toWire(slot, out.initValue(slot.size));
+}
+Errc decodeAllKindsTextSetEvent(wire::AllKindsEvents::TextSetParams::Reader in,
+                                suture::BoundedText<31>& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+// Of a row of the state, each column.
+void encodeAllKindsColumn(unsigned column, const std::byte* memory,
+                          wire::AllKindsStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<double>(memory);
       out.setScalar(slot);
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<std::array<double, 3>>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<std::array<double, 3>>(memory);
       toWire(slot, out.initVector());
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<robots::PosePrmSlot>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<robots::PosePrmSlot>(memory);
       toWire(slot, out.initRecord());
+      break;
     }
-    if (row.hasValue(3)) {
-      const auto& slot = slotIn<suture::BoundedText<31>>(columns[3]);
+    case 3: {
+      const auto& slot = slotIn<suture::BoundedText<31>>(memory);
       toWire(slot, out.initText(slot.size));
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::AllKindsEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class AllKindsServant final : public wire::AllKinds::Server {
- public:
-  explicit AllKindsServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<AllKindsSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> clear(ClearContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(AllKindsCommand::clear), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> setScalar(SetScalarContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsSetScalarArguments>(memory);
-      slot.value = in.getValue();
-      return Errc{};
-    };
-    return port_->command(numberOf(AllKindsCommand::set_scalar), in.getSent(), fill);
-  }
-
-  kj::Promise<void> setVector(SetVectorContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsSetVectorArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
-    };
-    return port_->command(numberOf(AllKindsCommand::set_vector), in.getSent(), fill);
-  }
-
-  kj::Promise<void> setRecord(SetRecordContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsSetRecordArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(AllKindsCommand::set_record), in.getSent(), fill);
-  }
-
-  kj::Promise<void> setText(SetTextContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsSetTextArguments>(memory);
-      return fromWire(in.getValue(), slot.value);
-    };
-    return port_->command(numberOf(AllKindsCommand::set_text), in.getSent(), fill);
-  }
-
-  kj::Promise<void> scalar(ScalarContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(AllKindsCommand::scalar), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> vector(VectorContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::array<double, 3>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(AllKindsCommand::vector), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> record(RecordContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<robots::PosePrmSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(AllKindsCommand::record), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> text(TextContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<suture::BoundedText<31>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue(slot.size));
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(AllKindsCommand::text), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> twiceScalar(TwiceScalarContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsTwiceScalarArguments>(memory);
-      slot.value = in.getValue();
-      return Errc{};
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-    };
-    return port_->call(numberOf(AllKindsCommand::twice_scalar), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> twiceVector(TwiceVectorContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsTwiceVectorArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::array<double, 3>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(AllKindsCommand::twice_vector), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> twiceRecord(TwiceRecordContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsTwiceRecordArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<robots::PosePrmSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(AllKindsCommand::twice_record), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> twiceText(TwiceTextContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsTwiceTextArguments>(memory);
-      return fromWire(in.getValue(), slot.value);
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<suture::BoundedText<31>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue(slot.size));
-    };
-    return port_->call(numberOf(AllKindsCommand::twice_text), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> takeScalar(TakeScalarContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-    };
-    return port_->call(numberOf(AllKindsCommand::take_scalar), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> takeVector(TakeVectorContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::array<double, 3>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(AllKindsCommand::take_vector), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> takeRecord(TakeRecordContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<robots::PosePrmSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(AllKindsCommand::take_record), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> takeText(TakeTextContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<suture::BoundedText<31>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue(slot.size));
-    };
-    return port_->call(numberOf(AllKindsCommand::take_text), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> swapScalar(SwapScalarContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsSwapScalarArguments>(memory);
-      slot.value = in.getValue();
-      return Errc{};
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-    };
-    return port_->call(numberOf(AllKindsCommand::swap_scalar), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> swapVector(SwapVectorContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsSwapVectorArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::array<double, 3>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(AllKindsCommand::swap_vector), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> swapRecord(SwapRecordContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsSwapRecordArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<robots::PosePrmSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(AllKindsCommand::swap_record), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> swapText(SwapTextContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<AllKindsSwapTextArguments>(memory);
-      return fromWire(in.getValue(), slot.value);
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<suture::BoundedText<31>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue(slot.size));
-    };
-    return port_->call(numberOf(AllKindsCommand::swap_text), in.getSent(), fill, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- AllKinds over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class AllKindsReceiver final : public wire::AllKindsEvents::Server {
- public:
-  explicit AllKindsReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<double>(0);
+}
+Errc decodeAllKindsColumn(wire::AllKindsStateRow::Reader in, unsigned column, std::byte* memory,
+                          suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getScalar();
-    }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<std::array<double, 3>>(1);
-      const Errc error = in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
-      columns.enter(1, error);
-    }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<robots::PosePrmSlot>(2);
-      const Errc error =
-          in.hasRecord() ? fromWire(in.getRecord(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(2, error);
-    }
-    if (columns.hasValue(3)) {
-      auto& slot = port_->column<suture::BoundedText<31>>(3);
-      const Errc error = fromWire(in.getText(), slot);
-      columns.enter(3, error);
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> cleared(ClearedContext) override {
-    return port_->event(numberOf(AllKindsEvent::cleared));
-  }
-
-  kj::Promise<void> scalarSet(ScalarSetContext context) override {
-    auto in = context.getParams();
-    return port_->event<double>(numberOf(AllKindsEvent::scalar_set), [&](double& slot) {
-      slot = in.getValue();
       return Errc{};
-    });
-  }
-
-  kj::Promise<void> vectorSet(VectorSetContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::array<double, 3>>(numberOf(AllKindsEvent::vector_set),
-                                               [&](std::array<double, 3>& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> recordSet(RecordSetContext context) override {
-    auto in = context.getParams();
-    return port_->event<robots::PosePrmSlot>(numberOf(AllKindsEvent::record_set),
-                                             [&](robots::PosePrmSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> textSet(TextSetContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::BoundedText<31>>(numberOf(AllKindsEvent::text_set),
-                                                 [&](suture::BoundedText<31>& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class AllKindsProxy final : public suture::rpc::Proxy {
- public:
-  AllKindsProxy(wire::AllKinds::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<AllKindsReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<AllKindsCommand>(record.command)) {
-      case AllKindsCommand::clear: {
-        auto request = provider_.clearRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case AllKindsCommand::set_scalar: {
-        const auto& slot = slotIn<AllKindsSetScalarArguments>(record.arguments());
-        auto request = provider_.setScalarRequest();
-        request.setValue(slot.value);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case AllKindsCommand::set_vector: {
-        const auto& slot = slotIn<AllKindsSetVectorArguments>(record.arguments());
-        auto request = provider_.setVectorRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case AllKindsCommand::set_record: {
-        const auto& slot = slotIn<AllKindsSetRecordArguments>(record.arguments());
-        auto request = provider_.setRecordRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case AllKindsCommand::set_text: {
-        const auto& slot = slotIn<AllKindsSetTextArguments>(record.arguments());
-        auto request = provider_.setTextRequest();
-        toWire(slot.value, request.initValue(slot.value.size));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case AllKindsCommand::scalar: {
-        auto request = provider_.scalarRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case AllKindsCommand::vector: {
-        auto request = provider_.vectorRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::array<double, 3>>(call, response.getStamp(),
-                                              [&](std::array<double, 3>& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer) : Errc::Invalid;
-          });
-        });
-      }
-      case AllKindsCommand::record: {
-        auto request = provider_.recordRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PosePrmSlot>(call, response.getStamp(),
-                                            [&](robots::PosePrmSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case AllKindsCommand::text: {
-        auto request = provider_.textRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::BoundedText<31>>(call, response.getStamp(),
-                                                [&](suture::BoundedText<31>& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case AllKindsCommand::twice_scalar: {
-        const auto& slot = slotIn<AllKindsTwiceScalarArguments>(record.arguments());
-        auto request = provider_.twiceScalarRequest();
-        request.setValue(slot.value);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case AllKindsCommand::twice_vector: {
-        const auto& slot = slotIn<AllKindsTwiceVectorArguments>(record.arguments());
-        auto request = provider_.twiceVectorRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::array<double, 3>>(call, [&](std::array<double, 3>& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer) : Errc::Invalid;
-          });
-        });
-      }
-      case AllKindsCommand::twice_record: {
-        const auto& slot = slotIn<AllKindsTwiceRecordArguments>(record.arguments());
-        auto request = provider_.twiceRecordRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PosePrmSlot>(call, [&](robots::PosePrmSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case AllKindsCommand::twice_text: {
-        const auto& slot = slotIn<AllKindsTwiceTextArguments>(record.arguments());
-        auto request = provider_.twiceTextRequest();
-        toWire(slot.value, request.initValue(slot.value.size));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::BoundedText<31>>(call, [&](suture::BoundedText<31>& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case AllKindsCommand::take_scalar: {
-        auto request = provider_.takeScalarRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case AllKindsCommand::take_vector: {
-        auto request = provider_.takeVectorRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::array<double, 3>>(call, [&](std::array<double, 3>& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer) : Errc::Invalid;
-          });
-        });
-      }
-      case AllKindsCommand::take_record: {
-        auto request = provider_.takeRecordRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PosePrmSlot>(call, [&](robots::PosePrmSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case AllKindsCommand::take_text: {
-        auto request = provider_.takeTextRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::BoundedText<31>>(call, [&](suture::BoundedText<31>& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case AllKindsCommand::swap_scalar: {
-        const auto& slot = slotIn<AllKindsSwapScalarArguments>(record.arguments());
-        auto request = provider_.swapScalarRequest();
-        request.setValue(slot.value);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case AllKindsCommand::swap_vector: {
-        const auto& slot = slotIn<AllKindsSwapVectorArguments>(record.arguments());
-        auto request = provider_.swapVectorRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::array<double, 3>>(call, [&](std::array<double, 3>& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer) : Errc::Invalid;
-          });
-        });
-      }
-      case AllKindsCommand::swap_record: {
-        const auto& slot = slotIn<AllKindsSwapRecordArguments>(record.arguments());
-        auto request = provider_.swapRecordRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<robots::PosePrmSlot>(call, [&](robots::PosePrmSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case AllKindsCommand::swap_text: {
-        const auto& slot = slotIn<AllKindsSwapTextArguments>(record.arguments());
-        auto request = provider_.swapTextRequest();
-        toWire(slot.value, request.initValue(slot.value.size));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::BoundedText<31>>(call, [&](suture::BoundedText<31>& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
     }
-    return kj::READY_NOW;
+    case 1: {
+      auto& slot = newSlot<std::array<double, 3>>(memory);
+      return in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
+    }
+    case 2: {
+      auto& slot = newSlot<robots::PosePrmSlot>(memory);
+      return in.hasRecord() ? fromWire(in.getRecord(), slot, shift) : Errc::Invalid;
+    }
+    case 3: {
+      auto& slot = newSlot<suture::BoundedText<31>>(memory);
+      return fromWire(in.getText(), slot);
+    }
   }
+  return Errc::Invalid;
+}
 
- private:
-  wire::AllKinds::Client provider_;
-  ProxyPort& port_;
+constexpr CommandCodec kAllKindsCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 1,
+     .sent = sentIn<wire::AllKinds::ClearParams>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 2,
+     .sent = sentIn<wire::AllKinds::SetScalarParams>,
+     .arguments = messageOf<wire::AllKinds::SetScalarParams, AllKindsSetScalarArguments,
+                            encodeAllKindsSetScalar, decodeAllKindsSetScalar>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 3,
+     .sent = sentIn<wire::AllKinds::SetVectorParams>,
+     .arguments = messageOf<wire::AllKinds::SetVectorParams, AllKindsSetVectorArguments,
+                            encodeAllKindsSetVector, decodeAllKindsSetVector>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 4,
+     .sent = sentIn<wire::AllKinds::SetRecordParams>,
+     .arguments = messageOf<wire::AllKinds::SetRecordParams, AllKindsSetRecordArguments,
+                            encodeAllKindsSetRecord, decodeAllKindsSetRecord>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 5,
+     .sent = sentIn<wire::AllKinds::SetTextParams>,
+     .arguments = messageOf<wire::AllKinds::SetTextParams, AllKindsSetTextArguments,
+                            encodeAllKindsSetText, decodeAllKindsSetText>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 6,
+     .sent = sentIn<wire::AllKinds::ScalarParams>,
+     .result = messageOf<wire::AllKinds::ScalarResults, double, encodeAllKindsScalarResult,
+                         decodeAllKindsScalarResult>,
+     .stamp = stampIn<wire::AllKinds::ScalarResults>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 7,
+     .sent = sentIn<wire::AllKinds::VectorParams>,
+     .result = messageOf<wire::AllKinds::VectorResults, std::array<double, 3>,
+                         encodeAllKindsVectorResult, decodeAllKindsVectorResult>,
+     .stamp = stampIn<wire::AllKinds::VectorResults>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 8,
+     .sent = sentIn<wire::AllKinds::RecordParams>,
+     .result = messageOf<wire::AllKinds::RecordResults, robots::PosePrmSlot,
+                         encodeAllKindsRecordResult, decodeAllKindsRecordResult>,
+     .stamp = stampIn<wire::AllKinds::RecordResults>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 9,
+     .sent = sentIn<wire::AllKinds::TextParams>,
+     .result = messageOf<wire::AllKinds::TextResults, suture::BoundedText<31>,
+                         encodeAllKindsTextResult, decodeAllKindsTextResult>,
+     .stamp = stampIn<wire::AllKinds::TextResults>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 10,
+     .sent = sentIn<wire::AllKinds::TwiceScalarParams>,
+     .arguments = messageOf<wire::AllKinds::TwiceScalarParams, AllKindsTwiceScalarArguments,
+                            encodeAllKindsTwiceScalar, decodeAllKindsTwiceScalar>,
+     .result = messageOf<wire::AllKinds::TwiceScalarResults, double,
+                         encodeAllKindsTwiceScalarResult, decodeAllKindsTwiceScalarResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 11,
+     .sent = sentIn<wire::AllKinds::TwiceVectorParams>,
+     .arguments = messageOf<wire::AllKinds::TwiceVectorParams, AllKindsTwiceVectorArguments,
+                            encodeAllKindsTwiceVector, decodeAllKindsTwiceVector>,
+     .result = messageOf<wire::AllKinds::TwiceVectorResults, std::array<double, 3>,
+                         encodeAllKindsTwiceVectorResult, decodeAllKindsTwiceVectorResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 12,
+     .sent = sentIn<wire::AllKinds::TwiceRecordParams>,
+     .arguments = messageOf<wire::AllKinds::TwiceRecordParams, AllKindsTwiceRecordArguments,
+                            encodeAllKindsTwiceRecord, decodeAllKindsTwiceRecord>,
+     .result = messageOf<wire::AllKinds::TwiceRecordResults, robots::PosePrmSlot,
+                         encodeAllKindsTwiceRecordResult, decodeAllKindsTwiceRecordResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 13,
+     .sent = sentIn<wire::AllKinds::TwiceTextParams>,
+     .arguments = messageOf<wire::AllKinds::TwiceTextParams, AllKindsTwiceTextArguments,
+                            encodeAllKindsTwiceText, decodeAllKindsTwiceText>,
+     .result = messageOf<wire::AllKinds::TwiceTextResults, suture::BoundedText<31>,
+                         encodeAllKindsTwiceTextResult, decodeAllKindsTwiceTextResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 14,
+     .sent = sentIn<wire::AllKinds::TakeScalarParams>,
+     .result = messageOf<wire::AllKinds::TakeScalarResults, double, encodeAllKindsTakeScalarResult,
+                         decodeAllKindsTakeScalarResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 15,
+     .sent = sentIn<wire::AllKinds::TakeVectorParams>,
+     .result = messageOf<wire::AllKinds::TakeVectorResults, std::array<double, 3>,
+                         encodeAllKindsTakeVectorResult, decodeAllKindsTakeVectorResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 16,
+     .sent = sentIn<wire::AllKinds::TakeRecordParams>,
+     .result = messageOf<wire::AllKinds::TakeRecordResults, robots::PosePrmSlot,
+                         encodeAllKindsTakeRecordResult, decodeAllKindsTakeRecordResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 17,
+     .sent = sentIn<wire::AllKinds::TakeTextParams>,
+     .result = messageOf<wire::AllKinds::TakeTextResults, suture::BoundedText<31>,
+                         encodeAllKindsTakeTextResult, decodeAllKindsTakeTextResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 18,
+     .sent = sentIn<wire::AllKinds::SwapScalarParams>,
+     .arguments = messageOf<wire::AllKinds::SwapScalarParams, AllKindsSwapScalarArguments,
+                            encodeAllKindsSwapScalar, decodeAllKindsSwapScalar>,
+     .result = messageOf<wire::AllKinds::SwapScalarResults, double, encodeAllKindsSwapScalarResult,
+                         decodeAllKindsSwapScalarResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 19,
+     .sent = sentIn<wire::AllKinds::SwapVectorParams>,
+     .arguments = messageOf<wire::AllKinds::SwapVectorParams, AllKindsSwapVectorArguments,
+                            encodeAllKindsSwapVector, decodeAllKindsSwapVector>,
+     .result = messageOf<wire::AllKinds::SwapVectorResults, std::array<double, 3>,
+                         encodeAllKindsSwapVectorResult, decodeAllKindsSwapVectorResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 20,
+     .sent = sentIn<wire::AllKinds::SwapRecordParams>,
+     .arguments = messageOf<wire::AllKinds::SwapRecordParams, AllKindsSwapRecordArguments,
+                            encodeAllKindsSwapRecord, decodeAllKindsSwapRecord>,
+     .result = messageOf<wire::AllKinds::SwapRecordResults, robots::PosePrmSlot,
+                         encodeAllKindsSwapRecordResult, decodeAllKindsSwapRecordResult>},
+    {.interface = capnp::typeId<wire::AllKinds>(),
+     .method = 21,
+     .sent = sentIn<wire::AllKinds::SwapTextParams>,
+     .arguments = messageOf<wire::AllKinds::SwapTextParams, AllKindsSwapTextArguments,
+                            encodeAllKindsSwapText, decodeAllKindsSwapText>,
+     .result = messageOf<wire::AllKinds::SwapTextResults, suture::BoundedText<31>,
+                         encodeAllKindsSwapTextResult, decodeAllKindsSwapTextResult>},
 };
 
-class AllKindsBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<AllKindsServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<AllKindsProxy>(contract.castAs<wire::AllKinds>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<AllKindsSink>(subscriber.castAs<wire::AllKindsEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::AllKinds>();
-  }
+constexpr EventCodec kAllKindsEventCodecs[] = {
+    {.method = 1},
+    {.method = 2,
+     .payload = messageOf<wire::AllKindsEvents::ScalarSetParams, double,
+                          encodeAllKindsScalarSetEvent, decodeAllKindsScalarSetEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::AllKindsEvents::VectorSetParams, std::array<double, 3>,
+                          encodeAllKindsVectorSetEvent, decodeAllKindsVectorSetEvent>},
+    {.method = 4,
+     .payload = messageOf<wire::AllKindsEvents::RecordSetParams, robots::PosePrmSlot,
+                          encodeAllKindsRecordSetEvent, decodeAllKindsRecordSetEvent>},
+    {.method = 5,
+     .payload = messageOf<wire::AllKindsEvents::TextSetParams, suture::BoundedText<31>,
+                          encodeAllKindsTextSetEvent, decodeAllKindsTextSetEvent>},
 };
 
-const suture::rpc::Binding& allKindsBinding() {
-  static const AllKindsBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& allKindsCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::AllKinds>,
+      .contract = capnp::typeId<wire::AllKinds>(),
+      .subscriber = capnp::typeId<wire::AllKindsEvents>(),
+      .commands = kAllKindsCommandCodecs,
+      .events = kAllKindsEventCodecs,
+      .row = suture::rpc::rowOf<wire::AllKindsEvents::StateParams, wire::AllKindsStateRow,
+                                encodeAllKindsColumn, decodeAllKindsColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kAllKindsCommands[] = {
@@ -1122,7 +962,7 @@ const InterfaceInfo& interfaceInfo<scenarios::AllKinds>() {
       .description = scenarios::kAllKindsDescription,
       .commands = scenarios::kAllKindsCommands,
       .events = scenarios::kAllKindsEvents,
-      .binding = &scenarios::allKindsBinding,
+      .codec = &scenarios::allKindsCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from suture/standard/collecting.h. Do not edit.
 #include "suture/standard/collecting.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -21,12 +19,13 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::fromWire;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::slotIn;
 using suture::slotSize;
@@ -113,256 +112,141 @@ bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot, Fi
   return isValid(slot.interval, path) || refusedAt(path, "interval");
 }
 
-// --- Collecting over Cap'n Proto RPC: the provider's side
+// --- Collecting as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class CollectingSink final : public suture::rpc::EventSink {
- public:
-  explicit CollectingSink(wire::CollectingEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeCollectingSetInterval(const CollectingSetIntervalArguments& slot,
+                                 wire::Collecting::SetIntervalParams::Builder out) {
+  toWire(slot.interval, out.initInterval());
+}
+Errc decodeCollectingSetInterval(wire::Collecting::SetIntervalParams::Reader in,
+                                 CollectingSetIntervalArguments& slot, suture::Duration shift) {
+  return in.hasInterval() ? fromWire(in.getInterval(), slot.interval, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
+void encodeCollectingSetIntervalResult(const std::uint8_t& slot,
+                                       wire::Collecting::SetIntervalResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeCollectingSetIntervalResult(wire::Collecting::SetIntervalResults::Reader in,
+                                       std::uint8_t& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<CollectingIntervalSlot>(columns[0]);
+void encodeCollectingIntervalResult(const CollectingIntervalSlot& slot,
+                                    wire::Collecting::IntervalResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeCollectingIntervalResult(wire::Collecting::IntervalResults::Reader in,
+                                    CollectingIntervalSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeCollectingCollectingResult(const std::uint8_t& slot,
+                                      wire::Collecting::CollectingResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeCollectingCollectingResult(wire::Collecting::CollectingResults::Reader in,
+                                      std::uint8_t& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeCollectingCountsResult(const CollectedCountsSlot& slot,
+                                  wire::Collecting::CountsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeCollectingCountsResult(wire::Collecting::CountsResults::Reader in,
+                                  CollectedCountsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeCollectingColumn(unsigned column, const std::byte* memory,
+                            wire::CollectingStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<CollectingIntervalSlot>(memory);
       toWire(slot, out.initInterval());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<std::uint8_t>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<std::uint8_t>(memory);
       out.setCollecting(slot != 0);
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<CollectedCountsSlot>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<CollectedCountsSlot>(memory);
       toWire(slot, out.initCounts());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::CollectingEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class CollectingServant final : public wire::Collecting::Server {
- public:
-  explicit CollectingServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<CollectingSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> startCollecting(StartCollectingContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(CollectingCommand::start_collecting), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> stopCollecting(StopCollectingContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(CollectingCommand::stop_collecting), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> setInterval(SetIntervalContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<CollectingSetIntervalArguments>(memory);
-      return in.hasInterval() ? fromWire(in.getInterval(), slot.interval, port_->shift())
-          : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(CollectingCommand::set_interval), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> interval(IntervalContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<CollectingIntervalSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(CollectingCommand::interval), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> collecting(CollectingContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(CollectingCommand::collecting), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> counts(CountsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<CollectedCountsSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(CollectingCommand::counts), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Collecting over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class CollectingReceiver final : public wire::CollectingEvents::Server {
- public:
-  explicit CollectingReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<CollectingIntervalSlot>(0);
-      const Errc error =
-          in.hasInterval() ? fromWire(in.getInterval(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeCollectingColumn(wire::CollectingStateRow::Reader in, unsigned column, std::byte* memory,
+                            suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<CollectingIntervalSlot>(memory);
+      return in.hasInterval() ? fromWire(in.getInterval(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<std::uint8_t>(1);
+    case 1: {
+      auto& slot = newSlot<std::uint8_t>(memory);
       slot = in.getCollecting();
+      return Errc{};
     }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<CollectedCountsSlot>(2);
-      const Errc error =
-          in.hasCounts() ? fromWire(in.getCounts(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(2, error);
+    case 2: {
+      auto& slot = newSlot<CollectedCountsSlot>(memory);
+      return in.hasCounts() ? fromWire(in.getCounts(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kCollectingCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Collecting>(),
+     .method = 1,
+     .sent = sentIn<wire::Collecting::StartCollectingParams>},
+    {.interface = capnp::typeId<wire::Collecting>(),
+     .method = 2,
+     .sent = sentIn<wire::Collecting::StopCollectingParams>},
+    {.interface = capnp::typeId<wire::Collecting>(),
+     .method = 3,
+     .sent = sentIn<wire::Collecting::SetIntervalParams>,
+     .arguments = messageOf<wire::Collecting::SetIntervalParams, CollectingSetIntervalArguments,
+                            encodeCollectingSetInterval, decodeCollectingSetInterval>,
+     .result = messageOf<wire::Collecting::SetIntervalResults, std::uint8_t,
+                         encodeCollectingSetIntervalResult, decodeCollectingSetIntervalResult>},
+    {.interface = capnp::typeId<wire::Collecting>(),
+     .method = 4,
+     .sent = sentIn<wire::Collecting::IntervalParams>,
+     .result = messageOf<wire::Collecting::IntervalResults, CollectingIntervalSlot,
+                         encodeCollectingIntervalResult, decodeCollectingIntervalResult>,
+     .stamp = stampIn<wire::Collecting::IntervalResults>},
+    {.interface = capnp::typeId<wire::Collecting>(),
+     .method = 5,
+     .sent = sentIn<wire::Collecting::CollectingParams>,
+     .result = messageOf<wire::Collecting::CollectingResults, std::uint8_t,
+                         encodeCollectingCollectingResult, decodeCollectingCollectingResult>,
+     .stamp = stampIn<wire::Collecting::CollectingResults>},
+    {.interface = capnp::typeId<wire::Collecting>(),
+     .method = 6,
+     .sent = sentIn<wire::Collecting::CountsParams>,
+     .result = messageOf<wire::Collecting::CountsResults, CollectedCountsSlot,
+                         encodeCollectingCountsResult, decodeCollectingCountsResult>,
+     .stamp = stampIn<wire::Collecting::CountsResults>},
 };
 
-/// Makes remote calls of commands.
-class CollectingProxy final : public suture::rpc::Proxy {
- public:
-  CollectingProxy(wire::Collecting::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<CollectingReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<CollectingCommand>(record.command)) {
-      case CollectingCommand::start_collecting: {
-        auto request = provider_.startCollectingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case CollectingCommand::stop_collecting: {
-        auto request = provider_.stopCollectingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case CollectingCommand::set_interval: {
-        const auto& slot = slotIn<CollectingSetIntervalArguments>(record.arguments());
-        auto request = provider_.setIntervalRequest();
-        toWire(slot.interval, request.initInterval());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case CollectingCommand::interval: {
-        auto request = provider_.intervalRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<CollectingIntervalSlot>(call, response.getStamp(),
-                                               [&](CollectingIntervalSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case CollectingCommand::collecting: {
-        auto request = provider_.collectingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case CollectingCommand::counts: {
-        auto request = provider_.countsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<CollectedCountsSlot>(call, response.getStamp(),
-                                            [&](CollectedCountsSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Collecting::Client provider_;
-  ProxyPort& port_;
-};
-
-class CollectingBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<CollectingServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<CollectingProxy>(contract.castAs<wire::Collecting>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<CollectingSink>(subscriber.castAs<wire::CollectingEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Collecting>();
-  }
-};
-
-const suture::rpc::Binding& collectingBinding() {
-  static const CollectingBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& collectingCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Collecting>,
+      .contract = capnp::typeId<wire::Collecting>(),
+      .subscriber = capnp::typeId<wire::CollectingEvents>(),
+      .commands = kCollectingCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::CollectingEvents::StateParams, wire::CollectingStateRow,
+                                encodeCollectingColumn, decodeCollectingColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kCollectingCommands[] = {
@@ -465,7 +349,7 @@ const InterfaceInfo& interfaceInfo<suture::Collecting>() {
       .description = suture::kCollectingDescription,
       .commands = suture::kCollectingCommands,
       .events = {},
-      .binding = &suture::collectingBinding,
+      .codec = &suture::collectingCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from suture/standard/lifecycle.h. Do not edit.
 #include "suture/standard/lifecycle.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -22,12 +20,14 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -198,226 +198,131 @@ bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot, FieldPath*
   return isKnownResumeOutcome(slot);
 }
 
-// --- Lifecycle over Cap'n Proto RPC: the provider's side
+// --- Lifecycle as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class LifecycleSink final : public suture::rpc::EventSink {
- public:
-  explicit LifecycleSink(wire::LifecycleEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeLifecycleSuspendResult(const std::uint8_t& slot,
+                                  wire::Lifecycle::SuspendResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeLifecycleSuspendResult(wire::Lifecycle::SuspendResults::Reader in, std::uint8_t& slot,
+                                  suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(LifecycleEvent::state_changed): {
-        const auto& slot = slotIn<StateChangeSlot>(payload);
-        auto request = subscriber_.stateChangedRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeLifecycleResumeResult(const std::uint8_t& slot,
+                                 wire::Lifecycle::ResumeResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeLifecycleResumeResult(wire::Lifecycle::ResumeResults::Reader in, std::uint8_t& slot,
+                                 suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<std::uint8_t>(columns[0]);
+void encodeLifecycleComponentStateResult(const std::uint8_t& slot,
+                                         wire::Lifecycle::ComponentStateResults::Builder out) {
+  out.setValue(wireComponentState(slot));
+}
+Errc decodeLifecycleComponentStateResult(wire::Lifecycle::ComponentStateResults::Reader in,
+                                         std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeLifecycleResumeConnection(const LifecycleResumeConnectionArguments& slot,
+                                     wire::Lifecycle::ResumeConnectionParams::Builder out) {
+  toWire(slot.required, out.initRequired(slot.required.size));
+}
+Errc decodeLifecycleResumeConnection(wire::Lifecycle::ResumeConnectionParams::Reader in,
+                                     LifecycleResumeConnectionArguments& slot, suture::Duration) {
+  return fromWire(in.getRequired(), slot.required);
+}
+
+void encodeLifecycleResumeConnectionResult(const std::uint8_t& slot,
+                                           wire::Lifecycle::ResumeConnectionResults::Builder out) {
+  out.setValue(wireResumeOutcome(slot));
+}
+Errc decodeLifecycleResumeConnectionResult(wire::Lifecycle::ResumeConnectionResults::Reader in,
+                                           std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeLifecycleStateChangedEvent(const StateChangeSlot& slot,
+                                      wire::LifecycleEvents::StateChangedParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeLifecycleStateChangedEvent(wire::LifecycleEvents::StateChangedParams::Reader in,
+                                      StateChangeSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeLifecycleColumn(unsigned column, const std::byte* memory,
+                           wire::LifecycleStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<std::uint8_t>(memory);
       out.setComponentState(wireComponentState(slot));
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::LifecycleEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class LifecycleServant final : public wire::Lifecycle::Server {
- public:
-  explicit LifecycleServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<LifecycleSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> suspend(SuspendContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(LifecycleCommand::suspend), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> resume(ResumeContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(LifecycleCommand::resume), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> componentState(ComponentStateContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(wireComponentState(slot));
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(LifecycleCommand::component_state), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> resumeConnection(ResumeConnectionContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<LifecycleResumeConnectionArguments>(memory);
-      return fromWire(in.getRequired(), slot.required);
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(wireResumeOutcome(slot));
-    };
-    return port_->call(numberOf(LifecycleCommand::resume_connection), in.getSent(),
-                       fill, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Lifecycle over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class LifecycleReceiver final : public wire::LifecycleEvents::Server {
- public:
-  explicit LifecycleReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<std::uint8_t>(0);
-      const Errc error = fromWire(in.getComponentState(), slot);
-      columns.enter(0, error);
+}
+Errc decodeLifecycleColumn(wire::LifecycleStateRow::Reader in, unsigned column, std::byte* memory,
+                           suture::Duration) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<std::uint8_t>(memory);
+      return fromWire(in.getComponentState(), slot);
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> stateChanged(StateChangedContext context) override {
-    auto in = context.getParams();
-    return port_->event<StateChangeSlot>(numberOf(LifecycleEvent::state_changed),
-                                         [&](StateChangeSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kLifecycleCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Lifecycle>(),
+     .method = 1,
+     .sent = sentIn<wire::Lifecycle::SuspendParams>,
+     .result = messageOf<wire::Lifecycle::SuspendResults, std::uint8_t,
+                         encodeLifecycleSuspendResult, decodeLifecycleSuspendResult>},
+    {.interface = capnp::typeId<wire::Lifecycle>(),
+     .method = 2,
+     .sent = sentIn<wire::Lifecycle::ResumeParams>,
+     .result = messageOf<wire::Lifecycle::ResumeResults, std::uint8_t, encodeLifecycleResumeResult,
+                         decodeLifecycleResumeResult>},
+    {.interface = capnp::typeId<wire::Lifecycle>(),
+     .method = 3,
+     .sent = sentIn<wire::Lifecycle::ComponentStateParams>,
+     .result = messageOf<wire::Lifecycle::ComponentStateResults, std::uint8_t,
+                         encodeLifecycleComponentStateResult, decodeLifecycleComponentStateResult>,
+     .stamp = stampIn<wire::Lifecycle::ComponentStateResults>},
+    {.interface = capnp::typeId<wire::Lifecycle>(),
+     .method = 4,
+     .sent = sentIn<wire::Lifecycle::ResumeConnectionParams>,
+     .arguments = messageOf<wire::Lifecycle::ResumeConnectionParams,
+                            LifecycleResumeConnectionArguments, encodeLifecycleResumeConnection,
+                            decodeLifecycleResumeConnection>,
+     .result = messageOf<wire::Lifecycle::ResumeConnectionResults, std::uint8_t,
+                         encodeLifecycleResumeConnectionResult,
+                         decodeLifecycleResumeConnectionResult>},
 };
 
-/// Makes remote calls of commands.
-class LifecycleProxy final : public suture::rpc::Proxy {
- public:
-  LifecycleProxy(wire::Lifecycle::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<LifecycleReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<LifecycleCommand>(record.command)) {
-      case LifecycleCommand::suspend: {
-        auto request = provider_.suspendRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case LifecycleCommand::resume: {
-        auto request = provider_.resumeRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case LifecycleCommand::component_state: {
-        auto request = provider_.componentStateRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case LifecycleCommand::resume_connection: {
-        const auto& slot = slotIn<LifecycleResumeConnectionArguments>(record.arguments());
-        auto request = provider_.resumeConnectionRequest();
-        toWire(slot.required, request.initRequired(slot.required.size));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Lifecycle::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kLifecycleEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::LifecycleEvents::StateChangedParams, StateChangeSlot,
+                          encodeLifecycleStateChangedEvent, decodeLifecycleStateChangedEvent>},
 };
 
-class LifecycleBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<LifecycleServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<LifecycleProxy>(contract.castAs<wire::Lifecycle>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<LifecycleSink>(subscriber.castAs<wire::LifecycleEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Lifecycle>();
-  }
-};
-
-const suture::rpc::Binding& lifecycleBinding() {
-  static const LifecycleBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& lifecycleCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Lifecycle>,
+      .contract = capnp::typeId<wire::Lifecycle>(),
+      .subscriber = capnp::typeId<wire::LifecycleEvents>(),
+      .commands = kLifecycleCommandCodecs,
+      .events = kLifecycleEventCodecs,
+      .row = suture::rpc::rowOf<wire::LifecycleEvents::StateParams, wire::LifecycleStateRow,
+                                encodeLifecycleColumn, decodeLifecycleColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kLifecycleCommands[] = {
@@ -536,7 +441,7 @@ const InterfaceInfo& interfaceInfo<suture::Lifecycle>() {
       .description = suture::kLifecycleDescription,
       .commands = suture::kLifecycleCommands,
       .events = suture::kLifecycleEvents,
-      .binding = &suture::lifecycleBinding,
+      .codec = &suture::lifecycleCodec,
   };
   return kInfo;
 }

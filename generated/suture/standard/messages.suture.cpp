@@ -1,9 +1,7 @@
 // Written by suturec from suture/standard/messages.h. Do not edit.
 #include "suture/standard/messages.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -18,15 +16,13 @@ using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
-using suture::slotIn;
 using suture::slotSize;
 using suture::store;
 
@@ -84,151 +80,57 @@ bool isValid(const MessageSlot&, FieldPath*) {
 
 namespace {
 
-// --- Messages over Cap'n Proto RPC: the provider's side
+// --- Messages as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class MessagesSink final : public suture::rpc::EventSink {
- public:
-  explicit MessagesSink(wire::MessagesEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeMessagesStatusEvent(const MessageSlot& slot,
+                               wire::MessagesEvents::StatusParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeMessagesStatusEvent(wire::MessagesEvents::StatusParams::Reader in, MessageSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(MessagesEvent::status): {
-        const auto& slot = slotIn<MessageSlot>(payload);
-        auto request = subscriber_.statusRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(MessagesEvent::warning): {
-        const auto& slot = slotIn<MessageSlot>(payload);
-        auto request = subscriber_.warningRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(MessagesEvent::error): {
-        const auto& slot = slotIn<MessageSlot>(payload);
-        auto request = subscriber_.errorRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeMessagesWarningEvent(const MessageSlot& slot,
+                                wire::MessagesEvents::WarningParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeMessagesWarningEvent(wire::MessagesEvents::WarningParams::Reader in, MessageSlot& slot,
+                                suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const>) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    return request.send().ignoreResult();
-  }
+void encodeMessagesErrorEvent(const MessageSlot& slot,
+                              wire::MessagesEvents::ErrorParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeMessagesErrorEvent(wire::MessagesEvents::ErrorParams::Reader in, MessageSlot& slot,
+                              suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
- private:
-  wire::MessagesEvents::Client subscriber_;
+constexpr EventCodec kMessagesEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::MessagesEvents::StatusParams, MessageSlot,
+                          encodeMessagesStatusEvent, decodeMessagesStatusEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::MessagesEvents::WarningParams, MessageSlot,
+                          encodeMessagesWarningEvent, decodeMessagesWarningEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::MessagesEvents::ErrorParams, MessageSlot, encodeMessagesErrorEvent,
+                          decodeMessagesErrorEvent>},
 };
 
-/// Puts remote calls into the provider's mailbox.
-class MessagesServant final : public wire::Messages::Server {
- public:
-  explicit MessagesServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<MessagesSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Messages over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class MessagesReceiver final : public wire::MessagesEvents::Server {
- public:
-  explicit MessagesReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> status(StatusContext context) override {
-    auto in = context.getParams();
-    return port_->event<MessageSlot>(numberOf(MessagesEvent::status), [&](MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> warning(WarningContext context) override {
-    auto in = context.getParams();
-    return port_->event<MessageSlot>(numberOf(MessagesEvent::warning), [&](MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> error(ErrorContext context) override {
-    auto in = context.getParams();
-    return port_->event<MessageSlot>(numberOf(MessagesEvent::error), [&](MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class MessagesProxy final : public suture::rpc::Proxy {
- public:
-  MessagesProxy(wire::Messages::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<MessagesReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord&) override {
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Messages::Client provider_;
-  ProxyPort& port_;
-};
-
-class MessagesBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<MessagesServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<MessagesProxy>(contract.castAs<wire::Messages>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<MessagesSink>(subscriber.castAs<wire::MessagesEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Messages>();
-  }
-};
-
-const suture::rpc::Binding& messagesBinding() {
-  static const MessagesBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& messagesCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Messages>,
+      .contract = capnp::typeId<wire::Messages>(),
+      .subscriber = capnp::typeId<wire::MessagesEvents>(),
+      .commands = {},
+      .events = kMessagesEventCodecs,
+      .row = suture::rpc::rowOf<wire::MessagesEvents::StateParams, wire::MessagesStateRow>,
+  };
+  return kCodec;
 }
 
 constexpr EventInfo kMessagesEvents[] = {
@@ -301,7 +203,7 @@ const InterfaceInfo& interfaceInfo<suture::Messages>() {
       .description = suture::kMessagesDescription,
       .commands = {},
       .events = suture::kMessagesEvents,
-      .binding = &suture::messagesBinding,
+      .codec = &suture::messagesCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from suture/standard/task_timing.h. Do not edit.
 #include "suture/standard/task_timing.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -19,13 +17,15 @@ using suture::Errc;
 using suture::FieldPath;
 using suture::checkSlot;
 using suture::load;
+using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -143,203 +143,111 @@ bool isValid(const TaskWindowSlot& slot, FieldPath* path) {
 
 namespace {
 
-// --- TaskTiming over Cap'n Proto RPC: the provider's side
+// --- TaskTiming as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class TaskTimingSink final : public suture::rpc::EventSink {
- public:
-  explicit TaskTimingSink(wire::TaskTimingEvents::Client subscriber) :
-      subscriber_(kj::mv(subscriber)) {}
+void encodeTaskTimingWindowResult(const TaskWindowSlot& slot,
+                                  wire::TaskTiming::WindowResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeTaskTimingWindowResult(wire::TaskTiming::WindowResults::Reader in, TaskWindowSlot& slot,
+                                  suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
+void encodeTaskTimingCyclesResult(const std::uint64_t& slot,
+                                  wire::TaskTiming::CyclesResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeTaskTimingCyclesResult(wire::TaskTiming::CyclesResults::Reader in, std::uint64_t& slot,
+                                  suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<TaskWindowSlot>(columns[0]);
+void encodeTaskTimingSkippedResult(const std::uint64_t& slot,
+                                   wire::TaskTiming::SkippedResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeTaskTimingSkippedResult(wire::TaskTiming::SkippedResults::Reader in, std::uint64_t& slot,
+                                   suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeTaskTimingColumn(unsigned column, const std::byte* memory,
+                            wire::TaskTimingStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<TaskWindowSlot>(memory);
       toWire(slot, out.initWindow());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<std::uint64_t>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<std::uint64_t>(memory);
       out.setCycles(slot);
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<std::uint64_t>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<std::uint64_t>(memory);
       out.setSkipped(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::TaskTimingEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class TaskTimingServant final : public wire::TaskTiming::Server {
- public:
-  explicit TaskTimingServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<TaskTimingSink>(in.getEvents()), in.getEventMask(),
-                     in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> window(WindowContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<TaskWindowSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TaskTimingCommand::window), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> cycles(CyclesContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::uint64_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TaskTimingCommand::cycles), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> skipped(SkippedContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::uint64_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(TaskTimingCommand::skipped), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- TaskTiming over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class TaskTimingReceiver final : public wire::TaskTimingEvents::Server {
- public:
-  explicit TaskTimingReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<TaskWindowSlot>(0);
-      const Errc error =
-          in.hasWindow() ? fromWire(in.getWindow(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeTaskTimingColumn(wire::TaskTimingStateRow::Reader in, unsigned column, std::byte* memory,
+                            suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<TaskWindowSlot>(memory);
+      return in.hasWindow() ? fromWire(in.getWindow(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<std::uint64_t>(1);
+    case 1: {
+      auto& slot = newSlot<std::uint64_t>(memory);
       slot = in.getCycles();
+      return Errc{};
     }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<std::uint64_t>(2);
+    case 2: {
+      auto& slot = newSlot<std::uint64_t>(memory);
       slot = in.getSkipped();
+      return Errc{};
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kTaskTimingCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::TaskTiming>(),
+     .method = 1,
+     .sent = sentIn<wire::TaskTiming::WindowParams>,
+     .result = messageOf<wire::TaskTiming::WindowResults, TaskWindowSlot,
+                         encodeTaskTimingWindowResult, decodeTaskTimingWindowResult>,
+     .stamp = stampIn<wire::TaskTiming::WindowResults>},
+    {.interface = capnp::typeId<wire::TaskTiming>(),
+     .method = 2,
+     .sent = sentIn<wire::TaskTiming::CyclesParams>,
+     .result = messageOf<wire::TaskTiming::CyclesResults, std::uint64_t,
+                         encodeTaskTimingCyclesResult, decodeTaskTimingCyclesResult>,
+     .stamp = stampIn<wire::TaskTiming::CyclesResults>},
+    {.interface = capnp::typeId<wire::TaskTiming>(),
+     .method = 3,
+     .sent = sentIn<wire::TaskTiming::SkippedParams>,
+     .result = messageOf<wire::TaskTiming::SkippedResults, std::uint64_t,
+                         encodeTaskTimingSkippedResult, decodeTaskTimingSkippedResult>,
+     .stamp = stampIn<wire::TaskTiming::SkippedResults>},
 };
 
-/// Makes remote calls of commands.
-class TaskTimingProxy final : public suture::rpc::Proxy {
- public:
-  TaskTimingProxy(wire::TaskTiming::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<TaskTimingReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<TaskTimingCommand>(record.command)) {
-      case TaskTimingCommand::window: {
-        auto request = provider_.windowRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<TaskWindowSlot>(call, response.getStamp(), [&](TaskWindowSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case TaskTimingCommand::cycles: {
-        auto request = provider_.cyclesRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint64_t>(call, response.getStamp(), [&](std::uint64_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case TaskTimingCommand::skipped: {
-        auto request = provider_.skippedRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint64_t>(call, response.getStamp(), [&](std::uint64_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::TaskTiming::Client provider_;
-  ProxyPort& port_;
-};
-
-class TaskTimingBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<TaskTimingServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<TaskTimingProxy>(contract.castAs<wire::TaskTiming>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<TaskTimingSink>(subscriber.castAs<wire::TaskTimingEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::TaskTiming>();
-  }
-};
-
-const suture::rpc::Binding& taskTimingBinding() {
-  static const TaskTimingBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& taskTimingCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::TaskTiming>,
+      .contract = capnp::typeId<wire::TaskTiming>(),
+      .subscriber = capnp::typeId<wire::TaskTimingEvents>(),
+      .commands = kTaskTimingCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::TaskTimingEvents::StateParams, wire::TaskTimingStateRow,
+                                encodeTaskTimingColumn, decodeTaskTimingColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kTaskTimingCommands[] = {
@@ -430,7 +338,7 @@ const InterfaceInfo& interfaceInfo<suture::TaskTiming>() {
       .description = suture::kTaskTimingDescription,
       .commands = suture::kTaskTimingCommands,
       .events = {},
-      .binding = &suture::taskTimingBinding,
+      .codec = &suture::taskTimingCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from unit/contracts/lamp.h. Do not edit.
 #include "unit/contracts/lamp.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -23,10 +21,12 @@ using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Errc;
 using suture::newSlot;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::slotIn;
 using suture::slotSize;
@@ -36,216 +36,111 @@ bool store(const bool& on, LampLightArguments& slot) { return store(on, slot.on)
 
 namespace {
 
-// --- Lamp over Cap'n Proto RPC: the provider's side
+// --- Lamp as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class LampSink final : public suture::rpc::EventSink {
- public:
-  explicit LampSink(wire::LampEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeLampLight(const LampLightArguments& slot, wire::Lamp::LightParams::Builder out) {
+  out.setOn(slot.on != 0);
+}
+Errc decodeLampLight(wire::Lamp::LightParams::Reader in, LampLightArguments& slot,
+                     suture::Duration) {
+  slot.on = in.getOn();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(suture::MessagesEvent::status): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.statusRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(suture::MessagesEvent::warning): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.warningRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(suture::MessagesEvent::error): {
-        const auto& slot = slotIn<suture::MessageSlot>(payload);
-        auto request = subscriber_.errorRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeLampLitResult(const std::uint8_t& slot, wire::Lamp::LitResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeLampLitResult(wire::Lamp::LitResults::Reader in, std::uint8_t& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<std::uint8_t>(columns[0]);
+void encodeLampStatusEvent(const suture::MessageSlot& slot,
+                           wire::LampEvents::StatusParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeLampStatusEvent(wire::LampEvents::StatusParams::Reader in, suture::MessageSlot& slot,
+                           suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeLampWarningEvent(const suture::MessageSlot& slot,
+                            wire::LampEvents::WarningParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeLampWarningEvent(wire::LampEvents::WarningParams::Reader in, suture::MessageSlot& slot,
+                            suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeLampErrorEvent(const suture::MessageSlot& slot,
+                          wire::LampEvents::ErrorParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeLampErrorEvent(wire::LampEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
+                          suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeLampColumn(unsigned column, const std::byte* memory, wire::LampStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<std::uint8_t>(memory);
       out.setLit(slot != 0);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::LampEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class LampServant final : public wire::Lamp::Server {
- public:
-  explicit LampServant(kj::Own<ServantPort> port)
-      : base_(suture::interfaceInfo<suture::Messages>().binding().makeServant(kj::addRef(*port))),
-        port_(kj::mv(port)) {}
-
-  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
-                                  suture::rpc::AnyCall call) override {
-    if (contract != capnp::typeId<wire::Lamp>()) {
-      return base_->dispatchCall(contract, method, call);
-    }
-    return wire::Lamp::Server::dispatchCall(contract, method, call);
-  }
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<LampSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> light(LightContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<LampLightArguments>(memory);
-      slot.on = in.getOn();
-      return Errc{};
-    };
-    return port_->command(numberOf(LampCommand::light), in.getSent(), fill);
-  }
-
-  kj::Promise<void> lit(LitContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(LampCommand::lit), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<capnp::Capability::Server> base_;
-  kj::Own<ServantPort> port_;
-};
-
-// --- Lamp over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class LampReceiver final : public wire::LampEvents::Server {
- public:
-  explicit LampReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<std::uint8_t>(0);
+}
+Errc decodeLampColumn(wire::LampStateRow::Reader in, unsigned column, std::byte* memory,
+                      suture::Duration) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<std::uint8_t>(memory);
       slot = in.getLit();
+      return Errc{};
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> status(StatusContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::status),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> warning(WarningContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::warning),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> error(ErrorContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::MessageSlot>(numberOf(suture::MessagesEvent::error),
-                                             [&](suture::MessageSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kLampCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Lamp>(),
+     .method = 1,
+     .sent = sentIn<wire::Lamp::LightParams>,
+     .arguments = messageOf<wire::Lamp::LightParams, LampLightArguments, encodeLampLight,
+                            decodeLampLight>},
+    {.interface = capnp::typeId<wire::Lamp>(),
+     .method = 2,
+     .sent = sentIn<wire::Lamp::LitParams>,
+     .result = messageOf<wire::Lamp::LitResults, std::uint8_t, encodeLampLitResult,
+                         decodeLampLitResult>,
+     .stamp = stampIn<wire::Lamp::LitResults>},
 };
 
-/// Makes remote calls of commands.
-class LampProxy final : public suture::rpc::Proxy {
- public:
-  LampProxy(wire::Lamp::Client provider, ProxyPort& port)
-      : base_(suture::interfaceInfo<suture::Messages>().binding().makeProxy(provider, port)),
-        provider_(kj::mv(provider)),
-        port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<LampReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<LampCommand>(record.command)) {
-      case LampCommand::light: {
-        const auto& slot = slotIn<LampLightArguments>(record.arguments());
-        auto request = provider_.lightRequest();
-        request.setOn(slot.on != 0);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case LampCommand::lit: {
-        auto request = provider_.litRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, response.getStamp(), [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-    }
-    return base_->send(record);
-  }
-
- private:
-  kj::Own<suture::rpc::Proxy> base_;
-  wire::Lamp::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kLampEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::LampEvents::StatusParams, suture::MessageSlot,
+                          encodeLampStatusEvent, decodeLampStatusEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::LampEvents::WarningParams, suture::MessageSlot,
+                          encodeLampWarningEvent, decodeLampWarningEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::LampEvents::ErrorParams, suture::MessageSlot, encodeLampErrorEvent,
+                          decodeLampErrorEvent>},
 };
 
-class LampBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<LampServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<LampProxy>(contract.castAs<wire::Lamp>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<LampSink>(subscriber.castAs<wire::LampEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Lamp>();
-  }
-};
-
-const suture::rpc::Binding& lampBinding() {
-  static const LampBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& lampCodec() {
+  static const suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Lamp>,
+      .contract = capnp::typeId<wire::Lamp>(),
+      .subscriber = capnp::typeId<wire::LampEvents>(),
+      .commands = kLampCommandCodecs,
+      .events = kLampEventCodecs,
+      .row = suture::rpc::rowOf<wire::LampEvents::StateParams, wire::LampStateRow, encodeLampColumn,
+                                decodeLampColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kLampCommands[] = {
@@ -325,7 +220,7 @@ const InterfaceInfo& interfaceInfo<contracts::Lamp>() {
       .description = contracts::kLampDescription,
       .commands = contracts::kLampCommands,
       .events = interfaceInfo<suture::Messages>().events,
-      .binding = &contracts::lampBinding,
+      .codec = &contracts::lampCodec,
       .base = &interfaceInfo<suture::Messages>,
       .toBase = &castToBase<contracts::Lamp, suture::Messages>,
   };

@@ -1,9 +1,7 @@
 // Written by suturec from unit/large_values/picture.h. Do not edit.
 #include "unit/large_values/picture.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -22,11 +20,13 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::slotIn;
 using suture::slotSize;
@@ -85,234 +85,132 @@ bool acceptsGalleryHang(const GalleryHangArguments& slot, FieldPath* path) {
   return isValid(slot.picture, path) || refusedAt(path, "picture");
 }
 
-// --- Gallery over Cap'n Proto RPC: the provider's side
+// --- Gallery as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class GallerySink final : public suture::rpc::EventSink {
- public:
-  explicit GallerySink(wire::GalleryEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeGalleryNewestResult(const PictureSlot& slot, wire::Gallery::NewestResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGalleryNewestResult(wire::Gallery::NewestResults::Reader in, PictureSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(GalleryEvent::hung): {
-        const auto& slot = slotIn<PictureSlot>(payload);
-        auto request = subscriber_.hungRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeGalleryOldestResult(const PictureSlot& slot, wire::Gallery::OldestResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGalleryOldestResult(wire::Gallery::OldestResults::Reader in, PictureSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PictureSlot>(columns[0]);
+void encodeGalleryDimmed(const GalleryDimmedArguments& slot,
+                         wire::Gallery::DimmedParams::Builder out) {
+  toWire(slot.picture, out.initPicture());
+}
+Errc decodeGalleryDimmed(wire::Gallery::DimmedParams::Reader in, GalleryDimmedArguments& slot,
+                         suture::Duration shift) {
+  return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, shift) : Errc::Invalid;
+}
+
+void encodeGalleryDimmedResult(const PictureSlot& slot, wire::Gallery::DimmedResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGalleryDimmedResult(wire::Gallery::DimmedResults::Reader in, PictureSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeGalleryHang(const GalleryHangArguments& slot, wire::Gallery::HangParams::Builder out) {
+  toWire(slot.picture, out.initPicture());
+}
+Errc decodeGalleryHang(wire::Gallery::HangParams::Reader in, GalleryHangArguments& slot,
+                       suture::Duration shift) {
+  return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, shift) : Errc::Invalid;
+}
+
+void encodeGalleryHungEvent(const PictureSlot& slot, wire::GalleryEvents::HungParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGalleryHungEvent(wire::GalleryEvents::HungParams::Reader in, PictureSlot& slot,
+                            suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeGalleryColumn(unsigned column, const std::byte* memory,
+                         wire::GalleryStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PictureSlot>(memory);
       toWire(slot, out.initNewest());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<PictureSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<PictureSlot>(memory);
       toWire(slot, out.initOldest());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::GalleryEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class GalleryServant final : public wire::Gallery::Server {
- public:
-  explicit GalleryServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<GallerySink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> newest(NewestContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PictureSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(GalleryCommand::newest), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> oldest(OldestContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PictureSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(GalleryCommand::oldest), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> dimmed(DimmedContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<GalleryDimmedArguments>(memory);
-      return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, port_->shift())
-          : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<PictureSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(GalleryCommand::dimmed), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> hang(HangContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<GalleryHangArguments>(memory);
-      return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, port_->shift())
-          : Errc::Invalid;
-    };
-    return port_->command(numberOf(GalleryCommand::hang), in.getSent(), fill);
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Gallery over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class GalleryReceiver final : public wire::GalleryEvents::Server {
- public:
-  explicit GalleryReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PictureSlot>(0);
-      const Errc error =
-          in.hasNewest() ? fromWire(in.getNewest(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeGalleryColumn(wire::GalleryStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PictureSlot>(memory);
+      return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<PictureSlot>(1);
-      const Errc error =
-          in.hasOldest() ? fromWire(in.getOldest(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
+    case 1: {
+      auto& slot = newSlot<PictureSlot>(memory);
+      return in.hasOldest() ? fromWire(in.getOldest(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> hung(HungContext context) override {
-    auto in = context.getParams();
-    return port_->event<PictureSlot>(numberOf(GalleryEvent::hung), [&](PictureSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kGalleryCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Gallery>(),
+     .method = 1,
+     .sent = sentIn<wire::Gallery::NewestParams>,
+     .result = messageOf<wire::Gallery::NewestResults, PictureSlot, encodeGalleryNewestResult,
+                         decodeGalleryNewestResult>,
+     .stamp = stampIn<wire::Gallery::NewestResults>},
+    {.interface = capnp::typeId<wire::Gallery>(),
+     .method = 2,
+     .sent = sentIn<wire::Gallery::OldestParams>,
+     .result = messageOf<wire::Gallery::OldestResults, PictureSlot, encodeGalleryOldestResult,
+                         decodeGalleryOldestResult>,
+     .stamp = stampIn<wire::Gallery::OldestResults>},
+    {.interface = capnp::typeId<wire::Gallery>(),
+     .method = 3,
+     .sent = sentIn<wire::Gallery::DimmedParams>,
+     .arguments = messageOf<wire::Gallery::DimmedParams, GalleryDimmedArguments,
+                            encodeGalleryDimmed, decodeGalleryDimmed>,
+     .result = messageOf<wire::Gallery::DimmedResults, PictureSlot, encodeGalleryDimmedResult,
+                         decodeGalleryDimmedResult>},
+    {.interface = capnp::typeId<wire::Gallery>(),
+     .method = 4,
+     .sent = sentIn<wire::Gallery::HangParams>,
+     .arguments = messageOf<wire::Gallery::HangParams, GalleryHangArguments, encodeGalleryHang,
+                            decodeGalleryHang>},
 };
 
-/// Makes remote calls of commands.
-class GalleryProxy final : public suture::rpc::Proxy {
- public:
-  GalleryProxy(wire::Gallery::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<GalleryReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<GalleryCommand>(record.command)) {
-      case GalleryCommand::newest: {
-        auto request = provider_.newestRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PictureSlot>(call, response.getStamp(), [&](PictureSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case GalleryCommand::oldest: {
-        auto request = provider_.oldestRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PictureSlot>(call, response.getStamp(), [&](PictureSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case GalleryCommand::dimmed: {
-        const auto& slot = slotIn<GalleryDimmedArguments>(record.arguments());
-        auto request = provider_.dimmedRequest();
-        toWire(slot.picture, request.initPicture());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PictureSlot>(call, [&](PictureSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case GalleryCommand::hang: {
-        const auto& slot = slotIn<GalleryHangArguments>(record.arguments());
-        auto request = provider_.hangRequest();
-        toWire(slot.picture, request.initPicture());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Gallery::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kGalleryEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::GalleryEvents::HungParams, PictureSlot, encodeGalleryHungEvent,
+                          decodeGalleryHungEvent>},
 };
 
-class GalleryBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<GalleryServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<GalleryProxy>(contract.castAs<wire::Gallery>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<GallerySink>(subscriber.castAs<wire::GalleryEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Gallery>();
-  }
-};
-
-const suture::rpc::Binding& galleryBinding() {
-  static const GalleryBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& galleryCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Gallery>,
+      .contract = capnp::typeId<wire::Gallery>(),
+      .subscriber = capnp::typeId<wire::GalleryEvents>(),
+      .commands = kGalleryCommandCodecs,
+      .events = kGalleryEventCodecs,
+      .row = suture::rpc::rowOf<wire::GalleryEvents::StateParams, wire::GalleryStateRow,
+                                encodeGalleryColumn, decodeGalleryColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kGalleryCommands[] = {
@@ -400,7 +298,7 @@ const InterfaceInfo& interfaceInfo<large_values::Gallery>() {
       .description = large_values::kGalleryDescription,
       .commands = large_values::kGalleryCommands,
       .events = large_values::kGalleryEvents,
-      .binding = &large_values::galleryBinding,
+      .codec = &large_values::galleryCodec,
   };
   return kInfo;
 }

@@ -65,7 +65,7 @@ InterfaceInfo describedInfo(const std::string& name, const std::string& hash,
           .description = description.c_str(),
           .commands = {},
           .events = {},
-          .binding = nullptr};
+          .codec = nullptr};
 }
 
 Match requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,

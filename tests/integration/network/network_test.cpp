@@ -38,7 +38,7 @@ struct Stranger final : Device {
                                        .description = R"({"name": "reference::OtherArm"})",
                                        .commands = {},
                                        .events = {},
-                                       .binding = nullptr};
+                                       .codec = interfaceInfo<ArmLike>().codec};
       return kInfo;
     }
   };

@@ -66,9 +66,10 @@ TEST_F(EmitTest, TheBasesCommandsKeepItsLocksOrderInWhatDerivesFromIt) {
 
 TEST_F(EmitTest, WhatDerivesHoldsOnlyWhatItAdds) {
   const std::string source = text("robots/gripper.suture.cpp");
-  EXPECT_FALSE(contains(source, "servoCpRequest"));
-  EXPECT_FALSE(contains(source, "ServoCpContext"));
-  EXPECT_TRUE(contains(source, "    return base_->send(record);\n"));
+  EXPECT_FALSE(contains(source, "ServoCpParams"));
+  EXPECT_TRUE(contains(source,
+                       "suture::interfaceInfo<robots::Arm>().codec().commands, "
+                       "kGripperCommandCodecs"));
   EXPECT_TRUE(contains(text("robots/gripper.suture.h"),
                        "class Required<robots::Gripper> : public Required<robots::Arm> {"));
 }

@@ -5,9 +5,8 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/read_together.h>
 #include <suture/framing/link.h>
-#include <suture/lane/rpc/binding.h>
 #include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/lane/rpc/servant.h>
 #include <suture/loop/control_thread.h>
 #include <suture/loop/failure.h>
 
@@ -67,10 +66,9 @@ class InvalidEvents : public testing::Test {
  protected:
   InvalidEvents() {
     control_.run(kPatience, [this] {
-      const InterfaceInfo& contract = channel_->info;
       port_ =
           kj::refcounted<rpc::ProxyPort>(control_, channel_, std::make_shared<rpc::LinkCounters>());
-      port_->open(contract.binding().makeProxy(kj::heap<LyingArm>(subscriber_), *port_));
+      port_->open(kj::heap<LyingArm>(subscriber_));
       return kj::Promise<void>(kj::READY_NOW);
     });
     channel_->ends.provider->ring();
@@ -161,7 +159,7 @@ class InvalidCommands : public testing::Test {
     control_.run(kPatience, [this] {
       auto port = kj::refcounted<rpc::ServantPort>(control_, channel_,
                                                    std::make_shared<rpc::LinkCounters>());
-      capnp::Capability::Client servant(channel_->info.binding().makeServant(kj::mv(port)));
+      capnp::Capability::Client servant(kj::heap<rpc::Servant>(kj::mv(port)));
       arm_ = servant.castAs<reference::wire::ArmLike>();
       return kj::Promise<void>(kj::READY_NOW);
     });

@@ -1,21 +1,19 @@
 // What a client in another process is told of its calls when a provider ends.
 #include <suture/loop/kj_comparisons.h>  // first
 
-#include <capnp/message.h>
 #include <gtest/gtest.h>
 #include <suture/framing/remote_error.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/lane/rpc/servant.h>
 #include <suture/loop/control_thread.h>
 
 #include <memory>
 
+#include "reference/arm_like.capnp.h"
 #include "reference/arm_like.suture.h"
 #include "support/patience.h"
 
 namespace suture::rpc {
 namespace {
-
-constexpr std::uint16_t kReset = 8;
 
 /// The provider's end of a connection, whose task is played by the test.
 struct Provider {
@@ -24,15 +22,13 @@ struct Provider {
             info, "client -> provider", "rpc",
             Channel::Ends{.client = &control.doorbell(), .provider = &bell, .watcher = &bell},
             makeStateTable(info, rt::StateTable::Readers::Here), ~EventSet{0})),
-        port(kj::refcounted<ServantPort>(control, channel, std::make_shared<LinkCounters>())) {}
+        port(kj::refcounted<ServantPort>(control, channel, std::make_shared<LinkCounters>())),
+        arm(capnp::Capability::Client(kj::heap<Servant>(kj::addRef(*port)))
+                .castAs<reference::wire::ArmLike>()) {}
   ~Provider() noexcept(false) { port->close(); }
 
-  kj::Promise<void> call() {
-    capnp::MallocMessageBuilder message;
-    return port->call(
-        kReset, message.initRoot<wire::Sent>().asReader(), [](std::byte*) { return Errc{}; },
-        [](const std::byte*, Time) {});
-  }
+  /// Calls reset(), which answers.
+  kj::Promise<void> call() { return arm.resetRequest().send().ignoreResult(); }
   /// The number of the call that the provider is executing from now on.
   std::uint32_t begin() {
     channel->commands.fixCut();
@@ -43,6 +39,7 @@ struct Provider {
   rt::Doorbell bell;
   const std::shared_ptr<Channel> channel;
   kj::Own<ServantPort> port;
+  reference::wire::ArmLike::Client arm;
 };
 
 /// How a call ends that is being executed when `end` happens to the provider.
@@ -52,9 +49,12 @@ Errc outcomeOf(const End& end) {
   return control.run(kPatience, [&control, &end] {
     auto provider = kj::heap<Provider>(control);
     kj::Promise<void> call = provider->call();
-    end(*provider, provider->begin());
-    control.doorbell().ring();
-    return call.then([] { return Errc{}; }, [](kj::Exception&& why) { return errcOf(why); })
+    auto ended = kj::evalLast([&control, &end, &provider = *provider] {  // the call has arrived
+      end(provider, provider.begin());
+      control.doorbell().ring();
+    });
+    return ended.then([call = kj::mv(call)]() mutable { return kj::mv(call); })
+        .then([] { return Errc{}; }, [](kj::Exception&& why) { return errcOf(why); })
         .attach(kj::mv(provider));
   });
 }

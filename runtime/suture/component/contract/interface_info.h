@@ -12,7 +12,7 @@
 #include <span>
 
 namespace suture::rpc {
-class Binding;
+struct Codec;
 }
 
 namespace suture {
@@ -47,6 +47,9 @@ struct CommandInfo {
   ValueCheck accepts = nullptr, acceptsResult = nullptr;  ///< null: it admits all
   // Turn the stamps in a slot, of any bytes, into those of another clock; null: it has none.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
+
+  /// A peer that may only read may call it.
+  bool reads() const { return kind == CommandKind::Read || kind == CommandKind::QualifiedRead; }
 
   /// Checks the arguments; `path` then begins with the name of the command.
   bool admits(const std::byte* arguments, FieldPath* path = nullptr) const {
@@ -91,7 +94,7 @@ struct InterfaceInfo {
   const char* description;  ///< JSON: types, units, documentation
   std::span<const CommandInfo> commands;
   std::span<const EventInfo> events;
-  const rpc::Binding& (*binding)();  ///< how the contract travels over Cap'n Proto
+  const rpc::Codec& (*codec)();  ///< how the contract travels as Cap'n Proto
   /// The contract that this one derives from, or null. Its commands, events and columns are the
   /// first of this one's.
   const InterfaceInfo& (*base)() = nullptr;

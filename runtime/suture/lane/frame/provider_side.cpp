@@ -59,11 +59,9 @@ bool ProviderSide::refuse(const Header& header, Errc error) {
 
 Errc ProviderSide::post(const Header& header, std::span<const std::byte> payload) {
   const CommandInfo& command = channel_->info.commands[header.number];
-  const bool reads =
-      command.kind == CommandKind::Read || command.kind == CommandKind::QualifiedRead;
   const Errc error = errorOf(channel_->status.load(std::memory_order_acquire));
   if (error != Errc{}) return error;
-  if (readOnly_ && !reads) return Errc::NotPermitted;
+  if (readOnly_ && !command.reads()) return Errc::NotPermitted;
   const auto slot = channel_->commands.claim(header.number, here(header.stamp), header.call);
   if (!slot) return slot.error();
   if (!payload.empty()) std::memcpy(*slot, payload.data(), payload.size());

@@ -1,5 +1,4 @@
 #include <suture/lane/mirrored_channel.h>
-#include <suture/lane/rpc/binding.h>
 #include <suture/lane/rpc/calls_client.h>
 #include <suture/lane/rpc/proxy_port.h>
 #include <suture/net/socket.h>
@@ -56,7 +55,7 @@ class CallsAttempt final : public LaneAttempt {
     auto port = kj::refcounted<ProxyPort>(control_, channel, link_->counters());
     auto contract = link_->contract(answer.getAs<wire::CallsAnswer>().getConnection(),
                                     kj::heap<ReplaysReceiver>(kj::addRef(*port)));
-    port->open(connection_.contract.binding().makeProxy(kj::mv(contract), *port));
+    port->open(kj::mv(contract));
     auto broken = link_->whenBroken().attach(std::shared_ptr(link_));
     return OpenedEnd{kj::mv(port), std::move(channel), kj::mv(broken)};
   }

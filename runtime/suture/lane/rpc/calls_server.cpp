@@ -1,5 +1,5 @@
-#include <suture/lane/rpc/binding.h>
 #include <suture/lane/rpc/calls_server.h>
+#include <suture/lane/rpc/servant.h>
 #include <suture/loop/failure.h>
 
 #include <string>
@@ -67,9 +67,8 @@ kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
   auto port = serveCalls(session_.control(), connection, channel, found->second.link->counters());
   const std::uint32_t number = ++latest_;
   const auto replays = std::make_shared<kj::Maybe<wire::Replays::Client>>();
-  found->second.contracts->emplace(
-      number, Offered{channel, connection.provided.info().binding().makeServant(kj::addRef(*port)),
-                      replays});
+  found->second.contracts->emplace(number,
+                                   Offered{channel, kj::heap<Servant>(kj::addRef(*port)), replays});
   answer.initAs<wire::CallsAnswer>().setConnection(number);
   return AcceptedEnd{kj::mv(port), std::move(channel), tellThrough(replays)};
 }

@@ -1,30 +1,47 @@
+#include <suture/base/slots/shared_slot.h>
+#include <suture/framing/remote_error.h>
 #include <suture/lane/rpc/proxy_port.h>
+#include <suture/lane/rpc/receiver.h>
 #include <suture/rt/counter.h>
+#include <suture/wire/codec.h>
+#include <suture/wire/stamps.h>
 
 #include <algorithm>
 #include <bit>
 #include <limits>
 
 namespace suture::rpc {
+namespace {
+
+/// Of an event's payload.
+std::size_t mostWords(const InterfaceInfo& contract) {
+  std::uint32_t most = 0;
+  for (const EventInfo& one : contract.events) most = std::max(most, one.payloadSize);
+  return (most + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
+}
+
+}  // namespace
+
 ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
                      std::shared_ptr<const LinkCounters> counters)
     : ClientEnd(std::move(channel)),
       control_(control),
       counters_(std::move(counters)),
+      payload_(mostWords(channel_->info)),
       replays_(channel_->info.events.size()),
       calls_(*this) {}
 
 ProxyPort::~ProxyPort() noexcept(false) { close(ChannelStatus::Closed); }
 
-void ProxyPort::open(kj::Own<Proxy> proxy) {
-  proxy_ = kj::mv(proxy);
+void ProxyPort::open(capnp::Capability::Client provider) {
+  provider_ = kj::mv(provider);
   channel_->takeJoining();  // the provider has been told with the request to connect
   subscribe(channel_->subscribed(), channel_->state->demand());
   control_.add(*this);
   pump();
 }
 
-// The proxy stays: an answer that has arrived already may be on its way through it.
+// The capability stays: an answer that has arrived already may be on its way through it.
 void ProxyPort::ending() {
   control_.remove(*this);
   releaseAcknowledgement();
@@ -37,10 +54,26 @@ Time ProxyPort::here(std::int64_t stamp) const {
 }
 
 // A row of another process is judged where the client reads it.
-void ProxyPort::publish(std::int64_t stamp, const rt::RowColumns& columns) {
+void ProxyPort::publish(capnp::AnyPointer::Reader in) {
   if (isClosed()) return;
-  channel_->state->publish(here(stamp), columns);
+  const RowCodec& row = info().codec().row;
+  const rt::RowColumns columns = row.decode(in, info().wireColumns, shift(), *channel_->state);
+  channel_->state->publish(here(row.stamp(in)), columns);
   if (channel_->wantsRows.isUp(std::memory_order_relaxed)) channel_->ends.client->ring();
+}
+
+kj::Promise<void> ProxyPort::event(std::uint16_t event, capnp::AnyPointer::Reader in) {
+  const EventInfo& known = info().events[event];
+  auto* const slot = reinterpret_cast<std::byte*>(payload_.data());
+  if (known.sharedPayload) putSharedSlot(slot, nullptr);
+  KJ_DEFER(if (known.sharedPayload) releaseSharedSlot(slot));
+  const Errc error = info().codec().events[event].payload.decode(in, slot, shift());
+  if (error != Errc{}) return remoteError(error);
+  if (!channel_->admits(known, slot)) {
+    return remoteError(Errc::Invalid, channel_->lastInvalid.read());
+  }
+  push(event, slot);
+  return acknowledge();
 }
 
 void ProxyPort::push(std::uint16_t event, const std::byte* slot) {
@@ -93,19 +126,28 @@ void ProxyPort::pumpSubscription() {
 void ProxyPort::leave(EventSet events) {
   leaving_ |= events;
   ++farewellsUnderWay_;
-  KJ_IF_MAYBE (proxy, proxy_) {
-    calls_.add((*proxy)->subscribe(events_ & ~events, columns_).then([this] {
-      if (--farewellsUnderWay_ == 0) leaving_ = 0;
-    }));
-  }
+  calls_.add(ask(events_ & ~events, columns_).then([this] {
+    if (--farewellsUnderWay_ == 0) leaving_ = 0;
+  }));
 }
 
 void ProxyPort::subscribe(EventSet events, rt::ColumnSet columns) {
   events_ = events;
   columns_ = columns;
-  KJ_IF_MAYBE (proxy, proxy_) {
-    calls_.add((*proxy)->subscribe(events_, columns_).then([this] { countBytes(); }));
+  calls_.add(ask(events_, columns_).then([this] { countBytes(); }));
+}
+
+// Asks for these events and columns, in place of what was asked for before.
+kj::Promise<void> ProxyPort::ask(EventSet events, rt::ColumnSet columns) {
+  KJ_IF_MAYBE (provider, provider_) {
+    auto request = provider->typelessRequest(info().codec().contract, 0, nullptr);
+    auto out = request.initAs<wire::Subscription>();
+    out.setEvents(kj::heap<Receiver>(kj::addRef(*this)));
+    out.setEventMask(toWireNumbers(info().wireEvents, events));
+    out.setStateMask(toWireNumbers(info().wireColumns, columns));
+    return request.send().ignoreResult();
   }
+  return kj::READY_NOW;
 }
 
 void ProxyPort::pumpCommands() {
@@ -123,22 +165,55 @@ void ProxyPort::transmit(const rt::CommandRecord& record) {
   const std::uint16_t command = record.command;
   const std::uint32_t call = record.call;
   if (call != 0 && !channel_->claimCall(call)) {
-    reply(call, {}, [](std::byte*) { return Errc::Cancelled; });
+    answer(call, Errc::Cancelled);
     channel_->commands.returnCredit(command);
     rt::increment(channel_->commands.counters.cancelled);
     return;
   }
   if (channel_->info.commands[command].latest && call == 0) ++latestInFlight_;
   releaseAcknowledgement();
-  KJ_IF_MAYBE (proxy, proxy_) {
-    calls_.add((*proxy)->send(record).then(
-        [this, command, call] { returned(command, call, Errc{}); },
-        [this, command, call](kj::Exception&& e) { returned(command, call, errcOf(e)); }));
+  KJ_IF_MAYBE (provider, provider_) {
+    calls_.add(send(*provider, record)
+                   .then([this, command, call] { returned(command, call, Errc{}); },
+                         [this, command, call](kj::Exception&& e) {
+                           returned(command, call, errcOf(e));
+                         }));
   }
 }
 
+// Rejects with remoteError(), or as a broken link does.
+kj::Promise<void> ProxyPort::send(capnp::Capability::Client& provider,
+                                  const rt::CommandRecord& record) {
+  const CommandCodec& codec = info().codec().commands[record.command];
+  auto request = provider.typelessRequest(codec.interface, codec.method, nullptr);
+  codec.arguments.encode(record.arguments(), request);
+  wire::Sent::Builder sent = codec.sent.in(request);
+  sent.setStamp(toNanoseconds(record.stamp));
+  sent.setAnswer(record.call != 0);
+  return request.send().then([this, command = record.command, call = record.call](auto&& response) {
+    if (call != 0) answer(command, call, response);
+  });
+}
+
+void ProxyPort::answer(std::uint16_t command, std::uint32_t call,
+                       capnp::AnyPointer::Reader results) {
+  if (isClosed()) return;
+  const CommandInfo& known = info().commands[command];
+  const CommandCodec& codec = info().codec().commands[command];
+  const auto decode = [&](std::byte* slot) { return codec.result.decode(results, slot, shift()); };
+  channel_->reply(call, {known.resultSize, known.sharedResult}, decode,
+                  here(codec.stamp.of(results)));
+  channel_->ends.client->ring(rt::RungFor::Arrival);
+}
+
+void ProxyPort::answer(std::uint32_t call, Errc error) {
+  if (isClosed()) return;
+  channel_->replyError(call, error);
+  channel_->ends.client->ring(rt::RungFor::Arrival);
+}
+
 void ProxyPort::returned(std::uint16_t command, std::uint32_t call, Errc error) {
-  if (error != Errc{} && call != 0) reply(call, {}, [error](std::byte*) { return error; });
+  if (error != Errc{} && call != 0) answer(call, error);
   if (channel_->info.commands[command].latest && call == 0) {
     if (latestInFlight_-- == kWindow) pumpCommands();
   } else {

@@ -2,18 +2,17 @@
 // The client's side of an rpc connection: the provider endpoint of a channel, emptied into remote
 // calls.
 
+#include <suture/loop/kj_comparisons.h>  // first
+
+#include <capnp/capability.h>
 #include <kj/async.h>
-#include <suture/base/slots/shared_slot.h>
 #include <suture/component/channel/channel.h>
 #include <suture/framing/message_stream.h>
-#include <suture/framing/remote_error.h>
 #include <suture/lane/client_end.h>
-#include <suture/lane/rpc/binding.h>
 #include <suture/loop/control_thread.h>
-#include <suture/wire/wire.h>
 
+#include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 namespace suture::rpc {
@@ -33,73 +32,18 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
             std::shared_ptr<const LinkCounters> counters);
   ~ProxyPort() noexcept(false);
 
-  /// Begins: subscribes and sends what waits.
-  void open(kj::Own<Proxy> proxy);
+  /// Begins: subscribes and sends what waits. `provider` must be of the contract's interface.
+  void open(capnp::Capability::Client provider);
   void noteReplay(std::uint16_t event, std::int64_t stamp) override;
+  const InterfaceInfo& info() const { return channel_->info; }
 
-  // --- for generated code
-
-  /// Turns the peer's steady clock into this process's.
-  Duration shift() const { return channel_->clockShift(); }
-
-  /// Answers call `call`: `produce(Slot&)` converts the result and returns an Errc. `stamp`: when
-  /// the provider produced it, on its clock, ns; 0: not said.
-  template <class Slot, class Produce>
-  void answer(std::uint32_t call, std::int64_t stamp, const Produce& produce) {
-    reply(
-        call, {slotSize<Slot>, ownsMemory<Slot>},
-        [&](std::byte* slot) { return produce(newSlot<Slot>(slot)); }, here(stamp));
-  }
-  template <class Slot, class Produce>
-  void answer(std::uint32_t call, const Produce& produce) {
-    answer<Slot>(call, 0, produce);
-  }
-  /// Answers a call without a result; 0: nobody asked for an answer.
-  void answer(std::uint32_t call) {
-    if (call != 0) reply(call, {}, [](std::byte*) { return Errc{}; });
-  }
-
-  /// Reads the two sets of a row that has come: a column that the contract does not admit is in
-  /// both.
-  static rt::RowColumns columnsOf(rt::ColumnSet evaluated, rt::ColumnSet tooLarge) {
-    return {.valid = evaluated & ~tooLarge,
-            .tooLarge = tooLarge & ~evaluated,
-            .invalid = evaluated & tooLarge};
-  }
-  /// The slot of column `column` in the next row.
-  template <class Slot>
-  Slot& column(unsigned column) {
-    return newSlot<Slot>(channel_->state->draft(column));
-  }
-  /// Publishes the slots of column(), and why others have no value; `stamp` is on the provider's
-  /// clock, ns.
-  void publish(std::int64_t stamp, const rt::RowColumns& columns);
-
-  /// Hands an event to the client: `decode(Slot&)` converts the payload and returns an Errc. The
-  /// promise is the answer to the provider; see acknowledge().
-  template <class Slot, class Decode>
-  kj::Promise<void> event(std::uint16_t event, const Decode& decode) {
-    LooseSlot<Slot> payload;
-    if (const Errc error = decode(payload.value()); error != Errc{}) return remoteError(error);
-    if (!channel_->admits(channel_->info.events[event], payload.memory())) {
-      return remoteError(Errc::Invalid, channel_->lastInvalid.read());
-    }
-    push(event, payload.memory());
-    return acknowledge();
-  }
-  kj::Promise<void> event(std::uint16_t event) {
-    push(event, nullptr);
-    return acknowledge();
-  }
+  /// A row has come.
+  void publish(capnp::AnyPointer::Reader in);
+  /// Event `event` has come. The promise is the answer to the provider; see acknowledge().
+  kj::Promise<void> event(std::uint16_t event, capnp::AnyPointer::Reader in);
 
  private:
-  template <class Produce>
-  void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now()) {
-    if (isClosed()) return;
-    channel_->reply(call, form, produce, stamp);
-    channel_->ends.client->ring(rt::RungFor::Arrival);
-  }
-
+  Duration shift() const { return channel_->clockShift(); }
   Time here(std::int64_t stamp) const;
   void push(std::uint16_t event, const std::byte* slot);
   /// The newest event is answered with the next command, or when another event arrives: a message
@@ -113,18 +57,23 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   void pumpSubscription();
   void leave(EventSet events);
   void subscribe(EventSet events, rt::ColumnSet columns);
+  kj::Promise<void> ask(EventSet events, rt::ColumnSet columns);
   void pumpCommands();
   void transmit(const rt::CommandRecord& record);
+  kj::Promise<void> send(capnp::Capability::Client& provider, const rt::CommandRecord& record);
+  void answer(std::uint16_t command, std::uint32_t call, capnp::AnyPointer::Reader results);
+  void answer(std::uint32_t call, Errc error);
   void returned(std::uint16_t command, std::uint32_t call, Errc error);
   void taskFailed(kj::Exception&& exception) override;
 
   ControlThread& control_;
   const std::shared_ptr<const LinkCounters> counters_;
-  kj::Maybe<kj::Own<Proxy>> proxy_;
+  kj::Maybe<capnp::Capability::Client> provider_;
   unsigned latestInFlight_ = 0;
   EventSet events_ = 0;
   rt::ColumnSet columns_ = 0;
-  std::vector<std::int64_t> replays_;  // by event: what noteReplay() told; 0: it did not
+  std::vector<std::uint64_t> payload_;  // of the event that comes
+  std::vector<std::int64_t> replays_;   // by event: what noteReplay() told; 0: it did not
   EventSet leaving_ = 0;            // what of these comes was emitted for an earlier subscription
   unsigned farewellsUnderWay_ = 0;  // messages after whose answer no more of it comes
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;

@@ -2,6 +2,7 @@
 #include <suture/lane/rpc/servant_port.h>
 #include <suture/loop/deadline.h>
 #include <suture/rt/counter.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/stamps.h>
 
 #include <algorithm>
@@ -45,13 +46,60 @@ ServantPort::~ServantPort() noexcept(false) { close(); }
 
 void ServantPort::ending() {
   control_.remove(*this);
-  sink_ = nullptr;
+  subscriber_ = nullptr;
   for (auto& waiting : taken_) waiting.clear();
   for (PendingCall& call : calls_) call = PendingCall{};
 }
 
-void ServantPort::subscribe(kj::Own<EventSink> sink, EventSet events, rt::ColumnSet columns) {
-  sink_ = kj::mv(sink);
+kj::Promise<void> ServantPort::command(std::uint16_t command, AnyCall call) {
+  const CommandCodec& codec = channel_->info.codec().commands[command];
+  const auto parameters = call.getParams();
+  const CommandInfo& info = channel_->info.commands[command];
+  if (info.resultSize > 0 || codec.sent.of(parameters).getAnswer()) return await(command, call);
+  const Refusal refusal = post(command, parameters, 0);
+  if (refusal.error != Errc{}) return turnedAway(refusal);
+  return whenTaken(command);
+}
+
+kj::Promise<void> ServantPort::await(std::uint16_t command, AnyCall call) {
+  PendingCall* const pending = openCall(command);
+  if (pending == nullptr) return turnedAway({Errc::TooManyCalls});
+  const Refusal refusal = post(command, call.getParams(), pending->number);
+  if (refusal.error != Errc{}) return turnedAway(refusal);
+  taken_[command].emplace_back();  // it uses a credit, and does not wait for it
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  pending->done = kj::mv(pair.fulfiller);
+  pending->call = call;
+  return kj::mv(pair.promise);
+}
+
+ServantPort::Refusal ServantPort::post(std::uint16_t command, capnp::AnyPointer::Reader in,
+                                       std::uint32_t call) {
+  if (const Errc error = errorOf(channel_->status.load(std::memory_order_acquire));
+      error != Errc{}) {
+    return {error};
+  }
+  const CommandInfo& info = channel_->info.commands[command];
+  const CommandCodec& codec = channel_->info.codec().commands[command];
+  if (readOnly_ && !info.reads()) return {Errc::NotPermitted};
+  const auto slot = channel_->commands.claim(command, stampOf(codec.sent.of(in)), call);
+  if (!slot) return {slot.error()};
+  Refusal refusal{codec.arguments.decode(in, *slot, channel_->clockShift())};
+  if (refusal.error == Errc{} && !info.admits(*slot, &refusal.invalid)) {
+    refusal.error = Errc::Invalid;
+    channel_->lastInvalid.note(refusal.invalid);
+  }
+  if (refusal.error != Errc{}) {
+    channel_->commands.abandon();
+    return refusal;
+  }
+  channel_->commands.commit();
+  channel_->ends.provider->ring();
+  return {};
+}
+
+void ServantPort::subscribe(Subscriber subscriber, EventSet events, rt::ColumnSet columns) {
+  subscriber_ = kj::mv(subscriber);
   const EventSet joining = events & ~channel_->subscribed();
   for (std::size_t i = 0; i < since_.size(); ++i) {
     if (joining >> i & 1) since_[i] = now();
@@ -84,7 +132,7 @@ kj::Promise<void> ServantPort::turnedAway(const Refusal& refusal) {
 Time ServantPort::stampOf(wire::Sent::Reader sent) const {
   const Time received = now();
   if (sent.getStamp() == 0) return received;
-  return std::min(received, fromNanoseconds(shifted(sent.getStamp(), shift())));
+  return std::min(received, fromNanoseconds(shifted(sent.getStamp(), channel_->clockShift())));
 }
 
 kj::Promise<void> ServantPort::whenTaken(std::uint16_t command) {
@@ -104,13 +152,6 @@ ServantPort::PendingCall* ServantPort::openCall(std::uint16_t command) {
   return &*free;
 }
 
-kj::Promise<void> ServantPort::whenAnswered(PendingCall& call, Take take) {
-  auto pair = kj::newPromiseAndFulfiller<void>();
-  call.done = kj::mv(pair.fulfiller);
-  call.take = kj::mv(take);
-  return kj::mv(pair.promise);
-}
-
 void ServantPort::pump() {
   channel_->bytesSent.store(counters_->sentBytes, std::memory_order_relaxed);
   channel_->bytesReceived.store(counters_->receivedBytes, std::memory_order_relaxed);
@@ -127,8 +168,7 @@ void ServantPort::pumpReplies() {
     for (PendingCall& call : calls_) {
       if (call.number != reply->call || call.done.get() == nullptr) continue;
       if (reply->error == Errc{}) {
-        call.take(reply->result(), reply->stamp);
-        call.done->fulfill();
+        answer(call, *reply);
       } else {
         call.done->reject(failureOf(call, reply->error));
       }
@@ -136,6 +176,16 @@ void ServantPort::pumpReplies() {
     }
     channel_->popReply();
   }
+}
+
+void ServantPort::answer(PendingCall& pending, const ReplyRecord& reply) {
+  const CommandCodec& codec = channel_->info.codec().commands[pending.command];
+  KJ_IF_MAYBE (call, pending.call) {
+    auto out = call->getResults();
+    codec.result.encode(reply.result(), out);
+    codec.stamp.set(out, toNanoseconds(reply.stamp));
+  }
+  pending.done->fulfill();
 }
 
 // The provider noted what is invalid before it answered. If it answered two calls of one command
@@ -175,11 +225,11 @@ void ServantPort::pumpTally() {
 }
 
 void ServantPort::pumpEvents() {
-  KJ_IF_MAYBE (sink, sink_) {
+  KJ_IF_MAYBE (subscriber, subscriber_) {
     while (!answering_ && eventsInFlight_ < kWindow) {
       const rt::EventRecord* record = channel_->events.next();
       if (record == nullptr) return;
-      if (wanted(*record)) sendEvent(**sink, *record);
+      if (wanted(*record)) sendEvent(*subscriber, *record);
       channel_->events.pop();
     }
   }
@@ -191,12 +241,12 @@ bool ServantPort::wanted(const rt::EventRecord& record) const {
   return record.stamp >= since_[record.event] || channel_->info.events[record.event].latched;
 }
 
-void ServantPort::sendEvent(EventSink& sink, const rt::EventRecord& record) {
+void ServantPort::sendEvent(Subscriber& subscriber, const rt::EventRecord& record) {
   ++eventsInFlight_;
   if (record.stamp < since_[record.event]) {
     KJ_IF_MAYBE (listener, listener_) (*listener)->replays(record.event, record.stamp);
   }
-  sending_.add(sink.event(record.event, record.payload())
+  sending_.add(subscriber.event(record.event, record.payload())
                    .then([this] { eventSent(); },
                          [this](kj::Exception&& failure) {
                            throwIfGone(kj::mv(failure));
@@ -211,19 +261,19 @@ void ServantPort::eventSent() {
 }
 
 void ServantPort::pumpRow() {
-  KJ_IF_MAYBE (sink, sink_) {
+  KJ_IF_MAYBE (subscriber, subscriber_) {
     if (columns_ == 0 || rowsInFlight_ == kWindow || channel_->state->rows() == lastRow_) return;
     rt::StateTable::Row row = channel_->state->readRow(rowPointers_);
     lastRow_ = row.sequence;
     row.keep(columns_);
-    if (row.any()) sendRow(**sink, row);
+    if (row.any()) sendRow(*subscriber, row);
     releaseRow();
   }
 }
 
-void ServantPort::sendRow(EventSink& sink, const rt::StateTable::Row& row) {
+void ServantPort::sendRow(Subscriber& subscriber, const rt::StateTable::Row& row) {
   ++rowsInFlight_;
-  sending_.add(sink.row(row, rowPointers_)
+  sending_.add(subscriber.row(row, rowPointers_)
                    .then(
                        [this] {
                          --rowsInFlight_;
@@ -236,7 +286,7 @@ void ServantPort::sendRow(EventSink& sink, const rt::StateTable::Row& row) {
                          if (!tooLarge) return pumpRow();
                          rt::StateTable::Row told = row;  // the client learns that much
                          told.tooLarge |= std::exchange(told.valid, 0);
-                         KJ_IF_MAYBE (subscriber, sink_) sendRow(**subscriber, told);
+                         KJ_IF_MAYBE (still, subscriber_) sendRow(*still, told);
                        }));
 }
 
@@ -269,6 +319,6 @@ void ServantPort::failAll(Errc error) {
 }
 
 // The subscriber does not answer any more: whoever ends the connection will hear of it elsewhere.
-void ServantPort::taskFailed(kj::Exception&&) { sink_ = nullptr; }
+void ServantPort::taskFailed(kj::Exception&&) { subscriber_ = nullptr; }
 
 }  // namespace suture::rpc

@@ -1,6 +1,6 @@
 #include <capnp/schema.h>
-#include <suture/lane/rpc/binding.h>
 #include <suture/session/provider/explain.h>
+#include <suture/wire/codec.h>
 
 #include <map>
 #include <vector>
@@ -64,7 +64,7 @@ void setBases(const InterfaceInfo& info, wire::Explanation::Builder out) {
 }  // namespace
 
 void explain(const InterfaceInfo& info, wire::Explanation::Builder out) {
-  const capnp::InterfaceSchema contract = info.binding().schema();
+  const capnp::InterfaceSchema contract = info.codec().schema();
   const Closure closure(contract);
   out.setDescription(info.description);
   out.setContract(contract.getProto().getId());

@@ -1,6 +1,6 @@
 #include <suture/component/task/task.h>
-#include <suture/lane/rpc/binding.h>
 #include <suture/lane/rpc/calls_server.h>
+#include <suture/lane/rpc/servant.h>
 #include <suture/loop/failure.h>
 #include <suture/names/describe.h>
 #include <suture/rt/state/state_table.h>
@@ -356,7 +356,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
         auto port = rpc::serveCalls(host_.control_, connection, channel, caller_->counters);
         keep(kj::addRef(*port), channel);
         attach(provided, std::move(channel));
-        context.getResults().setContract(provided.info().binding().makeServant(kj::mv(port)));
+        context.getResults().setContract(kj::heap<rpc::Servant>(kj::mv(port)));
         return kj::READY_NOW;
       },
       [this, context](const Refusal& refusal) mutable {

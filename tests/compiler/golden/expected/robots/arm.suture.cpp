@@ -2,9 +2,7 @@
 #include "robots/arm.suture.h"
 
 #include <suture/component/factory/json_reader.h>
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -31,8 +29,8 @@ using suture::elementsIn;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
@@ -40,7 +38,9 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
@@ -334,421 +334,267 @@ bool acceptsArmMovedEvent(const ArmMovedPayload& slot, FieldPath* path) {
   return isKnownMode(slot.value3) || refusedAt(path, "value3");
 }
 
-// --- Arm over Cap'n Proto RPC: the provider's side
+// --- Arm as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class ArmSink final : public suture::rpc::EventSink {
- public:
-  explicit ArmSink(wire::ArmEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeArmServoCp(const ArmServoCpArguments& slot, wire::Arm::ServoCpParams::Builder out) {
+  toWire(slot.goal, out.initGoal());
+}
+Errc decodeArmServoCp(wire::Arm::ServoCpParams::Reader in, ArmServoCpArguments& slot,
+                      suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(ArmEvent::mode_changed): {
-        const auto& slot = slotIn<std::int8_t>(payload);
-        auto request = subscriber_.modeChangedRequest();
-        request.setValue(wireMode(slot));
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::stopped): {
-        return subscriber_.stoppedRequest().send().ignoreResult();
-      }
-      case numberOf(ArmEvent::arrived): {
-        const auto& slot = slotIn<PoseStampedSlot>(payload);
-        auto request = subscriber_.arrivedRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::moved): {
-        const auto& slot = slotIn<ArmMovedPayload>(payload);
-        auto request = subscriber_.movedRequest();
-        toWire(slot.value, request.initValue());
-        request.setValue2(slot.value2);
-        request.setValue3(wireMode(slot.value3));
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeArmSetSpeed(const ArmSetSpeedArguments& slot, wire::Arm::SetSpeedParams::Builder out) {
+  out.setSpeed(slot.speed);
+}
+Errc decodeArmSetSpeed(wire::Arm::SetSpeedParams::Reader in, ArmSetSpeedArguments& slot,
+                       suture::Duration) {
+  slot.speed = in.getSpeed();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
+void encodeArmMeasuredCpResult(const PoseStampedSlot& slot,
+                               wire::Arm::MeasuredCpResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmMeasuredCpResult(wire::Arm::MeasuredCpResults::Reader in, PoseStampedSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmModeResult(const std::int8_t& slot, wire::Arm::ModeResults::Builder out) {
+  out.setValue(wireMode(slot));
+}
+Errc decodeArmModeResult(wire::Arm::ModeResults::Reader in, std::int8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeArmEverythingResult(const EverythingSlot& slot,
+                               wire::Arm::EverythingResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmEverythingResult(wire::Arm::EverythingResults::Reader in, EverythingSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmInverseKinematics(const ArmInverseKinematicsArguments& slot,
+                                wire::Arm::InverseKinematicsParams::Builder out) {
+  toWire(slot.x, out.initX());
+  out.setTolerance(slot.tolerance);
+}
+Errc decodeArmInverseKinematics(wire::Arm::InverseKinematicsParams::Reader in,
+                                ArmInverseKinematicsArguments& slot, suture::Duration shift) {
+  slot.tolerance = in.getTolerance();
+  return in.hasX() ? fromWire(in.getX(), slot.x, shift) : Errc::Invalid;
+}
+
+void encodeArmInverseKinematicsResult(const EverythingSlot& slot,
+                                      wire::Arm::InverseKinematicsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmInverseKinematicsResult(wire::Arm::InverseKinematicsResults::Reader in,
+                                      EverythingSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmGrasp(const ArmGraspArguments& slot, wire::Arm::GraspParams::Builder out) {
+  out.setWidth(slot.width);
+  out.setMode(wireMode(slot.mode));
+}
+Errc decodeArmGrasp(wire::Arm::GraspParams::Reader in, ArmGraspArguments& slot, suture::Duration) {
+  slot.width = in.getWidth();
+  return fromWire(in.getMode(), slot.mode);
+}
+
+void encodeArmGraspResult(const std::uint8_t& slot, wire::Arm::GraspResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeArmGraspResult(wire::Arm::GraspResults::Reader in, std::uint8_t& slot,
+                          suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmNextTokenResult(const std::uint32_t& slot, wire::Arm::NextTokenResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmNextTokenResult(wire::Arm::NextTokenResults::Reader in, std::uint32_t& slot,
+                              suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmLoadResult(const double& slot, wire::Arm::LoadResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeArmLoadResult(wire::Arm::LoadResults::Reader in, double& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeArmModeChangedEvent(const std::int8_t& slot,
+                               wire::ArmEvents::ModeChangedParams::Builder out) {
+  out.setValue(wireMode(slot));
+}
+Errc decodeArmModeChangedEvent(wire::ArmEvents::ModeChangedParams::Reader in, std::int8_t& slot,
+                               suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeArmArrivedEvent(const PoseStampedSlot& slot,
+                           wire::ArmEvents::ArrivedParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArmArrivedEvent(wire::ArmEvents::ArrivedParams::Reader in, PoseStampedSlot& slot,
+                           suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmMovedEvent(const ArmMovedPayload& slot, wire::ArmEvents::MovedParams::Builder out) {
+  toWire(slot.value, out.initValue());
+  out.setValue2(slot.value2);
+  out.setValue3(wireMode(slot.value3));
+}
+Errc decodeArmMovedEvent(wire::ArmEvents::MovedParams::Reader in, ArmMovedPayload& slot,
+                         suture::Duration shift) {
+  slot.value2 = in.getValue2();
+  return firstError({
+      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid,
+      fromWire(in.getValue3(), slot.value3),
+  });
+}
+
+// Of a row of the state, each column.
+void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initMeasuredCp());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<std::int8_t>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<std::int8_t>(memory);
       out.setMode(wireMode(slot));
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<EverythingSlot>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<EverythingSlot>(memory);
       toWire(slot, out.initEverything());
+      break;
     }
-    if (row.hasValue(3)) {
-      const auto& slot = slotIn<double>(columns[3]);
+    case 3: {
+      const auto& slot = slotIn<double>(memory);
       out.setLoad(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::ArmEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class ArmServant final : public wire::Arm::Server {
- public:
-  explicit ArmServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<ArmSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> enable(EnableContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::enable), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> servoCp(ServoCpContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmServoCpArguments>(memory);
-      return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(ArmCommand::servo_cp), in.getSent(), fill);
-  }
-
-  kj::Promise<void> setSpeed(SetSpeedContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmSetSpeedArguments>(memory);
-      slot.speed = in.getSpeed();
-      return Errc{};
-    };
-    return port_->command(numberOf(ArmCommand::set_speed), in.getSent(), fill);
-  }
-
-  kj::Promise<void> measuredCp(MeasuredCpContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<PoseStampedSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::measured_cp), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> mode(ModeContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::int8_t>(result);
-      auto out = context.getResults();
-      out.setValue(wireMode(slot));
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::mode), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> everything(EverythingContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<EverythingSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::everything), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> inverseKinematics(InverseKinematicsContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmInverseKinematicsArguments>(memory);
-      slot.tolerance = in.getTolerance();
-      return in.hasX() ? fromWire(in.getX(), slot.x, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<EverythingSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(ArmCommand::inverse_kinematics), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> grasp(GraspContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArmGraspArguments>(memory);
-      slot.width = in.getWidth();
-      return fromWire(in.getMode(), slot.mode);
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(ArmCommand::grasp), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> nextToken(NextTokenContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint32_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-    };
-    return port_->call(numberOf(ArmCommand::next_token), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> park(ParkContext context) override {
-    auto in = context.getParams();
-    return port_->command(numberOf(ArmCommand::park), in.getSent(),
-                          [](std::byte*) { return Errc{}; });
-  }
-
-  kj::Promise<void> load(LoadContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArmCommand::load), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Arm over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class ArmReceiver final : public wire::ArmEvents::Server {
- public:
-  explicit ArmReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PoseStampedSlot>(0);
-      const Errc error =
-          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
+                     suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<std::int8_t>(1);
-      const Errc error = fromWire(in.getMode(), slot);
-      columns.enter(1, error);
+    case 1: {
+      auto& slot = newSlot<std::int8_t>(memory);
+      return fromWire(in.getMode(), slot);
     }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<EverythingSlot>(2);
-      const Errc error =
-          in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(2, error);
+    case 2: {
+      auto& slot = newSlot<EverythingSlot>(memory);
+      return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(3)) {
-      auto& slot = port_->column<double>(3);
+    case 3: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getLoad();
+      return Errc{};
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> modeChanged(ModeChangedContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::int8_t>(numberOf(ArmEvent::mode_changed), [&](std::int8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
-  kj::Promise<void> stopped(StoppedContext) override {
-    return port_->event(numberOf(ArmEvent::stopped));
-  }
-
-  kj::Promise<void> arrived(ArrivedContext context) override {
-    auto in = context.getParams();
-    return port_->event<PoseStampedSlot>(numberOf(ArmEvent::arrived), [&](PoseStampedSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> moved(MovedContext context) override {
-    auto in = context.getParams();
-    return port_->event<ArmMovedPayload>(numberOf(ArmEvent::moved), [&](ArmMovedPayload& slot) {
-      slot.value2 = in.getValue2();
-      return firstError({
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
-          fromWire(in.getValue3(), slot.value3),
-      });
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kArmCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Arm>(), .method = 1, .sent = sentIn<wire::Arm::EnableParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 2,
+     .sent = sentIn<wire::Arm::ServoCpParams>,
+     .arguments = messageOf<wire::Arm::ServoCpParams, ArmServoCpArguments, encodeArmServoCp,
+                            decodeArmServoCp>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 3,
+     .sent = sentIn<wire::Arm::SetSpeedParams>,
+     .arguments = messageOf<wire::Arm::SetSpeedParams, ArmSetSpeedArguments, encodeArmSetSpeed,
+                            decodeArmSetSpeed>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 4,
+     .sent = sentIn<wire::Arm::MeasuredCpParams>,
+     .result = messageOf<wire::Arm::MeasuredCpResults, PoseStampedSlot, encodeArmMeasuredCpResult,
+                         decodeArmMeasuredCpResult>,
+     .stamp = stampIn<wire::Arm::MeasuredCpResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 5,
+     .sent = sentIn<wire::Arm::ModeParams>,
+     .result = messageOf<wire::Arm::ModeResults, std::int8_t, encodeArmModeResult,
+                         decodeArmModeResult>,
+     .stamp = stampIn<wire::Arm::ModeResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 6,
+     .sent = sentIn<wire::Arm::EverythingParams>,
+     .result = messageOf<wire::Arm::EverythingResults, EverythingSlot, encodeArmEverythingResult,
+                         decodeArmEverythingResult>,
+     .stamp = stampIn<wire::Arm::EverythingResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 7,
+     .sent = sentIn<wire::Arm::InverseKinematicsParams>,
+     .arguments = messageOf<wire::Arm::InverseKinematicsParams, ArmInverseKinematicsArguments,
+                            encodeArmInverseKinematics, decodeArmInverseKinematics>,
+     .result = messageOf<wire::Arm::InverseKinematicsResults, EverythingSlot,
+                         encodeArmInverseKinematicsResult, decodeArmInverseKinematicsResult>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 8,
+     .sent = sentIn<wire::Arm::GraspParams>,
+     .arguments = messageOf<wire::Arm::GraspParams, ArmGraspArguments, encodeArmGrasp,
+                            decodeArmGrasp>,
+     .result = messageOf<wire::Arm::GraspResults, std::uint8_t, encodeArmGraspResult,
+                         decodeArmGraspResult>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 9,
+     .sent = sentIn<wire::Arm::NextTokenParams>,
+     .result = messageOf<wire::Arm::NextTokenResults, std::uint32_t, encodeArmNextTokenResult,
+                         decodeArmNextTokenResult>},
+    {.interface = capnp::typeId<wire::Arm>(), .method = 10, .sent = sentIn<wire::Arm::ParkParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 11,
+     .sent = sentIn<wire::Arm::LoadParams>,
+     .result = messageOf<wire::Arm::LoadResults, double, encodeArmLoadResult, decodeArmLoadResult>,
+     .stamp = stampIn<wire::Arm::LoadResults>},
 };
 
-/// Makes remote calls of commands.
-class ArmProxy final : public suture::rpc::Proxy {
- public:
-  ArmProxy(wire::Arm::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<ArmReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<ArmCommand>(record.command)) {
-      case ArmCommand::enable: {
-        auto request = provider_.enableRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::servo_cp: {
-        const auto& slot = slotIn<ArmServoCpArguments>(record.arguments());
-        auto request = provider_.servoCpRequest();
-        toWire(slot.goal, request.initGoal());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::set_speed: {
-        const auto& slot = slotIn<ArmSetSpeedArguments>(record.arguments());
-        auto request = provider_.setSpeedRequest();
-        request.setSpeed(slot.speed);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::measured_cp: {
-        auto request = provider_.measuredCpRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<PoseStampedSlot>(call, response.getStamp(), [&](PoseStampedSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::mode: {
-        auto request = provider_.modeRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::int8_t>(call, response.getStamp(), [&](std::int8_t& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case ArmCommand::everything: {
-        auto request = provider_.everythingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<EverythingSlot>(call, response.getStamp(), [&](EverythingSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::inverse_kinematics: {
-        const auto& slot = slotIn<ArmInverseKinematicsArguments>(record.arguments());
-        auto request = provider_.inverseKinematicsRequest();
-        toWire(slot.x, request.initX());
-        request.setTolerance(slot.tolerance);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<EverythingSlot>(call, [&](EverythingSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArmCommand::grasp: {
-        const auto& slot = slotIn<ArmGraspArguments>(record.arguments());
-        auto request = provider_.graspRequest();
-        request.setWidth(slot.width);
-        request.setMode(wireMode(slot.mode));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case ArmCommand::next_token: {
-        auto request = provider_.nextTokenRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint32_t>(call, [&](std::uint32_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case ArmCommand::park: {
-        auto request = provider_.parkRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArmCommand::load: {
-        auto request = provider_.loadRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Arm::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kArmEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::ArmEvents::ModeChangedParams, std::int8_t,
+                          encodeArmModeChangedEvent, decodeArmModeChangedEvent>},
+    {.method = 2},
+    {.method = 3,
+     .payload = messageOf<wire::ArmEvents::ArrivedParams, PoseStampedSlot, encodeArmArrivedEvent,
+                          decodeArmArrivedEvent>},
+    {.method = 4,
+     .payload = messageOf<wire::ArmEvents::MovedParams, ArmMovedPayload, encodeArmMovedEvent,
+                          decodeArmMovedEvent>},
 };
 
-class ArmBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<ArmServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<ArmProxy>(contract.castAs<wire::Arm>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<ArmSink>(subscriber.castAs<wire::ArmEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Arm>();
-  }
-};
-
-const suture::rpc::Binding& armBinding() {
-  static const ArmBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& armCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Arm>,
+      .contract = capnp::typeId<wire::Arm>(),
+      .subscriber = capnp::typeId<wire::ArmEvents>(),
+      .commands = kArmCommandCodecs,
+      .events = kArmEventCodecs,
+      .row = suture::rpc::rowOf<wire::ArmEvents::StateParams, wire::ArmStateRow, encodeArmColumn,
+                                decodeArmColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kArmCommands[] = {
@@ -978,7 +824,7 @@ const InterfaceInfo& interfaceInfo<robots::Arm>() {
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,
-      .binding = &robots::armBinding,
+      .codec = &robots::armCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from robots/gripper.h. Do not edit.
 #include "robots/gripper.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -38,12 +36,14 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::slotIn;
 using suture::slotSize;
@@ -86,307 +86,199 @@ bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot, FieldPath* pa
   return isValid(slot.value) || refusedAt(path, "value");
 }
 
-// --- Gripper over Cap'n Proto RPC: the provider's side
+// --- Gripper as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class GripperSink final : public suture::rpc::EventSink {
- public:
-  explicit GripperSink(wire::GripperEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeGripperOpen(const GripperOpenArguments& slot, wire::Gripper::OpenParams::Builder out) {
+  out.setWidth(slot.width);
+}
+Errc decodeGripperOpen(wire::Gripper::OpenParams::Reader in, GripperOpenArguments& slot,
+                       suture::Duration) {
+  slot.width = in.getWidth();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(ArmEvent::mode_changed): {
-        const auto& slot = slotIn<std::int8_t>(payload);
-        auto request = subscriber_.modeChangedRequest();
-        request.setValue(wireMode(slot));
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::stopped): {
-        return subscriber_.stoppedRequest().send().ignoreResult();
-      }
-      case numberOf(ArmEvent::arrived): {
-        const auto& slot = slotIn<PoseStampedSlot>(payload);
-        auto request = subscriber_.arrivedRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArmEvent::moved): {
-        const auto& slot = slotIn<ArmMovedPayload>(payload);
-        auto request = subscriber_.movedRequest();
-        toWire(slot.value, request.initValue());
-        request.setValue2(slot.value2);
-        request.setValue3(wireMode(slot.value3));
-        return request.send().ignoreResult();
-      }
-      case numberOf(GripperEvent::gripped): {
-        const auto& slot = slotIn<GripperGrippedPayload>(payload);
-        auto request = subscriber_.grippedRequest();
-        request.setValue(slot.value);
-        request.setValue2(slot.value2 != 0);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeGripperOpeningResult(const double& slot, wire::Gripper::OpeningResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeGripperOpeningResult(wire::Gripper::OpeningResults::Reader in, double& slot,
+                                suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<PoseStampedSlot>(columns[0]);
+void encodeGripperFits(const GripperFitsArguments& slot, wire::Gripper::FitsParams::Builder out) {
+  out.setWidth(slot.width);
+}
+Errc decodeGripperFits(wire::Gripper::FitsParams::Reader in, GripperFitsArguments& slot,
+                       suture::Duration) {
+  slot.width = in.getWidth();
+  return Errc{};
+}
+
+void encodeGripperFitsResult(const std::uint8_t& slot, wire::Gripper::FitsResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeGripperFitsResult(wire::Gripper::FitsResults::Reader in, std::uint8_t& slot,
+                             suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeGripperModeChangedEvent(const std::int8_t& slot,
+                                   wire::GripperEvents::ModeChangedParams::Builder out) {
+  out.setValue(wireMode(slot));
+}
+Errc decodeGripperModeChangedEvent(wire::GripperEvents::ModeChangedParams::Reader in,
+                                   std::int8_t& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeGripperArrivedEvent(const PoseStampedSlot& slot,
+                               wire::GripperEvents::ArrivedParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeGripperArrivedEvent(wire::GripperEvents::ArrivedParams::Reader in, PoseStampedSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeGripperMovedEvent(const ArmMovedPayload& slot,
+                             wire::GripperEvents::MovedParams::Builder out) {
+  toWire(slot.value, out.initValue());
+  out.setValue2(slot.value2);
+  out.setValue3(wireMode(slot.value3));
+}
+Errc decodeGripperMovedEvent(wire::GripperEvents::MovedParams::Reader in, ArmMovedPayload& slot,
+                             suture::Duration shift) {
+  slot.value2 = in.getValue2();
+  return firstError({
+      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid,
+      fromWire(in.getValue3(), slot.value3),
+  });
+}
+
+void encodeGripperGrippedEvent(const GripperGrippedPayload& slot,
+                               wire::GripperEvents::GrippedParams::Builder out) {
+  out.setValue(slot.value);
+  out.setValue2(slot.value2 != 0);
+}
+Errc decodeGripperGrippedEvent(wire::GripperEvents::GrippedParams::Reader in,
+                               GripperGrippedPayload& slot, suture::Duration) {
+  slot.value = in.getValue();
+  slot.value2 = in.getValue2();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeGripperColumn(unsigned column, const std::byte* memory,
+                         wire::GripperStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<PoseStampedSlot>(memory);
       toWire(slot, out.initMeasuredCp());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<std::int8_t>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<std::int8_t>(memory);
       out.setMode(wireMode(slot));
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<EverythingSlot>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<EverythingSlot>(memory);
       toWire(slot, out.initEverything());
+      break;
     }
-    if (row.hasValue(3)) {
-      const auto& slot = slotIn<double>(columns[3]);
+    case 3: {
+      const auto& slot = slotIn<double>(memory);
       out.setLoad(slot);
+      break;
     }
-    if (row.hasValue(4)) {
-      const auto& slot = slotIn<double>(columns[4]);
+    case 4: {
+      const auto& slot = slotIn<double>(memory);
       out.setOpening(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::GripperEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class GripperServant final : public wire::Gripper::Server {
- public:
-  explicit GripperServant(kj::Own<ServantPort> port)
-      : base_(suture::interfaceInfo<robots::Arm>().binding().makeServant(kj::addRef(*port))),
-        port_(kj::mv(port)) {}
-
-  DispatchCallResult dispatchCall(std::uint64_t contract, std::uint16_t method,
-                                  suture::rpc::AnyCall call) override {
-    if (contract != capnp::typeId<wire::Gripper>()) {
-      return base_->dispatchCall(contract, method, call);
+}
+Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<PoseStampedSlot>(memory);
+      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
     }
-    return wire::Gripper::Server::dispatchCall(contract, method, call);
-  }
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<GripperSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> open(OpenContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<GripperOpenArguments>(memory);
-      slot.width = in.getWidth();
-      return Errc{};
-    };
-    return port_->command(numberOf(GripperCommand::open), in.getSent(), fill);
-  }
-
-  kj::Promise<void> opening(OpeningContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(GripperCommand::opening), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> fits(FitsContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<GripperFitsArguments>(memory);
-      slot.width = in.getWidth();
-      return Errc{};
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(GripperCommand::fits), in.getSent(), fill, kj::mv(take));
-  }
-
- private:
-  kj::Own<capnp::Capability::Server> base_;
-  kj::Own<ServantPort> port_;
-};
-
-// --- Gripper over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class GripperReceiver final : public wire::GripperEvents::Server {
- public:
-  explicit GripperReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<PoseStampedSlot>(0);
-      const Errc error =
-          in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+    case 1: {
+      auto& slot = newSlot<std::int8_t>(memory);
+      return fromWire(in.getMode(), slot);
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<std::int8_t>(1);
-      const Errc error = fromWire(in.getMode(), slot);
-      columns.enter(1, error);
+    case 2: {
+      auto& slot = newSlot<EverythingSlot>(memory);
+      return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : Errc::Invalid;
     }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<EverythingSlot>(2);
-      const Errc error =
-          in.hasEverything() ? fromWire(in.getEverything(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(2, error);
-    }
-    if (columns.hasValue(3)) {
-      auto& slot = port_->column<double>(3);
+    case 3: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getLoad();
-    }
-    if (columns.hasValue(4)) {
-      auto& slot = port_->column<double>(4);
-      slot = in.getOpening();
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> modeChanged(ModeChangedContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::int8_t>(numberOf(ArmEvent::mode_changed), [&](std::int8_t& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
-  kj::Promise<void> stopped(StoppedContext) override {
-    return port_->event(numberOf(ArmEvent::stopped));
-  }
-
-  kj::Promise<void> arrived(ArrivedContext context) override {
-    auto in = context.getParams();
-    return port_->event<PoseStampedSlot>(numberOf(ArmEvent::arrived), [&](PoseStampedSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> moved(MovedContext context) override {
-    auto in = context.getParams();
-    return port_->event<ArmMovedPayload>(numberOf(ArmEvent::moved), [&](ArmMovedPayload& slot) {
-      slot.value2 = in.getValue2();
-      return firstError({
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
-          fromWire(in.getValue3(), slot.value3),
-      });
-    });
-  }
-
-  kj::Promise<void> gripped(GrippedContext context) override {
-    auto in = context.getParams();
-    return port_->event<GripperGrippedPayload>(numberOf(GripperEvent::gripped),
-                                               [&](GripperGrippedPayload& slot) {
-      slot.value = in.getValue();
-      slot.value2 = in.getValue2();
       return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class GripperProxy final : public suture::rpc::Proxy {
- public:
-  GripperProxy(wire::Gripper::Client provider, ProxyPort& port)
-      : base_(suture::interfaceInfo<robots::Arm>().binding().makeProxy(provider, port)),
-        provider_(kj::mv(provider)),
-        port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<GripperReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<GripperCommand>(record.command)) {
-      case GripperCommand::open: {
-        const auto& slot = slotIn<GripperOpenArguments>(record.arguments());
-        auto request = provider_.openRequest();
-        request.setWidth(slot.width);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case GripperCommand::opening: {
-        auto request = provider_.openingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case GripperCommand::fits: {
-        const auto& slot = slotIn<GripperFitsArguments>(record.arguments());
-        auto request = provider_.fitsRequest();
-        request.setWidth(slot.width);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
     }
-    return base_->send(record);
+    case 4: {
+      auto& slot = newSlot<double>(memory);
+      slot = in.getOpening();
+      return Errc{};
+    }
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<suture::rpc::Proxy> base_;
-  wire::Gripper::Client provider_;
-  ProxyPort& port_;
+constexpr CommandCodec kGripperCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Gripper>(),
+     .method = 1,
+     .sent = sentIn<wire::Gripper::OpenParams>,
+     .arguments = messageOf<wire::Gripper::OpenParams, GripperOpenArguments, encodeGripperOpen,
+                            decodeGripperOpen>},
+    {.interface = capnp::typeId<wire::Gripper>(),
+     .method = 2,
+     .sent = sentIn<wire::Gripper::OpeningParams>,
+     .result = messageOf<wire::Gripper::OpeningResults, double, encodeGripperOpeningResult,
+                         decodeGripperOpeningResult>,
+     .stamp = stampIn<wire::Gripper::OpeningResults>},
+    {.interface = capnp::typeId<wire::Gripper>(),
+     .method = 3,
+     .sent = sentIn<wire::Gripper::FitsParams>,
+     .arguments = messageOf<wire::Gripper::FitsParams, GripperFitsArguments, encodeGripperFits,
+                            decodeGripperFits>,
+     .result = messageOf<wire::Gripper::FitsResults, std::uint8_t, encodeGripperFitsResult,
+                         decodeGripperFitsResult>},
 };
 
-class GripperBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<GripperServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<GripperProxy>(contract.castAs<wire::Gripper>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<GripperSink>(subscriber.castAs<wire::GripperEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Gripper>();
-  }
+constexpr EventCodec kGripperEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::GripperEvents::ModeChangedParams, std::int8_t,
+                          encodeGripperModeChangedEvent, decodeGripperModeChangedEvent>},
+    {.method = 2},
+    {.method = 3,
+     .payload = messageOf<wire::GripperEvents::ArrivedParams, PoseStampedSlot,
+                          encodeGripperArrivedEvent, decodeGripperArrivedEvent>},
+    {.method = 4,
+     .payload = messageOf<wire::GripperEvents::MovedParams, ArmMovedPayload,
+                          encodeGripperMovedEvent, decodeGripperMovedEvent>},
+    {.method = 5,
+     .payload = messageOf<wire::GripperEvents::GrippedParams, GripperGrippedPayload,
+                          encodeGripperGrippedEvent, decodeGripperGrippedEvent>},
 };
 
-const suture::rpc::Binding& gripperBinding() {
-  static const GripperBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& gripperCodec() {
+  static const auto kCommands = suture::extended<14>(
+      suture::interfaceInfo<robots::Arm>().codec().commands, kGripperCommandCodecs);
+  static const suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Gripper>,
+      .contract = capnp::typeId<wire::Gripper>(),
+      .subscriber = capnp::typeId<wire::GripperEvents>(),
+      .commands = kCommands,
+      .events = kGripperEventCodecs,
+      .row = suture::rpc::rowOf<wire::GripperEvents::StateParams, wire::GripperStateRow,
+                                encodeGripperColumn, decodeGripperColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kGripperCommands[] = {
@@ -583,205 +475,116 @@ bool acceptsNamesTitle(const NamesNameArguments& slot, FieldPath* path) {
 bool acceptsNamesRangeResult(const double& slot, FieldPath*) { return isValid(slot); }
 bool acceptsNamesLatchedEvent(const double& slot, FieldPath*) { return isValid(slot); }
 
-// --- Names over Cap'n Proto RPC: the provider's side
+// --- Names as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class NamesSink final : public suture::rpc::EventSink {
- public:
-  explicit NamesSink(wire::NamesEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeNamesQueue(const NamesQueueArguments& slot, wire::Names::QueueParams::Builder out) {
+  out.setName(slot.name);
+}
+Errc decodeNamesQueue(wire::Names::QueueParams::Reader in, NamesQueueArguments& slot,
+                      suture::Duration) {
+  slot.name = in.getName();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(NamesEvent::latched): {
-        const auto& slot = slotIn<double>(payload);
-        auto request = subscriber_.latchedRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeNamesTitle(const NamesNameArguments& slot, wire::Names::TitleParams::Builder out) {
+  out.setRange(slot.range);
+  out.setSlot(slot.slot);
+  out.setStore(slot.store);
+}
+Errc decodeNamesTitle(wire::Names::TitleParams::Reader in, NamesNameArguments& slot,
+                      suture::Duration) {
+  slot.range = in.getRange();
+  slot.slot = in.getSlot();
+  slot.store = in.getStore();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<double>(columns[0]);
+void encodeNamesTitleResult(const std::uint8_t& slot, wire::Names::TitleResults::Builder out) {
+  out.setValue(slot != 0);
+}
+Errc decodeNamesTitleResult(wire::Names::TitleResults::Reader in, std::uint8_t& slot,
+                            suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeNamesRangeResult(const double& slot, wire::Names::RangeResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeNamesRangeResult(wire::Names::RangeResults::Reader in, double& slot, suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+void encodeNamesLatchedEvent(const double& slot, wire::NamesEvents::LatchedParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeNamesLatchedEvent(wire::NamesEvents::LatchedParams::Reader in, double& slot,
+                             suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeNamesColumn(unsigned column, const std::byte* memory, wire::NamesStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<double>(memory);
       out.setRange(slot);
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::NamesEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class NamesServant final : public wire::Names::Server {
- public:
-  explicit NamesServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<NamesSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> queue(QueueContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<NamesQueueArguments>(memory);
-      slot.name = in.getName();
-      return Errc{};
-    };
-    return port_->command(numberOf(NamesCommand::queue), in.getSent(), fill);
-  }
-
-  kj::Promise<void> title(TitleContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<NamesNameArguments>(memory);
-      slot.range = in.getRange();
-      slot.slot = in.getSlot();
-      slot.store = in.getStore();
-      return Errc{};
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<std::uint8_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot != 0);
-    };
-    return port_->call(numberOf(NamesCommand::name), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> range(RangeContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<double>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(NamesCommand::range), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Names over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class NamesReceiver final : public wire::NamesEvents::Server {
- public:
-  explicit NamesReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<double>(0);
+}
+Errc decodeNamesColumn(wire::NamesStateRow::Reader in, unsigned column, std::byte* memory,
+                       suture::Duration) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<double>(memory);
       slot = in.getRange();
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> latched(LatchedContext context) override {
-    auto in = context.getParams();
-    return port_->event<double>(numberOf(NamesEvent::latched), [&](double& slot) {
-      slot = in.getValue();
       return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class NamesProxy final : public suture::rpc::Proxy {
- public:
-  NamesProxy(wire::Names::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<NamesReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<NamesCommand>(record.command)) {
-      case NamesCommand::queue: {
-        const auto& slot = slotIn<NamesQueueArguments>(record.arguments());
-        auto request = provider_.queueRequest();
-        request.setName(slot.name);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case NamesCommand::name: {
-        const auto& slot = slotIn<NamesNameArguments>(record.arguments());
-        auto request = provider_.titleRequest();
-        request.setRange(slot.range);
-        request.setSlot(slot.slot);
-        request.setStore(slot.store);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::uint8_t>(call, [&](std::uint8_t& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
-      case NamesCommand::range: {
-        auto request = provider_.rangeRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<double>(call, response.getStamp(), [&](double& answer) {
-            answer = response.getValue();
-            return Errc{};
-          });
-        });
-      }
     }
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  wire::Names::Client provider_;
-  ProxyPort& port_;
+constexpr CommandCodec kNamesCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Names>(),
+     .method = 1,
+     .sent = sentIn<wire::Names::QueueParams>,
+     .arguments = messageOf<wire::Names::QueueParams, NamesQueueArguments, encodeNamesQueue,
+                            decodeNamesQueue>},
+    {.interface = capnp::typeId<wire::Names>(),
+     .method = 2,
+     .sent = sentIn<wire::Names::TitleParams>,
+     .arguments = messageOf<wire::Names::TitleParams, NamesNameArguments, encodeNamesTitle,
+                            decodeNamesTitle>,
+     .result = messageOf<wire::Names::TitleResults, std::uint8_t, encodeNamesTitleResult,
+                         decodeNamesTitleResult>},
+    {.interface = capnp::typeId<wire::Names>(),
+     .method = 3,
+     .sent = sentIn<wire::Names::RangeParams>,
+     .result = messageOf<wire::Names::RangeResults, double, encodeNamesRangeResult,
+                         decodeNamesRangeResult>,
+     .stamp = stampIn<wire::Names::RangeResults>},
 };
 
-class NamesBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<NamesServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<NamesProxy>(contract.castAs<wire::Names>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<NamesSink>(subscriber.castAs<wire::NamesEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Names>();
-  }
+constexpr EventCodec kNamesEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::NamesEvents::LatchedParams, double, encodeNamesLatchedEvent,
+                          decodeNamesLatchedEvent>},
 };
 
-const suture::rpc::Binding& namesBinding() {
-  static const NamesBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& namesCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Names>,
+      .contract = capnp::typeId<wire::Names>(),
+      .subscriber = capnp::typeId<wire::NamesEvents>(),
+      .commands = kNamesCommandCodecs,
+      .events = kNamesEventCodecs,
+      .row = suture::rpc::rowOf<wire::NamesEvents::StateParams, wire::NamesStateRow,
+                                encodeNamesColumn, decodeNamesColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kNamesCommands[] = {
@@ -858,7 +661,7 @@ const InterfaceInfo& interfaceInfo<robots::Gripper>() {
       .description = robots::kGripperDescription,
       .commands = kCommands,
       .events = kEvents,
-      .binding = &robots::gripperBinding,
+      .codec = &robots::gripperCodec,
       .base = &interfaceInfo<robots::Arm>,
       .toBase = &castToBase<robots::Gripper, robots::Arm>,
   };
@@ -873,7 +676,7 @@ const InterfaceInfo& interfaceInfo<robots::Names>() {
       .description = robots::kNamesDescription,
       .commands = robots::kNamesCommands,
       .events = robots::kNamesEvents,
-      .binding = &robots::namesBinding,
+      .codec = &robots::namesCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from foreign/opencv.h. Do not edit.
 #include "foreign/opencv.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -21,15 +19,16 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 using suture::slotIn;
@@ -157,157 +156,71 @@ bool acceptsCameraAim(const CameraAimArguments& slot, FieldPath* path) {
   return isValid(slot.at, path) || refusedAt(path, "at");
 }
 
-// --- Camera over Cap'n Proto RPC: the provider's side
+// --- Camera as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class CameraSink final : public suture::rpc::EventSink {
- public:
-  explicit CameraSink(wire::CameraEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeCameraAim(const CameraAimArguments& slot, wire::Camera::AimParams::Builder out) {
+  toWire(slot.at, out.initAt());
+}
+Errc decodeCameraAim(wire::Camera::AimParams::Reader in, CameraAimArguments& slot,
+                     suture::Duration shift) {
+  return in.hasAt() ? fromWire(in.getAt(), slot.at, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t, const std::byte*) override { return kj::READY_NOW; }
+void encodeCameraViewResult(const ViewSlot& slot, wire::Camera::ViewResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeCameraViewResult(wire::Camera::ViewResults::Reader in, ViewSlot& slot,
+                            suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<ViewSlot>(columns[0]);
+// Of a row of the state, each column.
+void encodeCameraColumn(unsigned column, const std::byte* memory,
+                        wire::CameraStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<ViewSlot>(memory);
       toWire(slot, out.initView());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::CameraEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class CameraServant final : public wire::Camera::Server {
- public:
-  explicit CameraServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<CameraSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> aim(AimContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<CameraAimArguments>(memory);
-      return in.hasAt() ? fromWire(in.getAt(), slot.at, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(CameraCommand::aim), in.getSent(), fill);
-  }
-
-  kj::Promise<void> view(ViewContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<ViewSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(CameraCommand::view), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Camera over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class CameraReceiver final : public wire::CameraEvents::Server {
- public:
-  explicit CameraReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<ViewSlot>(0);
-      const Errc error =
-          in.hasView() ? fromWire(in.getView(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeCameraColumn(wire::CameraStateRow::Reader in, unsigned column, std::byte* memory,
+                        suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<ViewSlot>(memory);
+      return in.hasView() ? fromWire(in.getView(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kCameraCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Camera>(),
+     .method = 1,
+     .sent = sentIn<wire::Camera::AimParams>,
+     .arguments = messageOf<wire::Camera::AimParams, CameraAimArguments, encodeCameraAim,
+                            decodeCameraAim>},
+    {.interface = capnp::typeId<wire::Camera>(),
+     .method = 2,
+     .sent = sentIn<wire::Camera::ViewParams>,
+     .result = messageOf<wire::Camera::ViewResults, ViewSlot, encodeCameraViewResult,
+                         decodeCameraViewResult>,
+     .stamp = stampIn<wire::Camera::ViewResults>},
 };
 
-/// Makes remote calls of commands.
-class CameraProxy final : public suture::rpc::Proxy {
- public:
-  CameraProxy(wire::Camera::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<CameraReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<CameraCommand>(record.command)) {
-      case CameraCommand::aim: {
-        const auto& slot = slotIn<CameraAimArguments>(record.arguments());
-        auto request = provider_.aimRequest();
-        toWire(slot.at, request.initAt());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case CameraCommand::view: {
-        auto request = provider_.viewRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<ViewSlot>(call, response.getStamp(), [&](ViewSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Camera::Client provider_;
-  ProxyPort& port_;
-};
-
-class CameraBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<CameraServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<CameraProxy>(contract.castAs<wire::Camera>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<CameraSink>(subscriber.castAs<wire::CameraEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Camera>();
-  }
-};
-
-const suture::rpc::Binding& cameraBinding() {
-  static const CameraBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& cameraCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Camera>,
+      .contract = capnp::typeId<wire::Camera>(),
+      .subscriber = capnp::typeId<wire::CameraEvents>(),
+      .commands = kCameraCommandCodecs,
+      .events = {},
+      .row = suture::rpc::rowOf<wire::CameraEvents::StateParams, wire::CameraStateRow,
+                                encodeCameraColumn, decodeCameraColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kCameraCommands[] = {
@@ -370,7 +283,7 @@ const InterfaceInfo& interfaceInfo<foreign::Camera>() {
       .description = foreign::kCameraDescription,
       .commands = foreign::kCameraCommands,
       .events = {},
-      .binding = &foreign::cameraBinding,
+      .codec = &foreign::cameraCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from shapes/containers.h. Do not edit.
 #include "shapes/containers.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -22,8 +20,8 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::Valid;
 using suture::rpc::allItems;
 using suture::rpc::allOf;
@@ -33,7 +31,9 @@ using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::theOneOf;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
@@ -825,288 +825,171 @@ bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot
   return isValid(slot, path);
 }
 
-// --- Store over Cap'n Proto RPC: the provider's side
+// --- Store as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class StoreSink final : public suture::rpc::EventSink {
- public:
-  explicit StoreSink(wire::StoreEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeStorePut(const StorePutArguments& slot, wire::Store::PutParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeStorePut(wire::Store::PutParams::Reader in, StorePutArguments& slot,
+                    suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(StoreEvent::changed): {
-        const auto& slot = slotIn<suture::SlotVariant<double, PointSlot>>(payload);
-        auto request = subscriber_.changedRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeStoreChoose(const StoreChooseArguments& slot, wire::Store::ChooseParams::Builder out) {
+  toWire(slot.gain, out.initGain());
+}
+Errc decodeStoreChoose(wire::Store::ChooseParams::Reader in, StoreChooseArguments& slot,
+                       suture::Duration shift) {
+  return fromWire(in.getGain(), slot.gain, shift);
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<SequencesSlot>(columns[0]);
+void encodeStoreSequencesResult(const SequencesSlot& slot,
+                                wire::Store::SequencesResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeStoreSequencesResult(wire::Store::SequencesResults::Reader in, SequencesSlot& slot,
+                                suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeStoreChoicesResult(const ChoicesSlot& slot, wire::Store::ChoicesResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeStoreChoicesResult(wire::Store::ChoicesResults::Reader in, ChoicesSlot& slot,
+                              suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeStoreMatricesResult(const MatricesSlot& slot,
+                               wire::Store::MatricesResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeStoreMatricesResult(wire::Store::MatricesResults::Reader in, MatricesSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot,
+                              wire::Store::ReadingResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeStoreReadingResult(wire::Store::ReadingResults::Reader in,
+                              suture::SlotTuple<double, std::int16_t>& slot,
+                              suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot,
+                             wire::StoreEvents::ChangedParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeStoreChangedEvent(wire::StoreEvents::ChangedParams::Reader in,
+                             suture::SlotVariant<double, PointSlot>& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeStoreColumn(unsigned column, const std::byte* memory, wire::StoreStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<SequencesSlot>(memory);
       toWire(slot, out.initSequences());
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<ChoicesSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<ChoicesSlot>(memory);
       toWire(slot, out.initChoices());
+      break;
     }
-    if (row.hasValue(2)) {
-      const auto& slot = slotIn<MatricesSlot>(columns[2]);
+    case 2: {
+      const auto& slot = slotIn<MatricesSlot>(memory);
       toWire(slot, out.initMatrices());
+      break;
     }
-    if (row.hasValue(3)) {
-      const auto& slot = slotIn<suture::SlotTuple<double, std::int16_t>>(columns[3]);
+    case 3: {
+      const auto& slot = slotIn<suture::SlotTuple<double, std::int16_t>>(memory);
       toWire(slot, out.initReading());
+      break;
     }
-    return request.send().ignoreResult();
   }
+}
+Errc decodeStoreColumn(wire::StoreStateRow::Reader in, unsigned column, std::byte* memory,
+                       suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<SequencesSlot>(memory);
+      return in.hasSequences() ? fromWire(in.getSequences(), slot, shift) : Errc::Invalid;
+    }
+    case 1: {
+      auto& slot = newSlot<ChoicesSlot>(memory);
+      return in.hasChoices() ? fromWire(in.getChoices(), slot, shift) : Errc::Invalid;
+    }
+    case 2: {
+      auto& slot = newSlot<MatricesSlot>(memory);
+      return in.hasMatrices() ? fromWire(in.getMatrices(), slot, shift) : Errc::Invalid;
+    }
+    case 3: {
+      auto& slot = newSlot<suture::SlotTuple<double, std::int16_t>>(memory);
+      return in.hasReading() ? fromWire(in.getReading(), slot, shift) : Errc::Invalid;
+    }
+  }
+  return Errc::Invalid;
+}
 
- private:
-  wire::StoreEvents::Client subscriber_;
+constexpr CommandCodec kStoreCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Store>(),
+     .method = 1,
+     .sent = sentIn<wire::Store::PutParams>,
+     .arguments = messageOf<wire::Store::PutParams, StorePutArguments, encodeStorePut,
+                            decodeStorePut>},
+    {.interface = capnp::typeId<wire::Store>(),
+     .method = 2,
+     .sent = sentIn<wire::Store::ChooseParams>,
+     .arguments = messageOf<wire::Store::ChooseParams, StoreChooseArguments, encodeStoreChoose,
+                            decodeStoreChoose>},
+    {.interface = capnp::typeId<wire::Store>(),
+     .method = 3,
+     .sent = sentIn<wire::Store::SequencesParams>,
+     .result = messageOf<wire::Store::SequencesResults, SequencesSlot, encodeStoreSequencesResult,
+                         decodeStoreSequencesResult>,
+     .stamp = stampIn<wire::Store::SequencesResults>},
+    {.interface = capnp::typeId<wire::Store>(),
+     .method = 4,
+     .sent = sentIn<wire::Store::ChoicesParams>,
+     .result = messageOf<wire::Store::ChoicesResults, ChoicesSlot, encodeStoreChoicesResult,
+                         decodeStoreChoicesResult>,
+     .stamp = stampIn<wire::Store::ChoicesResults>},
+    {.interface = capnp::typeId<wire::Store>(),
+     .method = 5,
+     .sent = sentIn<wire::Store::MatricesParams>,
+     .result = messageOf<wire::Store::MatricesResults, MatricesSlot, encodeStoreMatricesResult,
+                         decodeStoreMatricesResult>,
+     .stamp = stampIn<wire::Store::MatricesResults>},
+    {.interface = capnp::typeId<wire::Store>(),
+     .method = 6,
+     .sent = sentIn<wire::Store::ReadingParams>,
+     .result = messageOf<wire::Store::ReadingResults, suture::SlotTuple<double, std::int16_t>,
+                         encodeStoreReadingResult, decodeStoreReadingResult>,
+     .stamp = stampIn<wire::Store::ReadingResults>},
 };
 
-/// Puts remote calls into the provider's mailbox.
-class StoreServant final : public wire::Store::Server {
- public:
-  explicit StoreServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<StoreSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> put(PutContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<StorePutArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    return port_->command(numberOf(StoreCommand::put), in.getSent(), fill);
-  }
-
-  kj::Promise<void> choose(ChooseContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<StoreChooseArguments>(memory);
-      return fromWire(in.getGain(), slot.gain, port_->shift());
-    };
-    return port_->command(numberOf(StoreCommand::choose), in.getSent(), fill);
-  }
-
-  kj::Promise<void> sequences(SequencesContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<SequencesSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(StoreCommand::sequences), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> choices(ChoicesContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<ChoicesSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(StoreCommand::choices), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> matrices(MatricesContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<MatricesSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(StoreCommand::matrices), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> reading(ReadingContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<suture::SlotTuple<double, std::int16_t>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(StoreCommand::reading), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
+constexpr EventCodec kStoreEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::StoreEvents::ChangedParams, suture::SlotVariant<double, PointSlot>,
+                          encodeStoreChangedEvent, decodeStoreChangedEvent>},
 };
 
-// --- Store over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class StoreReceiver final : public wire::StoreEvents::Server {
- public:
-  explicit StoreReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<SequencesSlot>(0);
-      const Errc error =
-          in.hasSequences() ? fromWire(in.getSequences(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
-    }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<ChoicesSlot>(1);
-      const Errc error =
-          in.hasChoices() ? fromWire(in.getChoices(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
-    }
-    if (columns.hasValue(2)) {
-      auto& slot = port_->column<MatricesSlot>(2);
-      const Errc error =
-          in.hasMatrices() ? fromWire(in.getMatrices(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(2, error);
-    }
-    if (columns.hasValue(3)) {
-      auto& slot = port_->column<suture::SlotTuple<double, std::int16_t>>(3);
-      const Errc error =
-          in.hasReading() ? fromWire(in.getReading(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(3, error);
-    }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> changed(ChangedContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::SlotVariant<double, PointSlot>>(numberOf(StoreEvent::changed),
-                                                                [&](suture::SlotVariant<double, PointSlot>& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
-/// Makes remote calls of commands.
-class StoreProxy final : public suture::rpc::Proxy {
- public:
-  StoreProxy(wire::Store::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<StoreReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<StoreCommand>(record.command)) {
-      case StoreCommand::put: {
-        const auto& slot = slotIn<StorePutArguments>(record.arguments());
-        auto request = provider_.putRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case StoreCommand::choose: {
-        const auto& slot = slotIn<StoreChooseArguments>(record.arguments());
-        auto request = provider_.chooseRequest();
-        toWire(slot.gain, request.initGain());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case StoreCommand::sequences: {
-        auto request = provider_.sequencesRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<SequencesSlot>(call, response.getStamp(), [&](SequencesSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case StoreCommand::choices: {
-        auto request = provider_.choicesRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<ChoicesSlot>(call, response.getStamp(), [&](ChoicesSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case StoreCommand::matrices: {
-        auto request = provider_.matricesRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<MatricesSlot>(call, response.getStamp(), [&](MatricesSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case StoreCommand::reading: {
-        auto request = provider_.readingRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::SlotTuple<double, std::int16_t>>(call, response.getStamp(),
-                                                                [&](auto& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Store::Client provider_;
-  ProxyPort& port_;
-};
-
-class StoreBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<StoreServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<StoreProxy>(contract.castAs<wire::Store>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<StoreSink>(subscriber.castAs<wire::StoreEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Store>();
-  }
-};
-
-const suture::rpc::Binding& storeBinding() {
-  static const StoreBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& storeCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Store>,
+      .contract = capnp::typeId<wire::Store>(),
+      .subscriber = capnp::typeId<wire::StoreEvents>(),
+      .commands = kStoreCommandCodecs,
+      .events = kStoreEventCodecs,
+      .row = suture::rpc::rowOf<wire::StoreEvents::StateParams, wire::StoreStateRow,
+                                encodeStoreColumn, decodeStoreColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kStoreCommands[] = {
@@ -1349,7 +1232,7 @@ const InterfaceInfo& interfaceInfo<shapes::Store>() {
       .description = shapes::kStoreDescription,
       .commands = shapes::kStoreCommands,
       .events = shapes::kStoreEvents,
-      .binding = &shapes::storeBinding,
+      .codec = &shapes::storeCodec,
   };
   return kInfo;
 }

@@ -1,9 +1,7 @@
 // Written by suturec from shapes/moments.h. Do not edit.
 #include "shapes/moments.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -23,14 +21,16 @@ using suture::elementsIn;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
@@ -344,281 +344,184 @@ bool acceptsJournalChangedEvent(const JournalChangedPayload& slot, FieldPath* pa
   return isValid(slot.value, path) || refusedAt(path, "value");
 }
 
-// --- Journal over Cap'n Proto RPC: the provider's side
+// --- Journal as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class JournalSink final : public suture::rpc::EventSink {
- public:
-  explicit JournalSink(wire::JournalEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeJournalPut(const JournalPutArguments& slot, wire::Journal::PutParams::Builder out) {
+  out.setFrom(slot.from);
+  out.setNumber(slot.number);
+}
+Errc decodeJournalPut(wire::Journal::PutParams::Reader in, JournalPutArguments& slot,
+                      suture::Duration shift) {
+  slot.from = suture::rpc::shifted(in.getFrom(), shift);
+  slot.number = in.getNumber();
+  return Errc{};
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(JournalEvent::added): {
-        const auto& slot = slotIn<std::int64_t>(payload);
-        auto request = subscriber_.addedRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-      case numberOf(JournalEvent::changed): {
-        const auto& slot = slotIn<JournalChangedPayload>(payload);
-        auto request = subscriber_.changedRequest();
-        toWire(slot.value, request.initValue());
-        request.setValue2(slot.value2);
-        return request.send().ignoreResult();
-      }
-      case numberOf(JournalEvent::counted): {
-        const auto& slot = slotIn<std::int64_t>(payload);
-        auto request = subscriber_.countedRequest();
-        request.setValue(slot);
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeJournalCount(const JournalCountArguments& slot,
+                        wire::Journal::CountParams::Builder out) {
+  out.setNumber(slot.number);
+}
+Errc decodeJournalCount(wire::Journal::CountParams::Reader in, JournalCountArguments& slot,
+                        suture::Duration) {
+  slot.number = in.getNumber();
+  return Errc{};
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<std::int64_t>(columns[0]);
+void encodeJournalLatestResult(const std::int64_t& slot,
+                               wire::Journal::LatestResults::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeJournalLatestResult(wire::Journal::LatestResults::Reader in, std::int64_t& slot,
+                               suture::Duration shift) {
+  slot = suture::rpc::shifted(in.getValue(), shift);
+  return Errc{};
+}
+
+void encodeJournalMomentsResult(const MomentsSlot& slot,
+                                wire::Journal::MomentsResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeJournalMomentsResult(wire::Journal::MomentsResults::Reader in, MomentsSlot& slot,
+                                suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeJournalFind(const JournalFindArguments& slot, wire::Journal::FindParams::Builder out) {
+  out.setNumber(slot.number);
+}
+Errc decodeJournalFind(wire::Journal::FindParams::Reader in, JournalFindArguments& slot,
+                       suture::Duration) {
+  slot.number = in.getNumber();
+  return Errc{};
+}
+
+void encodeJournalFindResult(const suture::SlotOptional<MomentSlot>& slot,
+                             wire::Journal::FindResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeJournalFindResult(wire::Journal::FindResults::Reader in,
+                             suture::SlotOptional<MomentSlot>& slot, suture::Duration shift) {
+  return fromWire(in.getValue(), slot, shift);
+}
+
+void encodeJournalAddedEvent(const std::int64_t& slot,
+                             wire::JournalEvents::AddedParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeJournalAddedEvent(wire::JournalEvents::AddedParams::Reader in, std::int64_t& slot,
+                             suture::Duration shift) {
+  slot = suture::rpc::shifted(in.getValue(), shift);
+  return Errc{};
+}
+
+void encodeJournalChangedEvent(const JournalChangedPayload& slot,
+                               wire::JournalEvents::ChangedParams::Builder out) {
+  toWire(slot.value, out.initValue());
+  out.setValue2(slot.value2);
+}
+Errc decodeJournalChangedEvent(wire::JournalEvents::ChangedParams::Reader in,
+                               JournalChangedPayload& slot, suture::Duration shift) {
+  slot.value2 = in.getValue2();
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+void encodeJournalCountedEvent(const std::int64_t& slot,
+                               wire::JournalEvents::CountedParams::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeJournalCountedEvent(wire::JournalEvents::CountedParams::Reader in, std::int64_t& slot,
+                               suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// Of a row of the state, each column.
+void encodeJournalColumn(unsigned column, const std::byte* memory,
+                         wire::JournalStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<std::int64_t>(memory);
       out.setLatest(slot);
+      break;
     }
-    if (row.hasValue(1)) {
-      const auto& slot = slotIn<MomentsSlot>(columns[1]);
+    case 1: {
+      const auto& slot = slotIn<MomentsSlot>(memory);
       toWire(slot, out.initMoments());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::JournalEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class JournalServant final : public wire::Journal::Server {
- public:
-  explicit JournalServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<JournalSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> put(PutContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<JournalPutArguments>(memory);
-      slot.from = suture::rpc::shifted(in.getFrom(), port_->shift());
-      slot.number = in.getNumber();
+}
+Errc decodeJournalColumn(wire::JournalStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<std::int64_t>(memory);
+      slot = suture::rpc::shifted(in.getLatest(), shift);
       return Errc{};
-    };
-    return port_->command(numberOf(JournalCommand::put), in.getSent(), fill);
-  }
-
-  kj::Promise<void> count(CountContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<JournalCountArguments>(memory);
-      slot.number = in.getNumber();
-      return Errc{};
-    };
-    return port_->command(numberOf(JournalCommand::count), in.getSent(), fill);
-  }
-
-  kj::Promise<void> latest(LatestContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<std::int64_t>(result);
-      auto out = context.getResults();
-      out.setValue(slot);
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(JournalCommand::latest), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> moments(MomentsContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<MomentsSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(JournalCommand::moments), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> find(FindContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<JournalFindArguments>(memory);
-      slot.number = in.getNumber();
-      return Errc{};
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<suture::SlotOptional<MomentSlot>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(JournalCommand::find), in.getSent(), fill, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Journal over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class JournalReceiver final : public wire::JournalEvents::Server {
- public:
-  explicit JournalReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<std::int64_t>(0);
-      slot = suture::rpc::shifted(in.getLatest(), port_->shift());
     }
-    if (columns.hasValue(1)) {
-      auto& slot = port_->column<MomentsSlot>(1);
-      const Errc error =
-          in.hasMoments() ? fromWire(in.getMoments(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(1, error);
+    case 1: {
+      auto& slot = newSlot<MomentsSlot>(memory);
+      return in.hasMoments() ? fromWire(in.getMoments(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> added(AddedContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::int64_t>(numberOf(JournalEvent::added), [&](std::int64_t& slot) {
-      slot = suture::rpc::shifted(in.getValue(), port_->shift());
-      return Errc{};
-    });
-  }
-
-  kj::Promise<void> changed(ChangedContext context) override {
-    auto in = context.getParams();
-    return port_->event<JournalChangedPayload>(numberOf(JournalEvent::changed),
-                                               [&](JournalChangedPayload& slot) {
-      slot.value2 = in.getValue2();
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    });
-  }
-
-  kj::Promise<void> counted(CountedContext context) override {
-    auto in = context.getParams();
-    return port_->event<std::int64_t>(numberOf(JournalEvent::counted), [&](std::int64_t& slot) {
-      slot = in.getValue();
-      return Errc{};
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kJournalCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Journal>(),
+     .method = 1,
+     .sent = sentIn<wire::Journal::PutParams>,
+     .arguments = messageOf<wire::Journal::PutParams, JournalPutArguments, encodeJournalPut,
+                            decodeJournalPut>},
+    {.interface = capnp::typeId<wire::Journal>(),
+     .method = 2,
+     .sent = sentIn<wire::Journal::CountParams>,
+     .arguments = messageOf<wire::Journal::CountParams, JournalCountArguments, encodeJournalCount,
+                            decodeJournalCount>},
+    {.interface = capnp::typeId<wire::Journal>(),
+     .method = 3,
+     .sent = sentIn<wire::Journal::LatestParams>,
+     .result = messageOf<wire::Journal::LatestResults, std::int64_t, encodeJournalLatestResult,
+                         decodeJournalLatestResult>,
+     .stamp = stampIn<wire::Journal::LatestResults>},
+    {.interface = capnp::typeId<wire::Journal>(),
+     .method = 4,
+     .sent = sentIn<wire::Journal::MomentsParams>,
+     .result = messageOf<wire::Journal::MomentsResults, MomentsSlot, encodeJournalMomentsResult,
+                         decodeJournalMomentsResult>,
+     .stamp = stampIn<wire::Journal::MomentsResults>},
+    {.interface = capnp::typeId<wire::Journal>(),
+     .method = 5,
+     .sent = sentIn<wire::Journal::FindParams>,
+     .arguments = messageOf<wire::Journal::FindParams, JournalFindArguments, encodeJournalFind,
+                            decodeJournalFind>,
+     .result = messageOf<wire::Journal::FindResults, suture::SlotOptional<MomentSlot>,
+                         encodeJournalFindResult, decodeJournalFindResult>},
 };
 
-/// Makes remote calls of commands.
-class JournalProxy final : public suture::rpc::Proxy {
- public:
-  JournalProxy(wire::Journal::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<JournalReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<JournalCommand>(record.command)) {
-      case JournalCommand::put: {
-        const auto& slot = slotIn<JournalPutArguments>(record.arguments());
-        auto request = provider_.putRequest();
-        request.setFrom(slot.from);
-        request.setNumber(slot.number);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case JournalCommand::count: {
-        const auto& slot = slotIn<JournalCountArguments>(record.arguments());
-        auto request = provider_.countRequest();
-        request.setNumber(slot.number);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case JournalCommand::latest: {
-        auto request = provider_.latestRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<std::int64_t>(call, response.getStamp(), [&](std::int64_t& answer) {
-            answer = suture::rpc::shifted(response.getValue(), port_.shift());
-            return Errc{};
-          });
-        });
-      }
-      case JournalCommand::moments: {
-        auto request = provider_.momentsRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<MomentsSlot>(call, response.getStamp(), [&](MomentsSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case JournalCommand::find: {
-        const auto& slot = slotIn<JournalFindArguments>(record.arguments());
-        auto request = provider_.findRequest();
-        request.setNumber(slot.number);
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::SlotOptional<MomentSlot>>(call, [&](auto& answer) {
-            return fromWire(response.getValue(), answer, port_.shift());
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Journal::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kJournalEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::JournalEvents::AddedParams, std::int64_t, encodeJournalAddedEvent,
+                          decodeJournalAddedEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::JournalEvents::ChangedParams, JournalChangedPayload,
+                          encodeJournalChangedEvent, decodeJournalChangedEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::JournalEvents::CountedParams, std::int64_t,
+                          encodeJournalCountedEvent, decodeJournalCountedEvent>},
 };
 
-class JournalBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<JournalServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<JournalProxy>(contract.castAs<wire::Journal>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<JournalSink>(subscriber.castAs<wire::JournalEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Journal>();
-  }
-};
-
-const suture::rpc::Binding& journalBinding() {
-  static const JournalBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& journalCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Journal>,
+      .contract = capnp::typeId<wire::Journal>(),
+      .subscriber = capnp::typeId<wire::JournalEvents>(),
+      .commands = kJournalCommandCodecs,
+      .events = kJournalEventCodecs,
+      .row = suture::rpc::rowOf<wire::JournalEvents::StateParams, wire::JournalStateRow,
+                                encodeJournalColumn, decodeJournalColumn>,
+  };
+  return kCodec;
 }
 
 void shiftJournalLatestResult(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
@@ -776,7 +679,7 @@ const InterfaceInfo& interfaceInfo<shapes::Journal>() {
       .description = shapes::kJournalDescription,
       .commands = shapes::kJournalCommands,
       .events = shapes::kJournalEvents,
-      .binding = &shapes::journalBinding,
+      .codec = &shapes::journalCodec,
   };
   return kInfo;
 }

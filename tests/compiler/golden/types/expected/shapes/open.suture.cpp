@@ -1,9 +1,7 @@
 // Written by suturec from shapes/open.h. Do not edit.
 #include "shapes/open.suture.h"
 
-#include <suture/lane/rpc/binding.h>
-#include <suture/lane/rpc/proxy_port.h>
-#include <suture/lane/rpc/servant_port.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -29,15 +27,17 @@ using suture::checkSlot;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
-using suture::rpc::ProxyPort;
-using suture::rpc::ServantPort;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
 using suture::rpc::allOf;
 using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::fromWireList;
 using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::numberOf;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::rpc::toWire;
 using suture::rpc::toWireList;
 using suture::slotIn;
@@ -452,278 +452,180 @@ bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, FieldPath* path) 
   return isValid(slot.value2, path) || refusedAt(path, "value2");
 }
 
-// --- Archive over Cap'n Proto RPC: the provider's side
+// --- Archive as Cap'n Proto
 
-/// Makes remote calls of a subscriber's events and rows.
-class ArchiveSink final : public suture::rpc::EventSink {
- public:
-  explicit ArchiveSink(wire::ArchiveEvents::Client subscriber) : subscriber_(kj::mv(subscriber)) {}
+void encodeArchivePut(const ArchivePutArguments& slot, wire::Archive::PutParams::Builder out) {
+  toWire(slot.key, out.initKey(slot.key.size));
+  toWire(slot.value, out.initValue());
+}
+Errc decodeArchivePut(wire::Archive::PutParams::Reader in, ArchivePutArguments& slot,
+                      suture::Duration shift) {
+  return firstError({
+      fromWire(in.getKey(), slot.key),
+      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid,
+  });
+}
 
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload) override {
-    switch (event) {
-      case numberOf(ArchiveEvent::renamed): {
-        const auto& slot = slotIn<suture::OpenText>(payload);
-        auto request = subscriber_.renamedRequest();
-        toWire(slot, request.initValue(slot.size));
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArchiveEvent::grown): {
-        const auto& slot = slotIn<ArchiveGrownPayload>(payload);
-        auto request = subscriber_.grownRequest();
-        toWire(slot.value, request.initValue(slot.value.size));
-        toWire(slot.value2, request.initValue2());
-        return request.send().ignoreResult();
-      }
-      case numberOf(ArchiveEvent::changed): {
-        const auto& slot = slotIn<OpenSlot>(payload);
-        auto request = subscriber_.changedRequest();
-        toWire(slot, request.initValue());
-        return request.send().ignoreResult();
-      }
-    }
-    return kj::READY_NOW;
-  }
+void encodeArchiveRemark(const ArchiveRemarkArguments& slot,
+                         wire::Archive::RemarkParams::Builder out) {
+  toWire(slot.text, out.initText(slot.text.size));
+}
+Errc decodeArchiveRemark(wire::Archive::RemarkParams::Reader in, ArchiveRemarkArguments& slot,
+                         suture::Duration) {
+  return fromWire(in.getText(), slot.text);
+}
 
-  kj::Promise<void> row(const suture::rt::StateTable::Row& row,
-                        std::span<const std::byte* const> columns) override {
-    auto request = subscriber_.stateRequest();
-    auto out = request.initRow();
-    out.setStamp(suture::toNanoseconds(row.stamp));
-    out.setEvaluated(row.valid | row.invalid);
-    out.setTooLarge(row.tooLarge | row.invalid);
-    if (row.hasValue(0)) {
-      const auto& slot = slotIn<OpenSlot>(columns[0]);
+void encodeArchiveNewestResult(const OpenSlot& slot, wire::Archive::NewestResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArchiveNewestResult(wire::Archive::NewestResults::Reader in, OpenSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArchiveFind(const ArchiveFindArguments& slot, wire::Archive::FindParams::Builder out) {
+  toWire(slot.pattern, out.initPattern(slot.pattern.size));
+}
+Errc decodeArchiveFind(wire::Archive::FindParams::Reader in, ArchiveFindArguments& slot,
+                       suture::Duration) {
+  return fromWire(in.getPattern(), slot.pattern);
+}
+
+void encodeArchiveFindResult(const suture::OpenList<suture::OpenText>& slot,
+                             wire::Archive::FindResults::Builder out) {
+  toWire(slot, out.initValue(slot.size));
+}
+Errc decodeArchiveFindResult(wire::Archive::FindResults::Reader in,
+                             suture::OpenList<suture::OpenText>& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeArchiveReplace(const ArchiveReplaceArguments& slot,
+                          wire::Archive::ReplaceParams::Builder out) {
+  toWire(slot.value, out.initValue());
+}
+Errc decodeArchiveReplace(wire::Archive::ReplaceParams::Reader in, ArchiveReplaceArguments& slot,
+                          suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+}
+
+void encodeArchiveReplaceResult(const OpenSlot& slot, wire::Archive::ReplaceResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArchiveReplaceResult(wire::Archive::ReplaceResults::Reader in, OpenSlot& slot,
+                                suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArchiveRenamedEvent(const suture::OpenText& slot,
+                               wire::ArchiveEvents::RenamedParams::Builder out) {
+  toWire(slot, out.initValue(slot.size));
+}
+Errc decodeArchiveRenamedEvent(wire::ArchiveEvents::RenamedParams::Reader in,
+                               suture::OpenText& slot, suture::Duration) {
+  return fromWire(in.getValue(), slot);
+}
+
+void encodeArchiveGrownEvent(const ArchiveGrownPayload& slot,
+                             wire::ArchiveEvents::GrownParams::Builder out) {
+  toWire(slot.value, out.initValue(slot.value.size));
+  toWire(slot.value2, out.initValue2());
+}
+Errc decodeArchiveGrownEvent(wire::ArchiveEvents::GrownParams::Reader in, ArchiveGrownPayload& slot,
+                             suture::Duration shift) {
+  return firstError({
+      fromWire(in.getValue(), slot.value),
+      in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : Errc::Invalid,
+  });
+}
+
+void encodeArchiveChangedEvent(const OpenSlot& slot,
+                               wire::ArchiveEvents::ChangedParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeArchiveChangedEvent(wire::ArchiveEvents::ChangedParams::Reader in, OpenSlot& slot,
+                               suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// Of a row of the state, each column.
+void encodeArchiveColumn(unsigned column, const std::byte* memory,
+                         wire::ArchiveStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<OpenSlot>(memory);
       toWire(slot, out.initNewest());
+      break;
     }
-    return request.send().ignoreResult();
   }
-
- private:
-  wire::ArchiveEvents::Client subscriber_;
-};
-
-/// Puts remote calls into the provider's mailbox.
-class ArchiveServant final : public wire::Archive::Server {
- public:
-  explicit ArchiveServant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> subscribe(SubscribeContext context) override {
-    auto in = context.getParams();
-    port_->subscribe(kj::heap<ArchiveSink>(in.getEvents()), in.getEventMask(), in.getStateMask());
-    return kj::READY_NOW;
-  }
-
-  kj::Promise<void> put(PutContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArchivePutArguments>(memory);
-      return firstError({
-          fromWire(in.getKey(), slot.key),
-          in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid,
-      });
-    };
-    return port_->command(numberOf(ArchiveCommand::put), in.getSent(), fill);
-  }
-
-  kj::Promise<void> remark(RemarkContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArchiveRemarkArguments>(memory);
-      return fromWire(in.getText(), slot.text);
-    };
-    return port_->command(numberOf(ArchiveCommand::remark), in.getSent(), fill);
-  }
-
-  kj::Promise<void> newest(NewestContext context) override {
-    auto in = context.getParams();
-    auto take = [context](const std::byte* result, suture::Time stamp) mutable {
-      const auto& slot = slotIn<OpenSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-      out.setStamp(suture::toNanoseconds(stamp));
-    };
-    return port_->call(numberOf(ArchiveCommand::newest), in.getSent(),
-                       [](std::byte*) { return Errc{}; }, kj::mv(take));
-  }
-
-  kj::Promise<void> find(FindContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArchiveFindArguments>(memory);
-      return fromWire(in.getPattern(), slot.pattern);
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<suture::OpenList<suture::OpenText>>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue(slot.size));
-    };
-    return port_->call(numberOf(ArchiveCommand::find), in.getSent(), fill, kj::mv(take));
-  }
-
-  kj::Promise<void> replace(ReplaceContext context) override {
-    auto in = context.getParams();
-    const auto fill = [&](std::byte* memory) {
-      auto& slot = newSlot<ArchiveReplaceArguments>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot.value, port_->shift()) : Errc::Invalid;
-    };
-    auto take = [context](const std::byte* result, suture::Time) mutable {
-      const auto& slot = slotIn<OpenSlot>(result);
-      auto out = context.getResults();
-      toWire(slot, out.initValue());
-    };
-    return port_->call(numberOf(ArchiveCommand::replace), in.getSent(), fill, kj::mv(take));
-  }
-
- private:
-  kj::Own<ServantPort> port_;
-};
-
-// --- Archive over Cap'n Proto RPC: the client's side
-
-/// Receives events and rows.
-class ArchiveReceiver final : public wire::ArchiveEvents::Server {
- public:
-  explicit ArchiveReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> state(StateContext context) override {
-    auto in = context.getParams().getRow();
-    auto columns = port_->columnsOf(in.getEvaluated(), in.getTooLarge());
-    if (columns.hasValue(0)) {
-      auto& slot = port_->column<OpenSlot>(0);
-      const Errc error =
-          in.hasNewest() ? fromWire(in.getNewest(), slot, port_->shift()) : Errc::Invalid;
-      columns.enter(0, error);
+}
+Errc decodeArchiveColumn(wire::ArchiveStateRow::Reader in, unsigned column, std::byte* memory,
+                         suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<OpenSlot>(memory);
+      return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : Errc::Invalid;
     }
-    port_->publish(in.getStamp(), columns);
-    return kj::READY_NOW;
   }
+  return Errc::Invalid;
+}
 
-  kj::Promise<void> renamed(RenamedContext context) override {
-    auto in = context.getParams();
-    return port_->event<suture::OpenText>(numberOf(ArchiveEvent::renamed),
-                                          [&](suture::OpenText& slot) {
-      return fromWire(in.getValue(), slot);
-    });
-  }
-
-  kj::Promise<void> grown(GrownContext context) override {
-    auto in = context.getParams();
-    return port_->event<ArchiveGrownPayload>(numberOf(ArchiveEvent::grown),
-                                             [&](ArchiveGrownPayload& slot) {
-      return firstError({
-          fromWire(in.getValue(), slot.value),
-          in.hasValue2() ? fromWire(in.getValue2(), slot.value2, port_->shift()) : Errc::Invalid,
-      });
-    });
-  }
-
-  kj::Promise<void> changed(ChangedContext context) override {
-    auto in = context.getParams();
-    return port_->event<OpenSlot>(numberOf(ArchiveEvent::changed), [&](OpenSlot& slot) {
-      return in.hasValue() ? fromWire(in.getValue(), slot, port_->shift()) : Errc::Invalid;
-    });
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
+constexpr CommandCodec kArchiveCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Archive>(),
+     .method = 1,
+     .sent = sentIn<wire::Archive::PutParams>,
+     .arguments = messageOf<wire::Archive::PutParams, ArchivePutArguments, encodeArchivePut,
+                            decodeArchivePut>},
+    {.interface = capnp::typeId<wire::Archive>(),
+     .method = 2,
+     .sent = sentIn<wire::Archive::RemarkParams>,
+     .arguments = messageOf<wire::Archive::RemarkParams, ArchiveRemarkArguments,
+                            encodeArchiveRemark, decodeArchiveRemark>},
+    {.interface = capnp::typeId<wire::Archive>(),
+     .method = 3,
+     .sent = sentIn<wire::Archive::NewestParams>,
+     .result = messageOf<wire::Archive::NewestResults, OpenSlot, encodeArchiveNewestResult,
+                         decodeArchiveNewestResult>,
+     .stamp = stampIn<wire::Archive::NewestResults>},
+    {.interface = capnp::typeId<wire::Archive>(),
+     .method = 4,
+     .sent = sentIn<wire::Archive::FindParams>,
+     .arguments = messageOf<wire::Archive::FindParams, ArchiveFindArguments, encodeArchiveFind,
+                            decodeArchiveFind>,
+     .result = messageOf<wire::Archive::FindResults, suture::OpenList<suture::OpenText>,
+                         encodeArchiveFindResult, decodeArchiveFindResult>},
+    {.interface = capnp::typeId<wire::Archive>(),
+     .method = 5,
+     .sent = sentIn<wire::Archive::ReplaceParams>,
+     .arguments = messageOf<wire::Archive::ReplaceParams, ArchiveReplaceArguments,
+                            encodeArchiveReplace, decodeArchiveReplace>,
+     .result = messageOf<wire::Archive::ReplaceResults, OpenSlot, encodeArchiveReplaceResult,
+                         decodeArchiveReplaceResult>},
 };
 
-/// Makes remote calls of commands.
-class ArchiveProxy final : public suture::rpc::Proxy {
- public:
-  ArchiveProxy(wire::Archive::Client provider, ProxyPort& port)
-      : provider_(kj::mv(provider)), port_(port) {}
-
-  kj::Promise<void> subscribe(suture::EventSet events, suture::rt::ColumnSet columns) override {
-    auto request = provider_.subscribeRequest();
-    request.setEvents(kj::heap<ArchiveReceiver>(kj::addRef(port_)));
-    request.setEventMask(events);
-    request.setStateMask(columns);
-    return request.send().ignoreResult();
-  }
-
-  kj::Promise<void> send(const suture::rt::CommandRecord& record) override {
-    switch (static_cast<ArchiveCommand>(record.command)) {
-      case ArchiveCommand::put: {
-        const auto& slot = slotIn<ArchivePutArguments>(record.arguments());
-        auto request = provider_.putRequest();
-        toWire(slot.key, request.initKey(slot.key.size));
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArchiveCommand::remark: {
-        const auto& slot = slotIn<ArchiveRemarkArguments>(record.arguments());
-        auto request = provider_.remarkRequest();
-        toWire(slot.text, request.initText(slot.text.size));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&&) { port_.answer(call); });
-      }
-      case ArchiveCommand::newest: {
-        auto request = provider_.newestRequest();
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<OpenSlot>(call, response.getStamp(), [&](OpenSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-      case ArchiveCommand::find: {
-        const auto& slot = slotIn<ArchiveFindArguments>(record.arguments());
-        auto request = provider_.findRequest();
-        toWire(slot.pattern, request.initPattern(slot.pattern.size));
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<suture::OpenList<suture::OpenText>>(call,
-                                                           [&](suture::OpenList<suture::OpenText>& answer) {
-            return fromWire(response.getValue(), answer);
-          });
-        });
-      }
-      case ArchiveCommand::replace: {
-        const auto& slot = slotIn<ArchiveReplaceArguments>(record.arguments());
-        auto request = provider_.replaceRequest();
-        toWire(slot.value, request.initValue());
-        suture::rpc::fill(request.initSent(), record);
-        return request.send().then([this, call = record.call](auto&& response) {
-          port_.answer<OpenSlot>(call, [&](OpenSlot& answer) {
-            return response.hasValue() ? fromWire(response.getValue(), answer, port_.shift())
-                : Errc::Invalid;
-          });
-        });
-      }
-    }
-    return kj::READY_NOW;
-  }
-
- private:
-  wire::Archive::Client provider_;
-  ProxyPort& port_;
+constexpr EventCodec kArchiveEventCodecs[] = {
+    {.method = 1,
+     .payload = messageOf<wire::ArchiveEvents::RenamedParams, suture::OpenText,
+                          encodeArchiveRenamedEvent, decodeArchiveRenamedEvent>},
+    {.method = 2,
+     .payload = messageOf<wire::ArchiveEvents::GrownParams, ArchiveGrownPayload,
+                          encodeArchiveGrownEvent, decodeArchiveGrownEvent>},
+    {.method = 3,
+     .payload = messageOf<wire::ArchiveEvents::ChangedParams, OpenSlot, encodeArchiveChangedEvent,
+                          decodeArchiveChangedEvent>},
 };
 
-class ArchiveBinding final : public suture::rpc::Binding {
- public:
-  kj::Own<capnp::Capability::Server> makeServant(kj::Own<ServantPort> port) const override {
-    return kj::heap<ArchiveServant>(kj::mv(port));
-  }
-  kj::Own<suture::rpc::Proxy> makeProxy(capnp::Capability::Client contract,
-                                        ProxyPort& port) const override {
-    return kj::heap<ArchiveProxy>(contract.castAs<wire::Archive>(), port);
-  }
-  kj::Own<suture::rpc::EventSink> makeSink(capnp::Capability::Client subscriber) const override {
-    return kj::heap<ArchiveSink>(subscriber.castAs<wire::ArchiveEvents>());
-  }
-  capnp::InterfaceSchema schema() const override {
-    return capnp::Schema::from<wire::Archive>();
-  }
-};
-
-const suture::rpc::Binding& archiveBinding() {
-  static const ArchiveBinding kBinding;
-  return kBinding;
+const suture::rpc::Codec& archiveCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Archive>,
+      .contract = capnp::typeId<wire::Archive>(),
+      .subscriber = capnp::typeId<wire::ArchiveEvents>(),
+      .commands = kArchiveCommandCodecs,
+      .events = kArchiveEventCodecs,
+      .row = suture::rpc::rowOf<wire::ArchiveEvents::StateParams, wire::ArchiveStateRow,
+                                encodeArchiveColumn, decodeArchiveColumn>,
+  };
+  return kCodec;
 }
 
 constexpr CommandInfo kArchiveCommands[] = {
@@ -911,7 +813,7 @@ const InterfaceInfo& interfaceInfo<shapes::Archive>() {
       .description = shapes::kArchiveDescription,
       .commands = shapes::kArchiveCommands,
       .events = shapes::kArchiveEvents,
-      .binding = &shapes::archiveBinding,
+      .codec = &shapes::archiveCodec,
   };
   return kInfo;
 }

@@ -1,0 +1,235 @@
+#include "compiler/emit/wire/codec.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "compiler/emit/text/contract.h"
+#include "compiler/emit/wire/later_parameters.h"
+#include "compiler/emit/wire/wire_form.h"
+#include "compiler/emit/wire/wire_places.h"
+#include "compiler/model/naming.h"
+
+namespace suture::compiler::emit {
+namespace {
+
+std::string home(const Context& context) { return context.header.cxxNamespace; }
+
+std::string wireInterface(const model::Interface& interface) {
+  return "wire::" + interface.wireName;
+}
+
+std::string wireEventsOf(const model::Interface& interface) {
+  return wireInterface(interface) + "Events";
+}
+
+std::string wireRow(const model::Interface& interface) {
+  return wireInterface(interface) + "StateRow";
+}
+
+/// A slot that travels as a message, and the functions between the two.
+struct Message {
+  std::string name;    ///< what the functions are called behind "encode" and "decode"
+  std::string slot;    ///< its type
+  std::string fields;  ///< the struct of the message
+  std::vector<WireValue> values;
+};
+
+/// Every provider sends this, so a message without it is wrong.
+WireValue needed(const model::Type& type, const std::string& wireName) {
+  return {.type = type, .wireName = wireName, .slot = "slot", .isNeeded = true};
+}
+
+Message argumentsOf(const Context& context, const model::Interface& interface,
+                    const model::Command& command) {
+  const std::set<std::string> later = laterParameters(context, interface, command);
+  const std::string title = model::titleCase(command.wireName);
+  Message message{prefixOf(interface) + title,
+                  relative(argumentsStruct(interface, command), home(context)),
+                  wireInterface(interface) + "::" + title + "Params", argumentValues(command)};
+  for (WireValue& value : message.values) value.isNeeded = !later.contains(value.wireName);
+  return message;
+}
+
+Message resultOf(const Context& context, const model::Interface& interface,
+                 const model::Command& command) {
+  const std::string title = model::titleCase(command.wireName);
+  return {prefixOf(interface) + title + "Result",
+          slotType(*command.result, context, home(context)),
+          wireInterface(interface) + "::" + title + "Results",
+          {needed(*command.result, "value")}};
+}
+
+Message payloadOf(const Context& context, const model::Interface& interface,
+                  const model::Event& event) {
+  const std::string title = model::titleCase(event.wireName);
+  return {prefixOf(interface) + title + "Event",
+          payloadSlot(interface, event, context, home(context)),
+          wireEventsOf(interface) + "::" + title + "Params", payloadValues(event)};
+}
+
+bool useShift(const std::vector<WireValue>& values) {
+  return std::any_of(values.begin(), values.end(),
+                     [](const WireValue& one) { return usesShift(one.type); });
+}
+
+void emitMessage(Code& code, const Context& context, const Message& message) {
+  code.open("void encode", message.name, "(", kBreakText, "const ", message.slot, "& slot, ",
+            kBreakText, message.fields, "::Builder out) {");
+  for (const WireValue& value : message.values) code.line(encode(value, "out", context), ";");
+  code.close("}");
+  code.open("Errc decode", message.name, "(", kBreakText, message.fields, "::Reader in, ",
+            kBreakText, message.slot, "& slot, ", kBreakText, "suture::Duration",
+            useShift(message.values) ? " shift) {" : ") {");
+  emitDecodeAndReturn(code, message.values, "in", "shift", context);
+  code.close("}").blank();
+}
+
+// --- rows
+
+void emitEncodeColumns(Code& code, const Context& context, const model::Interface& interface) {
+  const std::vector<const model::Command*> reads = readsOf(interface);
+  code.open("void encode", prefixOf(interface), "Column(", kBreakText, "unsigned column, ",
+            kBreakText, "const std::byte* memory, ", kBreakText, wireRow(interface),
+            "::Builder out) {");
+  code.open("switch (column) {");
+  for (std::size_t i = 0; i < reads.size(); ++i) {
+    code.open("case ", std::to_string(i), ": {");
+    code.line("const auto& slot = ", kBreakText, "slotIn<",
+              slotType(*reads[i]->result, context, home(context)), ">(memory);");
+    code.line(encode(needed(*reads[i]->result, reads[i]->wireName), "out", context), ";");
+    code.line("break;").close("}");
+  }
+  code.close("}").close("}");
+}
+
+void emitDecodeColumns(Code& code, const Context& context, const model::Interface& interface) {
+  const std::vector<const model::Command*> reads = readsOf(interface);
+  const bool shifts = std::any_of(reads.begin(), reads.end(), [](const model::Command* read) {
+    return usesShift(*read->result);
+  });
+  code.open("Errc decode", prefixOf(interface), "Column(", kBreakText, wireRow(interface),
+            "::Reader in, ", kBreakText, "unsigned column, ", kBreakText, "std::byte* memory, ",
+            kBreakText, "suture::Duration", shifts ? " shift) {" : ") {");
+  code.open("switch (column) {");
+  for (std::size_t i = 0; i < reads.size(); ++i) {
+    code.open("case ", std::to_string(i), ": {");
+    code.line("auto& slot = ", kBreakText, "newSlot<",
+              slotType(*reads[i]->result, context, home(context)), ">(memory);");
+    emitDecodeAndReturn(code, {needed(*reads[i]->result, reads[i]->wireName)}, "in", "shift",
+                        context);
+    code.close("}");
+  }
+  code.close("}").line("return Errc::Invalid;").close("}").blank();
+}
+
+void emitRow(Code& code, const Context& context, const model::Interface& interface) {
+  if (readsOf(interface).empty()) return;
+  code.line("// Of a row of the state, each column.");
+  emitEncodeColumns(code, context, interface);
+  emitDecodeColumns(code, context, interface);
+}
+
+// --- the tables
+
+std::string messageOf(const Message& message) {
+  return "messageOf<" + message.fields + ", " + kBreakText + message.slot + ", " + kBreakText +
+         "encode" + message.name + ", " + kBreakText + "decode" + message.name + ">";
+}
+
+void emitCommandCodecs(Code& code, const Context& context, const model::Interface& interface) {
+  const std::vector<const model::Command*> own = ownCommands(interface);
+  if (own.empty()) return;
+  code.line("constexpr CommandCodec k", prefixOf(interface), "CommandCodecs[] = {");
+  for (const model::Command* const command : own) {
+    const std::string method =
+        wireInterface(interface) + "::" + model::titleCase(command->wireName);
+    std::vector<std::string> members = {
+        ".interface = capnp::typeId<" + wireInterface(interface) + ">()",
+        ".method = " + std::to_string(methodOf(context, interface, *command)),
+        ".sent = sentIn<" + method + "Params>"};
+    if (!command->parameters.empty()) {
+      members.push_back(".arguments = " + messageOf(argumentsOf(context, interface, *command)));
+    }
+    if (command->result) {
+      members.push_back(".result = " + messageOf(resultOf(context, interface, *command)));
+    }
+    if (command->kind == model::CommandKind::Read) {
+      members.push_back(".stamp = stampIn<" + method + "Results>");
+    }
+    emitEntry(code, members);
+  }
+  code.line("};").blank();
+}
+
+void emitEventCodecs(Code& code, const Context& context, const model::Interface& interface) {
+  if (interface.events.empty()) return;
+  code.line("constexpr EventCodec k", prefixOf(interface), "EventCodecs[] = {");
+  for (const model::Event& event : interface.events) {
+    std::vector<std::string> members = {".method = " +
+                                        std::to_string(methodOf(context, interface, event))};
+    if (!event.payload.empty()) {
+      members.push_back(".payload = " + messageOf(payloadOf(context, interface, event)));
+    }
+    emitEntry(code, members);
+  }
+  code.line("};").blank();
+}
+
+std::string rowOf(const model::Interface& interface) {
+  const std::string columns = prefixOf(interface) + "Column";
+  return "suture::rpc::rowOf<" + wireEventsOf(interface) + "::StateParams, " + kBreakText +
+         wireRow(interface) +
+         (readsOf(interface).empty() ? ">"
+                                     : std::string(", ") + kBreakText + "encode" + columns + ", " +
+                                           kBreakText + "decode" + columns + ">");
+}
+
+/// Returns how the codec spells all rows of its commands, of which its base has the first. Emits
+/// what joins the two.
+std::string allCommands(Code& code, const model::Interface& interface) {
+  const std::string own = "k" + prefixOf(interface) + "CommandCodecs";
+  const std::size_t count = interface.commands.size(), owned = ownCommands(interface).size();
+  if (owned == count) return count == 0 ? "{}" : own;
+  const std::string inherited = "suture::interfaceInfo<" + interface.base + ">().codec().commands";
+  if (owned == 0) return inherited;
+  code.line("static const auto kCommands = ", kBreakText, "suture::extended<",
+            std::to_string(count), ">(", kBreakText, inherited, ", ", kBreakText, own, ");");
+  return "kCommands";
+}
+
+}  // namespace
+
+std::string codecFunction(const model::Interface& interface) {
+  return model::camelCase(prefixOf(interface)) + "Codec";
+}
+
+void emitCodec(Code& code, const Context& context, const model::Interface& interface) {
+  code.line("// --- ", prefixOf(interface), " as Cap'n Proto").blank();
+  for (const model::Command* const command : ownCommands(interface)) {
+    if (!command->parameters.empty()) {
+      emitMessage(code, context, argumentsOf(context, interface, *command));
+    }
+    if (command->result) emitMessage(code, context, resultOf(context, interface, *command));
+  }
+  for (const model::Event& event : interface.events) {
+    if (!event.payload.empty()) emitMessage(code, context, payloadOf(context, interface, event));
+  }
+  emitRow(code, context, interface);
+  emitCommandCodecs(code, context, interface);
+  emitEventCodecs(code, context, interface);
+  code.open("const suture::rpc::Codec& ", codecFunction(interface), "() {");
+  const std::string commands = allCommands(code, interface);
+  const bool derives = !interface.base.empty();
+  code.line("static ", derives ? "const" : "constexpr", " suture::rpc::Codec kCodec{");
+  code.line("    .schema = suture::rpc::schemaOf<", wireInterface(interface), ">,");
+  code.line("    .contract = capnp::typeId<", wireInterface(interface), ">(),");
+  code.line("    .subscriber = capnp::typeId<", wireEventsOf(interface), ">(),");
+  code.line("    .commands = ", commands, ",");
+  code.line("    .events = ",
+            interface.events.empty() ? "{}" : "k" + prefixOf(interface) + "EventCodecs", ",");
+  code.line("    .row = ", rowOf(interface), ",");
+  code.line("};").line("return kCodec;").close("}").blank();
+}
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,12 @@
+#pragma once
+// What every lane asks of a contract's values before a handler sees them.
+
+#include "compiler/emit/text/code.h"
+#include "compiler/emit/text/context.h"
+
+namespace suture::compiler::emit {
+
+/// A function for each message whose values may be such that the contract does not admit them.
+void emitValueChecks(Code& code, const Context& context, const model::Interface& interface);
+
+}  // namespace suture::compiler::emit

@@ -1,0 +1,23 @@
+#include <suture/lane/rpc/subscriber.h>
+#include <suture/wire/codec.h>
+
+namespace suture::rpc {
+
+kj::Promise<void> Subscriber::event(std::uint16_t event, const std::byte* payload) {
+  const Codec& codec = contract_.codec();
+  if (event >= codec.events.size()) return kj::READY_NOW;
+  const EventCodec& known = codec.events[event];
+  auto request = client_.typelessRequest(codec.subscriber, known.method, nullptr);
+  known.payload.encode(payload, request);
+  return request.send().ignoreResult();
+}
+
+kj::Promise<void> Subscriber::row(const rt::StateTable::Row& row,
+                                  std::span<const std::byte* const> slots) {
+  const Codec& codec = contract_.codec();
+  auto request = client_.typelessRequest(codec.subscriber, 0, nullptr);
+  codec.row.encode(row, slots, contract_.wireColumns, request);
+  return request.send().ignoreResult();
+}
+
+}  // namespace suture::rpc
