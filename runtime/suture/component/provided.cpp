@@ -273,7 +273,7 @@ void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record,
     execute(record.command, record.arguments(), nullptr);
     turn.outcome = &channel.commands.counters.executed;
   } else {
-    const ResultForm form{command.resultSize, command.sharedResult};
+    const ResultForm form{command.resultSize, command.sharedResult, record.command};
     channel.reply(record.call, form, [&](std::byte* result) {
       const Errc error = produce(record.command, record.arguments(), result, &channel);
       turn.outcome = &channel.commands.counters.executed;

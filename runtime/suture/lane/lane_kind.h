@@ -93,7 +93,9 @@ class ServerSession {
 /// A connection that is to be made, in the provider's process.
 struct IncomingConnection {
   ProvidedBase& provided;
-  const InterfaceInfo* contract;  ///< the client's, if both are of one build; else null
+  /// What the client means: the provider's own contract or one of its bases, though perhaps of
+  /// another version.
+  const InterfaceInfo& contract;
   std::string name;
   EventSet events = 0;     ///< that the client wants, as this process numbers them
   rt::Doorbell& provider;  ///< of the thread that serves it

@@ -73,18 +73,11 @@ bool hidesStamps(const InterfaceInfo& info) {
   return !description.contains("commands") || hasSteadyClock(description);
 }
 
-const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::string& hash) {
-  for (const InterfaceInfo* one = &provided;; one = &one->base()) {
-    if (one->hash == hash) return one;
-    if (one->base == nullptr) return nullptr;
-  }
-}
-
-std::string whyOtherSlots(const InterfaceInfo* contract, const std::string& layout) {
-  if (contract == nullptr) return "the two were built from different versions of the contract";
-  if (std::string reason = whyUnbounded(*contract); !reason.empty()) return reason;
-  if (layout == memoryLayout(*contract)) return "";
-  return "the contract's values lie in memory in another way there";
+std::string whyOtherSlots(const InterfaceInfo& contract, const std::string& layout) {
+  if (std::string reason = whyUnbounded(contract); !reason.empty()) return reason;
+  if (layout == memoryLayout(contract)) return "";
+  return "the two were built from different versions of the contract, or lay out its values "
+         "differently";
 }
 
 }  // namespace suture

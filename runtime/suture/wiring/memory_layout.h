@@ -19,12 +19,8 @@ std::string whyUnbounded(const InterfaceInfo& info);
 /// which mean another thing on another machine, and its tables do not say where.
 bool hidesStamps(const InterfaceInfo& info);
 
-/// The provider's contract or the one of its bases that is the client's, whose hash is `hash`; null
-/// if they are not from one build.
-const InterfaceInfo* sameContract(const InterfaceInfo& provided, const std::string& hash);
-
 /// Why the slots of a client cannot be exchanged with its provider as they are; "" if they can.
-/// `contract`: sameContract(); `layout`: the client's.
-std::string whyOtherSlots(const InterfaceInfo* contract, const std::string& layout);
+/// `contract`: the provider's; `layout`: the client's.
+std::string whyOtherSlots(const InterfaceInfo& contract, const std::string& layout);
 
 }  // namespace suture

@@ -2,8 +2,16 @@
 
 #include <suture/base/errors.h>
 #include <suture/component/channel/channel.h>
+#include <suture/lane/frame/frame_lane.h>
+
+#include <memory>
 
 namespace bench {
+
+void addEncodedFrames(suture::Manager& manager) {
+  manager.addLane(std::make_unique<suture::frame::FrameLane>(kEncodedFrames.name.data(),
+                                                             suture::frame::Form::Encoded));
+}
 
 void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& required,
                const std::string& provided, const suture::ConnectionContract& contract) {

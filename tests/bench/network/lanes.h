@@ -11,6 +11,10 @@ namespace bench {
 inline constexpr suture::Lane kLanes[] = {suture::Lane::Shm, suture::Lane::Frame,
                                           suture::Lane::Rpc};
 
+/// `frame` as between builds that differ, in a process that has had addEncodedFrames().
+inline constexpr suture::Lane kEncodedFrames{"frame-encoded"};
+void addEncodedFrames(suture::Manager& manager);
+
 /// Manager::connect(). Throws SetupError too if the connection has another lane.
 void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& required,
                const std::string& provided, const suture::ConnectionContract& contract = {});

@@ -26,6 +26,7 @@ struct LaneRow {
 constexpr LaneRow kLaneRows[] = {
     {"shm", "shm", Transport::Unix, Lane::Shm, "raw.shm"},
     {"frame, Unix socket", "frame.unix", Transport::Unix, Lane::Frame, "raw.unix"},
+    {"frame, different builds", "frame.encoded", Transport::Unix, kEncodedFrames, "raw.unix"},
     {"frame, TCP", "frame.tcp", Transport::Tcp, Lane::Frame, "raw.tcp"},
     {"frame, TLS", "frame.tls", Transport::Tls, Lane::Frame, "raw.tcp"},
     {"rpc, Unix socket", "rpc.unix", Transport::Unix, Lane::Rpc, "raw.unix"},
@@ -73,6 +74,9 @@ std::string roundTripRows(const NetworkOptions& options, Report& report) {
     table.row(joined({row.floor}, cellsOf(floor, 2)));
     table.row(joined(joined({row.title}, cellsOf(tasks, 2)), {number(ratio, 2)}));
   }
+  report.add(
+      "frame.encoded.builds", "x",
+      report.find("frame.encoded.p50").value().value / report.find("frame.unix.p50").value().value);
   return table.toString();
 }
 

@@ -11,7 +11,8 @@ namespace bench {
 
 /// "shm", "frame.unix", "frame.tcp", "frame.tls", "rpc.unix", "rpc.tcp", "rpc.tls": PoseSample from
 /// task to task and back, between two processes; "raw.shm", "raw.unix", "raw.tcp": as many bytes
-/// without Suture, in the same run; the ratios, that of TLS to raw TCP.
+/// without Suture, in the same run; the ratios, that of TLS to raw TCP. "frame.encoded": `frame` as
+/// between builds that differ, "frame.encoded.builds": to that between equal ones.
 std::string roundTripRows(const NetworkOptions& options, Report& report);
 
 /// "mirror_read": a read command whose provider is in another process, by shared memory;

@@ -20,27 +20,36 @@ inline void keep(const std::string& address, const std::string& name, suture::Co
   manager.stop();
 }
 
+/// Who asks, and how.
+struct Asking {
+  std::string manager;                                   ///< its address
+  suture::ConnectOptions options{.laneRequired = true};  ///< by the lane that was named
+};
+
 /// Runs `talk()` in process "client", with `client` connected to the provider in the other.
 template <class Talk>
-void connected(const std::string& address, suture::Component& client, const std::string& required,
+void connected(const Asking& asking, suture::Component& client, const std::string& required,
                const std::string& provided, const Talk& talk) {
-  suture::Manager manager("client", address);
+  suture::Manager manager("client", asking.manager);
   manager.add("Client", client);
   manager.start();
-  manager.connect("Client/" + required, "server:" + provided);
+  manager.connect("Client/" + required, "server:" + provided, asking.options);
   talk();
   manager.stop();
 }
 
-/// The exit status of `program serve ADDRESS` or `program ask ADDRESS`.
+/// The exit status of `program serve ADDRESS` or `program ask ADDRESS LANE`.
 template <class Serve, class Ask>
 int eitherEnd(int argc, char** argv, const Serve& serve, const Ask& ask) {
-  if (argc != 3) return 2;
+  const std::string verb = argc > 1 ? argv[1] : "";
+  if (argc != (verb == "ask" ? 4 : 3)) return 2;
   try {
-    if (std::string(argv[1]) == "serve") {
+    if (verb == "serve") {
       serve(argv[2]);
     } else {
-      ask(argv[2]);
+      Asking asking{argv[2]};
+      asking.options.lane = suture::laneNamed(argv[3]);
+      ask(asking);
     }
     return 0;
   } catch (const suture::SetupError& error) {

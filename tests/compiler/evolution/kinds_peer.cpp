@@ -80,9 +80,9 @@ void talk(Client& client) {
   printRow(client);
 }
 
-void ask(const std::string& address) {
+void ask(const Asking& asking) {
   Client client;
-  connected(address, client, "Kinds", "Keeper/Kinds", [&] { talk(client); });
+  connected(asking, client, "Kinds", "Keeper/Kinds", [&] { talk(client); });
 }
 
 }  // namespace

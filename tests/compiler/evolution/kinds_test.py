@@ -6,7 +6,7 @@
 import unittest
 
 import kinds
-from processes import run_tests, talk
+from processes import LANES, run_tests, talk
 
 PROGRAMS = {}
 
@@ -24,19 +24,23 @@ class Kinds(unittest.TestCase):
     maxDiff = None
 
     def test_a_new_provider_of_an_old_client(self):
-        served, asked = talk(PROGRAMS, server="v2", client="v1")
-        self.assertEqual(asked[0], "put: done")
-        self.assertEqual(values(served, "argument"), {"x": "2.5", **MEMBERS})
-        self.assertEqual(values(served, "parameter"), PARAMETERS)
-        self.assertEqual(values(asked, "event"), {"x": "2.5"})
-        self.assertEqual(values(asked, "row"), {"x": "1.5"})
+        for lane in LANES:
+            with self.subTest(lane):
+                served, asked = talk(PROGRAMS, "v2", "v1", lane)
+                self.assertEqual(asked[0], "put: done")
+                self.assertEqual(values(served, "argument"), {"x": "2.5", **MEMBERS})
+                self.assertEqual(values(served, "parameter"), PARAMETERS)
+                self.assertEqual(values(asked, "event"), {"x": "2.5"})
+                self.assertEqual(values(asked, "row"), {"x": "1.5"})
 
     def test_a_new_client_of_an_old_provider(self):
-        served, asked = talk(PROGRAMS, server="v1", client="v2")
-        self.assertEqual(asked[0], "put: done")
-        self.assertEqual(values(served, "argument"), {"x": "2.5"})
-        self.assertEqual(values(asked, "event"), {"x": "2.5", **MEMBERS})
-        self.assertEqual(values(asked, "row"), {"x": "1.5", **MEMBERS})
+        for lane in LANES:
+            with self.subTest(lane):
+                served, asked = talk(PROGRAMS, "v1", "v2", lane)
+                self.assertEqual(asked[0], "put: done")
+                self.assertEqual(values(served, "argument"), {"x": "2.5"})
+                self.assertEqual(values(asked, "event"), {"x": "2.5", **MEMBERS})
+                self.assertEqual(values(asked, "row"), {"x": "1.5", **MEMBERS})
 
 
 if __name__ == "__main__":

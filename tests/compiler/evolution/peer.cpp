@@ -1,6 +1,6 @@
 // One version of a program of which two processes talk to each other:
 //   peer serve ADDRESS  provides Feed until its standard input ends, and prints what it gets
-//   peer ask ADDRESS    uses the Feed of the other process, and prints what it gets
+//   peer ask ADDRESS LANE  uses the Feed of the other process by that lane, and prints what it gets
 
 #include <suture/component/device.h>
 
@@ -51,9 +51,9 @@ void talk(Client& client) {
   tryNewest(client.feed);
 }
 
-void ask(const std::string& address) {
+void ask(const Asking& asking) {
   Client client;
-  connected(address, client, "Feed", "Feeder/Feed", [&] { talk(client); });
+  connected(asking, client, "Feed", "Feeder/Feed", [&] { talk(client); });
 }
 
 }  // namespace

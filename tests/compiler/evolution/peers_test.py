@@ -5,7 +5,7 @@
 
 import unittest
 
-from processes import run_tests, talk
+from processes import LANES, run_tests, talk
 
 PROGRAMS = {}
 
@@ -18,25 +18,24 @@ V2_BACK_FROM_V1 = "label='second' east=-2.5 weight=2.5 note='' mode=Off"
 
 
 class Peers(unittest.TestCase):
+    def judge(self, server, client, served, asked):
+        for lane in LANES:
+            with self.subTest(lane):
+                self.assertEqual(talk(PROGRAMS, server, client, lane), (served, asked))
+
     def test_the_first_among_itself(self):
-        served, asked = talk(PROGRAMS, "v1", "v1")
-        self.assertEqual(served, [f"got {V1_SEES_V1} speed=0.5"])
-        self.assertEqual(asked, ["put: done", f"moved {V1_SEES_V1}", "mode: On"])
+        self.judge("v1", "v1", [f"got {V1_SEES_V1} speed=0.5"], ["put: done", f"moved {V1_SEES_V1}", "mode: On"])
 
     def test_an_old_client_of_a_new_provider(self):
-        served, asked = talk(PROGRAMS, "v2", "v1")
-        self.assertEqual(served, [f"got {V2_SEES_V1} speed=0.5 now=0"])
-        self.assertEqual(asked, ["put: done", f"moved {V1_BACK_FROM_V2}", "mode: On"])
+        self.judge("v2", "v1", [f"got {V2_SEES_V1} speed=0.5 now=0"], ["put: done", f"moved {V1_BACK_FROM_V2}", "mode: On"])
 
     def test_a_new_client_of_an_old_provider(self):
-        served, asked = talk(PROGRAMS, "v1", "v2")
-        self.assertEqual(served, [f"got {V1_SEES_V2} speed=0.5"])
-        self.assertEqual(asked, ["put: done", f"moved {V2_BACK_FROM_V1}", "mode: On", "clear: the provider does not have this command"])
+        self.judge("v1", "v2", [f"got {V1_SEES_V2} speed=0.5"],
+                   ["put: done", f"moved {V2_BACK_FROM_V1}", "mode: On", "clear: the provider does not have this command"])
 
     def test_the_second_among_itself(self):
-        served, asked = talk(PROGRAMS, "v2", "v2")
-        self.assertEqual(served, [f"got {V2_SEES_V2} speed=0.5 now=1", "cleared"])
-        self.assertEqual(asked, ["put: done", f"moved {V2_SEES_V2}", "mode: On", "clear: done"])
+        self.judge("v2", "v2", [f"got {V2_SEES_V2} speed=0.5 now=1", "cleared"],
+                   ["put: done", f"moved {V2_SEES_V2}", "mode: On", "clear: done"])
 
 
 if __name__ == "__main__":

@@ -6,27 +6,30 @@ import sys
 import tempfile
 import unittest
 
+# Two builds that differ share no memory.
+LANES = ("frame", "rpc")
 
-def talk(programs, server, client):
-    """What the server printed behind "ready", and what the client printed, line by line."""
+
+def talk(programs, server, client, lane):
+    """What the server printed behind "ready", and what the client printed, line by line. They talk by `lane`, one of LANES."""
     with tempfile.TemporaryDirectory() as folder:
         address = f"unix:{folder}/manager.sock"
         with subprocess.Popen([programs["manager"], "--listen", address], stdout=subprocess.PIPE, text=True) as manager:
             try:
                 first = manager.stdout.readline()
                 assert "ready" in first, first
-                return talk_at(address, programs[server], programs[client])
+                return talk_at(address, programs[server], programs[client], lane)
             finally:
                 manager.terminate()
                 manager.wait(30)
 
 
-def talk_at(address, server, client):
+def talk_at(address, server, client, lane):
     serving = subprocess.Popen([server, "serve", address], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     try:
         first = serving.stdout.readline()
         assert first == "ready\n", first
-        asked = subprocess.run([client, "ask", address], capture_output=True, text=True, timeout=60)
+        asked = subprocess.run([client, "ask", address, lane], capture_output=True, text=True, timeout=60)
         assert asked.returncode == 0, asked.stdout + asked.stderr
     finally:
         served, _ = serving.communicate("\n", timeout=30)

@@ -58,10 +58,9 @@ class PipeAttempt final : public LaneAttempt {
       : lane_(lane), control_(control), connection_(std::move(connection)) {}
 
   void request(capnp::AnyPointer::Builder out) override {
-    auto texts = out.initAs<capnp::List<capnp::Text>>(3);
-    texts.set(0, memoryLayout(connection_.contract));
-    texts.set(1, pathOf(there_.out));
-    texts.set(2, pathOf(back_.in));
+    auto paths = out.initAs<capnp::List<capnp::Text>>(2);
+    paths.set(0, pathOf(there_.out));
+    paths.set(1, pathOf(back_.in));
   }
 
   kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader, std::uint32_t rows) override {
@@ -99,10 +98,8 @@ class PipeServer final : public LaneServer {
 
   kj::Promise<AcceptedEnd> accept(IncomingConnection connection, capnp::AnyPointer::Reader brings,
                                   capnp::AnyPointer::Builder) override {
-    const auto texts = brings.getAs<capnp::List<capnp::Text>>();
-    const std::string why = whyOtherSlots(connection.contract, texts[0]);
-    if (!why.empty()) throw std::runtime_error(why);
-    auto in = openPipe(texts[1], O_RDONLY), out = openPipe(texts[2], O_WRONLY);
+    const auto paths = brings.getAs<capnp::List<capnp::Text>>();
+    auto in = openPipe(paths[0], O_RDONLY), out = openPipe(paths[1], O_WRONLY);
     return frame::acceptFramed(connection, lane_.lead(kj::mv(in), kj::mv(out)), session_.control());
   }
   void opened(LaneSocket) override {}
@@ -134,7 +131,7 @@ frame::FramedOn PipeLane::lead(kj::AutoCloseFd in, kj::AutoCloseFd out) {
   pump(kj::mv(in), kj::mv(here));
   auto link = std::make_shared<frame::Link>(rpc::ByteStream(kj::mv(socket)), kNumber);
   thread_.add(link);
-  return {name(), thread_, std::move(link), kNumber};
+  return {name(), thread_, std::move(link), kNumber, frame::Form::Encoded};
 }
 
 // Whoever reads behind an end is told by that end: of a socket too, also while the other direction

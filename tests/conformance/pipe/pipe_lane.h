@@ -1,6 +1,7 @@
 #pragma once
 // A lane that the runtime does not have: frames through a pair of pipes between two processes of
-// one machine. It shows what a lane has to bring.
+// one machine. It shows what a lane has to bring. Values travel encoded, as between builds that
+// differ.
 
 #include <suture/lane/frame/framed_connection.h>
 #include <suture/lane/frame/lane_thread.h>

@@ -139,5 +139,27 @@ TEST(FrameReader, TakesNothingOfAnUnknownKind) {
   EXPECT_EQ(read(bytesOf(writer)).fault, Fault::Kind);
 }
 
+TEST(FrameReader, MakesRoomForWhatItAllows) {
+  constexpr std::size_t kLarge = 3 * kLeastRoom;
+  FrameWriter writer(kEpoch, kMostPayload);
+  write(writer, Kind::Event, 1, 7);
+  write(writer, Kind::Event, 2, kLarge);
+  write(writer, Kind::Event, 3, kLarge + 1);
+  const Bytes bytes = bytesOf(writer);
+  FrameReader reader(kEpoch, kMostPayload);
+  reader.allow(kLarge);
+  std::vector<std::size_t> sizes;
+  for (std::size_t done = 0; done < bytes.size() && reader.fault() == Fault::None;) {
+    const auto space = reader.space();
+    const std::size_t count = std::min(space.size(), bytes.size() - done);
+    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(done), count, space.begin());
+    reader.arrived(count);
+    done += count;
+    while (reader.next() != nullptr) sizes.push_back(reader.payload().size());
+  }
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{7, kLarge}));
+  EXPECT_EQ(reader.fault(), Fault::Size);
+}
+
 }  // namespace
 }  // namespace suture::frame

@@ -1,16 +1,16 @@
 // Frames that are whole and undamaged, and say what they like: a channel is all that they reach.
 #include <gtest/gtest.h>
-#include <suture/lane/frame/client_side.h>
 #include <suture/lane/frame/link.h>
-#include <suture/lane/frame/provider_side.h>
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "reference/arm_like.suture.h"
+#include "unit/frame/sides.h"
 #include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
@@ -58,7 +58,7 @@ class Peer {
 /// As a peer's own, then with a number or two that are any.
 class Liar {
  public:
-  explicit Liar(unsigned seed) : random_(seed) {}
+  Liar(unsigned seed, Form form) : random_(seed), form_(form) {}
 
   template <std::size_t N>
   Header header(const std::array<Kind, N>& kinds) {
@@ -73,6 +73,7 @@ class Liar {
   }
   /// Often of the right size, so that more than the first check is reached.
   std::span<const std::byte> payload(const Header& header) {
+    if (form_ == Form::Encoded && any(4) != 0 && isValue(header)) return damagedMessage(header);
     std::size_t size = any(300);
     const std::size_t number = header.number;
     if (any(50) != 0 && number < contract().commands.size()) {
@@ -93,7 +94,26 @@ class Liar {
  private:
   std::uint32_t word() { return static_cast<std::uint32_t>(random_()); }
 
+  static bool isValue(const Header& header) {
+    const bool event = header.kind == Kind::Event;
+    return (event || header.kind == Kind::Command || header.kind == Kind::Reply) &&
+           header.number < (event ? contract().events.size() : contract().commands.size());
+  }
+  /// A right message, or one of which a byte or two are any.
+  std::span<const std::byte> damagedMessage(const Header& header) {
+    const std::vector<std::uint64_t> zeros(largestSlot(contract()) / 8 + 1);
+    const auto right = payloads_->pack({header.kind, header.number},
+                                       reinterpret_cast<const std::byte*>(zeros.data()));
+    bytes_.assign(right.begin(), right.end());
+    for (unsigned hits = any(3); hits > 0 && !bytes_.empty(); --hits) {
+      bytes_[any(static_cast<unsigned>(bytes_.size()))] = static_cast<std::byte>(random_());
+    }
+    return bytes_;
+  }
+
   std::mt19937 random_;
+  const Form form_;
+  const std::unique_ptr<Payloads> payloads_ = makePayloads(contract(), Form::Encoded);
   std::vector<std::byte> bytes_;
 };
 
@@ -117,14 +137,15 @@ TEST(HostileFrames, OfAClientReachNothingButItsChannel) {
   constexpr std::array kKindsOfClients = {Kind::Command, Kind::Subscribe, Kind::Acknowledge};
   unsigned executed = 0, ended = 0;
   for (unsigned seed = 0; seed < kSessions; ++seed) {
+    const Form form = seed % 3 == 0 ? Form::Encoded : Form::Slots;
     Played played;
     auto pair = rpc::makeSocketPair();
-    const auto side = std::make_shared<ProviderSide>(played.channel, kConnection);
+    const auto side = makeSide<ProviderSide>(played.channel, kConnection, form);
     if (seed % 2 == 0) side->setReadOnly();
     Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));
-    Liar liar(seed);
+    Liar liar(seed, form);
     for (int step = 0; step < 40 && !side->broken(); ++step) {
       const Header header = liar.header(kKindsOfClients);
       peer.send(header, liar.payload(header));
@@ -145,13 +166,14 @@ TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
                                             Kind::Taken, Kind::Tally, Kind::Acknowledge};
   unsigned events = 0, ended = 0;
   for (unsigned seed = 0; seed < kSessions; ++seed) {
+    const Form form = seed % 3 == 0 ? Form::Encoded : Form::Slots;
     Played played;
     auto pair = rpc::makeSocketPair();
-    const auto side = std::make_shared<ClientSide>(played.channel, kConnection);
+    const auto side = makeSide<ClientSide>(played.channel, kConnection, form);
     Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
     link.join(side);
     Peer peer(kj::mv(pair.theirs));
-    Liar liar(seed);
+    Liar liar(seed, form);
     for (int step = 0; step < 40 && !side->broken(); ++step) {
       played.channel->state->ask(liar.any(2));
       const auto command = static_cast<std::uint16_t>(liar.any(3));
@@ -182,7 +204,7 @@ template <class Side>
 std::string refusedOf(const Header& header, std::uint32_t size) {
   Played played;
   auto pair = rpc::makeSocketPair();
-  const auto side = std::make_shared<Side>(played.channel, kConnection);
+  const auto side = makeSide<Side>(played.channel, kConnection);
   Link link(rpc::ByteStream(kj::mv(pair.ours)), kHostileEpoch);
   link.join(side);
   Peer peer(kj::mv(pair.theirs));

@@ -1,9 +1,7 @@
 // Several connections on one socket.
 #include <gtest/gtest.h>
-#include <suture/lane/frame/client_side.h>
 #include <suture/lane/frame/lane_thread.h>
 #include <suture/lane/frame/link.h>
-#include <suture/lane/frame/provider_side.h>
 
 #include <sys/socket.h>
 
@@ -18,6 +16,7 @@
 #include "support/repetitions.h"
 #include "support/stepped.h"
 #include "support/test_thread.h"
+#include "unit/frame/sides.h"
 #include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
@@ -28,8 +27,7 @@ constexpr std::uint16_t kHold = 2, kStopped = 2, kMoved = 3;
 /// Both ends of a connection, whose tasks are played by the test.
 struct Pair {
   explicit Pair(std::uint32_t number)
-      : client(std::make_shared<ClientSide>(near, number)),
-        provider(std::make_shared<ProviderSide>(far, number)) {}
+      : client(makeSide<ClientSide>(near, number)), provider(makeSide<ProviderSide>(far, number)) {}
 
   static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
     const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
@@ -117,8 +115,8 @@ TEST_F(LinkTest, TellsWhatHasBecomeOfTheCommandsOfATinyContract) {
         makeStateTable(contract, rt::StateTable::Readers::Here), EventSet{0});
   };
   const auto client = makeEnd(), provider = makeEnd();
-  far->join(std::make_shared<ProviderSide>(provider, 1));
-  near->join(std::make_shared<ClientSide>(client, 1));
+  far->join(makeSide<ProviderSide>(provider, 1));
+  near->join(makeSide<ClientSide>(client, 1));
   ++provider->commands.counters.executed;
   exchange();
   EXPECT_FALSE(near->broken());

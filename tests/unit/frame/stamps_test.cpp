@@ -1,10 +1,9 @@
 // Where clocks differ, a stamp is on the reader's.
 #include <gtest/gtest.h>
-#include <suture/lane/frame/client_side.h>
 #include <suture/lane/frame/link.h>
-#include <suture/lane/frame/provider_side.h>
 
 #include "reference/arm_like.suture.h"
+#include "unit/frame/sides.h"
 #include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
@@ -27,12 +26,12 @@ std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell, Duration shift) {
 }
 
 struct StampedEnds {
-  StampedEnds() : StampedEnds(rpc::makeSocketPair()) {}
-  explicit StampedEnds(rpc::SocketPair pair)
+  explicit StampedEnds(Form form) : StampedEnds(form, rpc::makeSocketPair()) {}
+  StampedEnds(Form form, rpc::SocketPair pair)
       : client(rpc::ByteStream(kj::mv(pair.ours)), 1),
         provider(rpc::ByteStream(kj::mv(pair.theirs)), 1) {
-    provider.join(std::make_shared<ProviderSide>(far, 1));
-    client.join(std::make_shared<ClientSide>(near, 1));
+    provider.join(makeSide<ProviderSide>(far, 1, form));
+    client.join(makeSide<ClientSide>(near, 1, form));
   }
   void exchange() {
     for (int lap = 0; lap < 3; ++lap) {
@@ -48,8 +47,14 @@ struct StampedEnds {
   Link client, provider;
 };
 
-TEST(FrameStamps, OfCommandsAreTheProviders) {
-  StampedEnds ends;
+class FrameStamps : public testing::TestWithParam<Form> {};
+INSTANTIATE_TEST_SUITE_P(InEachForm, FrameStamps, testing::Values(Form::Slots, Form::Encoded),
+                         [](const auto& one) {
+                           return one.param == Form::Slots ? "Slots" : "Encoded";
+                         });
+
+TEST_P(FrameStamps, OfCommandsAreTheProviders) {
+  StampedEnds ends(GetParam());
   const Time sent = now();
   ASSERT_TRUE(ends.near->commands.claim(kHoldMethod, sent, 0));
   ends.near->commands.commit();
@@ -60,8 +65,8 @@ TEST(FrameStamps, OfCommandsAreTheProviders) {
   EXPECT_EQ(record->stamp, sent - 5s);
 }
 
-TEST(FrameStamps, OfEventsAndRowsAreTheClients) {
-  StampedEnds ends;
+TEST_P(FrameStamps, OfEventsAndRowsAreTheClients) {
+  StampedEnds ends(GetParam());
   ends.near->state->ask(0);
   ends.exchange();
   const Time produced = now();
@@ -74,8 +79,8 @@ TEST(FrameStamps, OfEventsAndRowsAreTheClients) {
   EXPECT_EQ(ends.near->state->readRowNumber(1, {}).stamp, produced - 7s);
 }
 
-TEST(FrameStamps, NothingComesFromTheFuture) {
-  StampedEnds ends;
+TEST_P(FrameStamps, NothingComesFromTheFuture) {
+  StampedEnds ends(GetParam());
   ASSERT_TRUE(ends.far->events.push(kStoppedMethod, now() + 1h, {}));
   ends.exchange();
   const rt::EventRecord* const event = ends.near->events.next();

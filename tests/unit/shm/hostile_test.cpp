@@ -135,7 +135,7 @@ struct SharedConnection {
   rt::Doorbell watcher;
   const InterfaceInfo& contract = interfaceInfo<ArmLike>();
   shm::SharedOffer offer = shm::offerShared({.provided = psm.port,
-                                             .contract = &contract,
+                                             .contract = contract,
                                              .name = "test",
                                              .events = ~EventSet{0},
                                              .provider = psm.doorbell()},

@@ -45,10 +45,11 @@ enum class ChannelStatus : std::uint8_t {
 
 /// Precedes the result of every answered call.
 struct ReplyRecord {
-  Time stamp;          ///< when the result was produced, on this process's clock
-  std::uint32_t call;  ///< the number of the call
-  Errc error;          ///< 0: success, and the result follows
-  bool shared;         ///< the result is a counted pointer, see base/slots/shared_slot.h
+  Time stamp;             ///< when the result was produced, on this process's clock
+  std::uint32_t call;     ///< the number of the call
+  Errc error;             ///< 0: success, and the result follows
+  bool shared;            ///< the result is a counted pointer, see base/slots/shared_slot.h
+  std::uint16_t command;  ///< whose result it is, unless there is an error
 
   std::byte* result() { return reinterpret_cast<std::byte*>(this + 1); }
   const std::byte* result() const { return reinterpret_cast<const std::byte*>(this + 1); }
@@ -58,6 +59,7 @@ struct ReplyRecord {
 struct ResultForm {
   std::uint32_t size = 0;
   bool shared = false;
+  std::uint16_t command = 0;
 };
 
 /// Each endpoint is one thread, and neither waits for the other. The client endpoint produces into
@@ -245,7 +247,7 @@ void Channel::reply(std::uint32_t call, ResultForm form, const Produce& produce,
   // There is room for an answer to every call, unless a foreign client says otherwise.
   std::byte* memory = replies.claim(sizeof(ReplyRecord) + form.size);
   if (memory == nullptr) return;
-  auto* record = new (memory) ReplyRecord{stamp, call, Errc{}, form.shared};
+  auto* record = new (memory) ReplyRecord{stamp, call, Errc{}, form.shared, form.command};
   if (form.shared) putSharedSlot(record->result(), nullptr);
   try {
     record->error = produce(record->result());

@@ -1,6 +1,7 @@
 #pragma once
 // The numbers by which two processes name events and columns to each other.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,6 +18,18 @@ inline std::uint64_t toWireNumbers(WireNumbers numbers, std::uint64_t set) {
   std::uint64_t wire = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) wire |= (set >> i & 1) << numbers[i];
   return wire;
+}
+
+/// The number of one of them.
+inline std::uint16_t numberAt(WireNumbers numbers, std::uint16_t place) {
+  return numbers.empty() ? place : numbers[place];
+}
+
+/// The place of one that has come; beyond all places if this side does not know it.
+inline std::size_t placeOf(WireNumbers numbers, std::uint16_t number) {
+  if (numbers.empty()) return number;
+  const auto found = std::find(numbers.begin(), numbers.end(), number);
+  return static_cast<std::size_t>(found - numbers.begin());
 }
 
 /// Reads a set that has come, and leaves out what this side does not know.

@@ -6,14 +6,12 @@
 namespace suture::frame {
 // The provider's channel was made with what is subscribed to; the first frame says so once more, so
 // that the provider's side hears of this one.
-ClientSide::ClientSide(std::shared_ptr<Channel> channel, std::uint32_t number)
-    : Connection(std::move(channel), number),
+ClientSide::ClientSide(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
+                       std::uint32_t number)
+    : Connection(std::move(channel), std::move(payloads), number),
       events_(channel_->subscribed()),
       since_(channel_->info.events.size()),
       lent_(channel_->info.commands.size()) {
-  for (const CommandInfo& one : channel_->info.commands) {
-    if (one.column >= 0) reads_.push_back(&one);
-  }
   channel_->takeJoining();
 }
 
@@ -43,13 +41,18 @@ void ClientSide::taken() {
 bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
   const Sent& sent = calls_[header.call % calls_.size()];
   if (header.call == 0 || sent.call != header.call) return true;
-  const auto error = static_cast<Errc>(header.error);
-  const std::uint32_t size = error == Errc{} ? sent.command->resultSize : 0;
-  if (payload.size() != size) return false;
-  if (size > 0) bringHere(sent.command->shiftResult, payload.data());
-  const auto copy = [&](std::byte* result) {
-    if (size > 0) std::memcpy(result, payload.data(), size);
-    return error;
+  ArrivedValue result{nullptr, static_cast<Errc>(header.error)};
+  if (result.error != Errc{}) {
+    if (!payload.empty()) return false;
+  } else {
+    result = payloads_->open({Kind::Reply, sent.command}, payload, channel_->clockShift());
+    if (result.slot == nullptr) return false;
+  }
+  const CommandInfo& command = channel_->info.commands[sent.command];
+  const std::uint32_t size = result.error == Errc{} ? command.resultSize : 0;
+  const auto copy = [&](std::byte* memory) {
+    if (size > 0) std::memcpy(memory, result.slot, size);
+    return result.error;
   };
   channel_->reply(header.call, {.size = size}, copy, here(header.stamp));
   arrival_ = true;
@@ -58,37 +61,28 @@ bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
 
 // Drops an event that was emitted for an earlier subscription than the present one.
 bool ClientSide::takeEvent(const Header& header, std::span<std::byte> payload) {
-  if (header.number >= since_.size()) return false;
-  const EventInfo& event = channel_->info.events[header.number];
-  if (payload.size() != event.payloadSize) return false;
-  if (header.call < since_[header.number]) return true;
-  bringHere(event.shiftPayload, payload.data());
-  if (!channel_->admits(event, payload.data())) {
+  const std::size_t number = placeOf(channel_->info.wireEvents, header.number);
+  if (number >= since_.size()) return false;
+  if (header.call < since_[number]) return true;
+  const EventInfo& event = channel_->info.events[number];
+  const auto own = static_cast<std::uint16_t>(number);
+  const ArrivedValue value = payloads_->open({Kind::Event, own}, payload, channel_->clockShift());
+  if (value.slot == nullptr) return false;
+  if (value.error != Errc{} || !channel_->admits(event, value.slot)) {
     channel_->events.countDropped();
     return true;
   }
-  channel_->events.push(header.number, here(header.stamp), payload);
+  channel_->events.push(own, here(header.stamp), {value.slot, event.payloadSize});
   arrival_ = true;
   return true;
 }
 
 bool ClientSide::takeRow(const Header& header, std::span<std::byte> payload) {
   rt::RowColumns columns;
-  if (payload.size() < sizeof(columns)) return false;
-  std::memcpy(&columns, payload.data(), sizeof(columns));
-  payload = payload.subspan(sizeof(columns));
-  rt::StateTable& mirror = *channel_->state;
-  for (unsigned i = 0; i < mirror.columns(); ++i) {
-    if (!columns.hasValue(i)) continue;
-    const std::size_t size = mirror.columnSize(i);
-    if (payload.size() < wordBytes(size)) return false;
-    bringHere(reads_[i]->shiftResult, payload.data());
-    std::memcpy(mirror.draft(i), payload.data(), size);
-    payload = payload.subspan(wordBytes(size));
-  }
-  if (!payload.empty()) return false;
+  if (!payloads_->openRow(payload, channel_->clockShift(), *channel_->state, columns)) return false;
   columns.keep(columns_);
-  mirror.publish(here(header.stamp), columns);
+  if (!columns.any()) return true;
+  channel_->state->publish(here(header.stamp), columns);
   news_ = news_ || channel_->wantsRows.isUp(std::memory_order_relaxed);
   return true;
 }
@@ -127,7 +121,10 @@ void ClientSide::giveSubscription() {
   }
   events_ = events;
   columns_ = columns;
-  const Subscription content{events, joining, columns};
+  const InterfaceInfo& contract = channel_->info;
+  const Subscription content{.events = toWireNumbers(contract.wireEvents, events),
+                             .joining = toWireNumbers(contract.wireEvents, joining),
+                             .columns = toWireNumbers(contract.wireColumns, columns)};
   send({.kind = Kind::Subscribe, .call = subscription_}, std::as_bytes(std::span(&content, 1)));
 }
 
@@ -159,8 +156,8 @@ void ClientSide::giveCommand(const rt::CommandRecord& record) {
         .number = record.command,
         .call = record.call,
         .stamp = toNanoseconds(record.stamp)},
-       {record.arguments(), command.argumentsSize});
-  if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, &command};
+       payloads_->pack({Kind::Command, record.command}, record.arguments()));
+  if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, record.command};
   // A newest-wins command without an answer uses no credit.
   if (!command.latest || record.call != 0) ++lent_[record.command];
 }

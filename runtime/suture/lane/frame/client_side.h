@@ -15,7 +15,8 @@ class ClientSide final : public Connection {
  public:
   /// `channel`'s state table is a mirror that this writes; its provider doorbell is the lane
   /// thread's.
-  ClientSide(std::shared_ptr<Channel> channel, std::uint32_t number);
+  ClientSide(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
+             std::uint32_t number);
 
  private:
   bool take(const Header& header, std::span<std::byte> payload) override;
@@ -32,14 +33,13 @@ class ClientSide final : public Connection {
   void giveCommands();
   void giveCommand(const rt::CommandRecord& record);
 
-  std::vector<const CommandInfo*> reads_;  // by column
-  EventSet events_ = 0;                    // that the provider's side has been told of
+  EventSet events_ = 0;  // that the provider's side has been told of
   rt::ColumnSet columns_ = 0;
   std::uint32_t subscription_ = 0;    // how many have been sent
   std::vector<std::uint32_t> since_;  // by event: the subscription that began it
   struct Sent {
     std::uint32_t call = 0;
-    const CommandInfo* command = nullptr;
+    std::uint16_t command = 0;
   };
   std::array<Sent, Channel::kMaxCalls> calls_;  // by number
   std::vector<std::uint32_t> lent_;             // by command: how many use a credit

@@ -6,29 +6,16 @@
 #include <cstring>
 
 namespace suture::frame {
-namespace {
 
-std::size_t rowBytes(const InterfaceInfo& contract) {
-  std::size_t size = sizeof(rt::RowColumns);
-  for (const CommandInfo& one : contract.commands) {
-    if (one.column >= 0) size += wordBytes(one.resultSize);
-  }
-  return size;
+Connection::Connection(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
+                       std::uint32_t number)
+    : channel_(std::move(channel)), payloads_(std::move(payloads)), number_(number) {}
+
+std::size_t Connection::mostPayload() const {
+  return std::max({sizeof(Subscription), sizeof(Tally), payloads_->most()});
 }
 
-}  // namespace
-
-std::size_t mostPayload(const InterfaceInfo& contract) {
-  std::size_t most = std::max({sizeof(Subscription), sizeof(Tally), rowBytes(contract)});
-  for (const CommandInfo& one : contract.commands) {
-    most = std::max<std::size_t>({most, one.argumentsSize, one.resultSize});
-  }
-  for (const EventInfo& one : contract.events) most = std::max<std::size_t>(most, one.payloadSize);
-  return most;
-}
-
-Connection::Connection(std::shared_ptr<Channel> channel, std::uint32_t number)
-    : channel_(std::move(channel)), number_(number) {}
+std::size_t Connection::payloadLimit() const { return std::max(mostPayload(), payloads_->limit()); }
 
 bool Connection::over() const {
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
@@ -73,12 +60,6 @@ void Connection::send(const Header& header, std::span<const std::byte> payload) 
 
 Time Connection::here(std::int64_t stamp) const {
   return std::clamp(fromNanoseconds(rpc::shifted(stamp, channel_->clockShift())), Time{}, now());
-}
-
-void Connection::bringHere(StampShift shift, std::byte* slot) const {
-  if (shift == nullptr) return;
-  const Duration ahead = channel_->clockShift();
-  if (ahead != Duration{0}) shift(slot, ahead);
 }
 
 }  // namespace suture::frame

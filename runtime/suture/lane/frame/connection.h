@@ -3,6 +3,7 @@
 
 #include <suture/component/channel/channel.h>
 #include <suture/lane/frame/frame_socket.h>
+#include <suture/lane/frame/payloads.h>
 #include <suture/lane/frame/window.h>
 
 #include <atomic>
@@ -13,12 +14,8 @@
 
 namespace suture::frame {
 
-/// The bytes of the largest payload: slots travel as they lie in memory, between processes of one
-/// memoryLayout(). Values of a peer are judged before a component sees them.
-std::size_t mostPayload(const InterfaceInfo& contract);
-
-/// Carries everything between a channel and its share of a link. Belongs to the lane thread, but
-/// for what is said to be any thread's.
+/// Carries everything between a channel and its share of a link. Values of a peer are judged before
+/// a component sees them. Belongs to the lane thread, but for what is said to be any thread's.
 class Connection {
  public:
   virtual ~Connection() = default;
@@ -26,7 +23,9 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
 
   std::uint32_t number() const { return number_; }
-  std::size_t mostPayload() const { return frame::mostPayload(channel_->info); }
+  /// The bytes of the largest payload, and of the largest that may come.
+  std::size_t mostPayload() const;
+  std::size_t payloadLimit() const;
 
   /// The socket of the link, for as long as this is turned.
   void use(FrameSocket& socket) { socket_ = &socket; }
@@ -50,7 +49,8 @@ class Connection {
 
  protected:
   /// `number`: on its link.
-  Connection(std::shared_ptr<Channel> channel, std::uint32_t number);
+  Connection(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
+             std::uint32_t number);
 
   virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
   virtual void give() = 0;
@@ -58,8 +58,6 @@ class Connection {
   /// A stamp of the peer on this process's clock, but not later than now: what has not happened yet
   /// would have a negative age.
   Time here(std::int64_t stamp) const;
-  /// The same of all stamps in a slot that has arrived. `shift`: null if it has none.
-  void bringHere(StampShift shift, std::byte* slot) const;
 
   bool hasRoom() const { return window_.isOpen() && socket_->hasRoom(); }
   /// Memory for the payload; finish() ends the frame. Only if hasRoom().
@@ -68,6 +66,7 @@ class Connection {
   void send(const Header& header, std::span<const std::byte> payload = {});
 
   const std::shared_ptr<Channel> channel_;
+  const std::unique_ptr<Payloads> payloads_;
 
  private:
   const std::uint32_t number_;

@@ -2,17 +2,23 @@
 #include <suture/frame.capnp.h>
 #include <suture/lane/frame/frame_lane.h>
 #include <suture/lane/frame/framed_connection.h>
+#include <suture/lane/frame/provider_side.h>
 #include <suture/lane/opened_once.h>
 #include <suture/loop/failure.h>
 #include <suture/net/socket.h>
+#include <suture/wire/codec.h>
 #include <suture/wire/text.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace suture::frame {
 namespace {
+
+// A contract that has more is none of ours.
+constexpr unsigned kMostCommands = 4096;
 
 /// The socket of a session, and what both ends call it.
 struct SessionLink {
@@ -26,46 +32,77 @@ struct SessionLink {
   const std::shared_ptr<Link> link;
 };
 
+void nameCommands(const InterfaceInfo& contract, wire::FrameRequest::Builder out) {
+  const auto commands = contract.codec().commands;
+  auto names = out.initCommands(static_cast<unsigned>(commands.size()));
+  for (unsigned i = 0; i < names.size(); ++i) {
+    names[i].setInterface(commands[i].interface);
+    names[i].setOrdinal(commands[i].method);
+  }
+}
+
+/// What the commands that a client has named are here.
+std::vector<std::uint16_t> numbersOf(capnp::List<wire::FrameRequest::Method>::Reader names,
+                                     const InterfaceInfo& contract) {
+  const auto commands = contract.codec().commands;
+  std::vector<std::uint16_t> numbers(names.size(), ProviderSide::kUnknown);
+  for (unsigned i = 0; i < names.size(); ++i) {
+    const auto found =
+        std::find_if(commands.begin(), commands.end(), [&](const rpc::CommandCodec& one) {
+          return one.interface == names[i].getInterface() && one.method == names[i].getOrdinal();
+        });
+    if (found != commands.end()) {
+      numbers[i] = static_cast<std::uint16_t>(found - commands.begin());
+    }
+  }
+  return numbers;
+}
+
 class FrameAttempt final : public LaneAttempt {
  public:
-  FrameAttempt(OutgoingConnection connection, std::shared_ptr<SessionLink> link, LaneThread& thread,
-               rpc::ControlThread& control)
-      : connection_(std::move(connection)),
+  /// `mayBeSlots`: slots mean the same in both processes, if they lie in memory alike.
+  FrameAttempt(FrameLane& lane, rpc::ControlThread& control, OutgoingConnection connection,
+               std::shared_ptr<SessionLink> link, bool mayBeSlots)
+      : lane_(lane),
+        control_(control),
+        connection_(std::move(connection)),
         link_(std::move(link)),
-        thread_(thread),
-        control_(control) {}
+        mayBeSlots_(mayBeSlots) {}
 
   void request(capnp::AnyPointer::Builder out) override {
     auto request = out.initAs<wire::FrameRequest>();
-    request.setLayout(textOf(memoryLayout(connection_.contract)));
+    if (mayBeSlots_) request.setLayout(textOf(memoryLayout(connection_.contract)));
     request.setSocket(link_->number);
+    nameCommands(connection_.contract, request);
   }
 
   kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t rows) override {
-    const std::uint32_t number = answer.getAs<wire::FrameAnswer>().getConnection();
-    return openFramed(connection_, rows, {"frame", thread_, link_->link, number}, control_);
+    const auto accepted = answer.getAs<wire::FrameAnswer>();
+    const Form form = accepted.getEncoded() ? Form::Encoded : Form::Slots;
+    return openFramed(connection_, rows,
+                      {lane_.name(), lane_.thread(), link_->link, accepted.getConnection(), form},
+                      control_);
   }
 
  private:
+  FrameLane& lane_;
+  rpc::ControlThread& control_;
   const OutgoingConnection connection_;
   const std::shared_ptr<SessionLink> link_;
-  LaneThread& thread_;
-  rpc::ControlThread& control_;
+  const bool mayBeSlots_;
 };
 
 class FrameClient final : public LaneClient {
  public:
-  FrameClient(LaneThread& thread, ClientSession& session) : thread_(thread), session_(session) {}
+  FrameClient(FrameLane& lane, ClientSession& session) : lane_(lane), session_(session) {}
   // The thread looks whether somebody still needs the link.
   ~FrameClient() noexcept(false) {
     link_ = nullptr;
-    thread_.doorbell()->ring();
+    lane_.thread().doorbell()->ring();
   }
 
   std::string whyNot(const OutgoingConnection& connection) const override {
-    if (std::string why = whyUnbounded(connection.contract); !why.empty()) return why;
-    const bool hidden = !session_.hasOneClock() && hidesStamps(connection.contract);
-    return hidden ? "the two processes have different clocks" : "";
+    return whyUnbounded(connection.contract);
   }
 
   kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection connection) override {
@@ -73,8 +110,10 @@ class FrameClient final : public LaneClient {
         .then([this, connection = std::move(connection)](
                   std::shared_ptr<SessionLink>&& link) mutable -> kj::Own<LaneAttempt> {
           link_ = link;
-          return kj::heap<FrameAttempt>(std::move(connection), std::move(link), thread_,
-                                        session_.control());
+          const bool mayBeSlots = lane_.form() == Form::Slots &&
+                                  (session_.hasOneClock() || !hidesStamps(connection.contract));
+          return kj::heap<FrameAttempt>(lane_, session_.control(), std::move(connection),
+                                        std::move(link), mayBeSlots);
         });
   }
 
@@ -85,13 +124,13 @@ class FrameClient final : public LaneClient {
 
  private:
   kj::Promise<std::shared_ptr<SessionLink>> open() {
-    return session_.openSocket("frame").then([this](LaneSocket&& socket) {
+    return session_.openSocket(lane_.name()).then([this](LaneSocket&& socket) {
       rpc::breakWhenUnanswered(socket.bytes.socket(), longest_);
-      return std::make_shared<SessionLink>(kj::mv(socket), thread_);
+      return std::make_shared<SessionLink>(kj::mv(socket), lane_.thread());
     });
   }
 
-  LaneThread& thread_;
+  FrameLane& lane_;
   ClientSession& session_;
   Duration longest_{0};
   OpenedOnce<SessionLink> opened_;
@@ -100,25 +139,33 @@ class FrameClient final : public LaneClient {
 
 class FrameServer final : public LaneServer {
  public:
-  FrameServer(LaneThread& thread, ServerSession& session) : thread_(thread), session_(session) {}
+  FrameServer(FrameLane& lane, ServerSession& session) : lane_(lane), session_(session) {}
   ~FrameServer() noexcept(false) {
     link_ = nullptr;
-    thread_.doorbell()->ring();
+    lane_.thread().doorbell()->ring();
   }
 
   kj::Promise<AcceptedEnd> accept(IncomingConnection connection, capnp::AnyPointer::Reader brings,
                                   capnp::AnyPointer::Builder answer) override {
     const auto request = brings.getAs<wire::FrameRequest>();
-    std::string why = whyOtherSlots(connection.contract, stringOf(request.getLayout()));
+    std::string why = whyUnbounded(connection.contract);
     if (why.empty() && !carries(request.getSocket())) why = "the session's frames have ended";
+    if (why.empty() && request.getCommands().size() > kMostCommands)
+      why = "it has too many commands";
     if (!why.empty()) return rpc::failure(kj::Exception::Type::FAILED, why);
-    answer.initAs<wire::FrameAnswer>().setConnection(++latest_);
-    return acceptFramed(connection, {"frame", thread_, link_->link, latest_}, session_.control());
+    const bool encoded = !whyOtherSlots(connection.contract, stringOf(request.getLayout())).empty();
+    auto accepted = answer.initAs<wire::FrameAnswer>();
+    accepted.setConnection(++latest_);
+    accepted.setEncoded(encoded);
+    const FramedOn on{lane_.name(), lane_.thread(), link_->link, latest_,
+                      encoded ? Form::Encoded : Form::Slots};
+    return acceptFramed(connection, on, session_.control(),
+                        numbersOf(request.getCommands(), connection.contract));
   }
 
   // Connections on the one before have it for as long as they stand.
   void opened(LaneSocket socket) override {
-    link_ = std::make_shared<SessionLink>(kj::mv(socket), thread_);
+    link_ = std::make_shared<SessionLink>(kj::mv(socket), lane_.thread());
   }
 
  private:
@@ -126,7 +173,7 @@ class FrameServer final : public LaneServer {
     return link_ != nullptr && link_->number == socket && !link_->broken();
   }
 
-  LaneThread& thread_;
+  FrameLane& lane_;
   ServerSession& session_;
   std::shared_ptr<SessionLink> link_;
   std::uint32_t latest_ = 0;  // connection
@@ -135,11 +182,11 @@ class FrameServer final : public LaneServer {
 }  // namespace
 
 kj::Own<LaneClient> FrameLane::makeClient(ClientSession& session) {
-  return kj::heap<FrameClient>(thread_, session);
+  return kj::heap<FrameClient>(*this, session);
 }
 
 kj::Own<LaneServer> FrameLane::makeServer(ServerSession& session) {
-  return kj::heap<FrameServer>(thread_, session);
+  return kj::heap<FrameServer>(*this, session);
 }
 
 }  // namespace suture::frame

@@ -1,6 +1,7 @@
 #pragma once
 // The lane of own frames: one socket a session for all of its connections.
 
+#include <suture/lane/frame/framed_connection.h>
 #include <suture/lane/frame/lane_thread.h>
 #include <suture/lane/lane_kind.h>
 
@@ -9,15 +10,21 @@ namespace suture::frame {
 /// Has the thread that carries the frames of this process.
 class FrameLane final : public LaneKind {
  public:
-  /// Throws SetupError if the kernel refuses what the thread needs.
-  FrameLane() = default;
+  /// Throws SetupError if the kernel refuses what the thread needs. With Form::Encoded, values
+  /// travel so between equal builds too: what figures of different ones ask for.
+  explicit FrameLane(const char* name = "frame", Form form = Form::Slots)
+      : name_(name), form_(form) {}
 
-  const char* name() const override { return "frame"; }
+  const char* name() const override { return name_; }
+  Form form() const { return form_; }
+  LaneThread& thread() { return thread_; }
   kj::Own<LaneClient> makeClient(ClientSession& session) override;
   kj::Own<LaneServer> makeServer(ServerSession& session) override;
   void stop() override { thread_.stop(); }
 
  private:
+  const char* const name_;
+  const Form form_;
   LaneThread thread_;
 };
 

@@ -14,7 +14,8 @@ OpenedEnd openFramed(const OutgoingConnection& connection, std::uint32_t rows, c
   const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
   auto channel = mirroredChannel(connection, on.lane, *bell, control, rows);
   channel->providersBell = bell;
-  const auto side = std::make_shared<ClientSide>(channel, on.number);
+  const auto side =
+      std::make_shared<ClientSide>(channel, makePayloads(connection.contract, on.form), on.number);
   auto end = kj::refcounted<FrameEnd>(control, channel, side);
   auto broken = end->whenBroken();
   on.link->join(side);
@@ -23,7 +24,8 @@ OpenedEnd openFramed(const OutgoingConnection& connection, std::uint32_t rows, c
 }
 
 AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
-                         rpc::ControlThread& control) {
+                         rpc::ControlThread& control, std::vector<std::uint16_t> commands) {
+  const InterfaceInfo& contract = connection.contract;
   const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
   const Channel::Ends ends{.client = bell.get(),
                            .provider = &connection.provider,
@@ -31,11 +33,12 @@ AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& o
                            .watcher = &control.doorbell(),
                            .peer = connection.peer,
                            .silence = connection.silence};
-  auto channel = std::make_shared<Channel>(*connection.contract, connection.name, on.lane, ends,
+  auto channel = std::make_shared<Channel>(contract, connection.name, on.lane, ends,
                                            connection.provided.state(), connection.events);
   channel->clientsBell = bell;
   auto end = kj::refcounted<StatusPort>(control, channel);
-  const auto side = std::make_shared<ProviderSide>(channel, on.number);
+  const auto side = std::make_shared<ProviderSide>(channel, makePayloads(contract, on.form),
+                                                   on.number, std::move(commands));
   if (connection.readOnly) side->setReadOnly();
   on.link->join(side);
   bell->ring();

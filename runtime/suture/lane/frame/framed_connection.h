@@ -7,23 +7,27 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace suture::frame {
 
-/// Both ends agree on the lane and the number; the rest carries their frames in this process.
+/// Both ends agree on the lane, the number and the form; the rest carries their frames in this
+/// process.
 struct FramedOn {
   const char* lane;  ///< its name
   LaneThread& thread;
   std::shared_ptr<Link> link;  ///< an empty one lives as long as somebody holds it
   std::uint32_t number;        ///< of the connection on the link
+  Form form = Form::Slots;
 };
 
 /// The client's end. `rows`: as many as the provider keeps. The control thread.
 OpenedEnd openFramed(const OutgoingConnection& connection, std::uint32_t rows, const FramedOn& on,
                      rpc::ControlThread& control);
 
-/// The provider's end, of a client of the same build. The control thread.
+/// The provider's end. `commands`: by the number that the client gives a command, its number here;
+/// empty if the two have the same numbers. The control thread.
 AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
-                         rpc::ControlThread& control);
+                         rpc::ControlThread& control, std::vector<std::uint16_t> commands = {});
 
 }  // namespace suture::frame

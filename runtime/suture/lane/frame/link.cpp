@@ -28,6 +28,7 @@ void Link::takeJoined() {
       continue;
     }
     socket_.makeRoom(one->mostPayload());
+    socket_.allow(one->payloadLimit());
     one->use(socket_);
     const auto place =
         std::lower_bound(connections_.begin(), connections_.end(), one->number(), isBefore);

@@ -2,13 +2,25 @@
 #include <suture/rt/counter.h>
 
 #include <cstring>
+#include <numeric>
 #include <utility>
 
 namespace suture::frame {
+namespace {
 
-ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, std::uint32_t number)
-    : Connection(std::move(channel), number),
-      waiting_(channel_->info.commands.size()),
+std::vector<std::uint16_t> sameNumbers(const InterfaceInfo& contract) {
+  std::vector<std::uint16_t> numbers(contract.commands.size());
+  std::iota(numbers.begin(), numbers.end(), std::uint16_t{0});
+  return numbers;
+}
+
+}  // namespace
+
+ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
+                           std::uint32_t number, std::vector<std::uint16_t> commands)
+    : Connection(std::move(channel), std::move(payloads), number),
+      commands_(commands.empty() ? sameNumbers(channel_->info) : std::move(commands)),
+      waiting_(commands_.size()),
       since_(channel_->info.events.size(), now()),
       slots_(channel_->state->columns()),
       wantedSlots_(channel_->state->columns()) {
@@ -35,15 +47,23 @@ void ProviderSide::taken() {
   if (std::exchange(work_, false)) channel_->ends.provider->ring();
 }
 
+// A command that is not known here uses its credit until the client is told so.
 bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payload) {
-  if (header.number >= waiting_.size()) return false;
-  const CommandInfo& command = channel_->info.commands[header.number];
-  if (payload.size() != command.argumentsSize) return false;
-  const bool usesCredit = !command.latest || header.call != 0;
-  if (usesCredit && waiting_[header.number] == command.depth) return false;
-  if (usesCredit) ++waiting_[header.number];
-  bringHere(command.shiftArguments, payload.data());
-  const Errc error = post(header, payload);
+  if (header.number >= commands_.size()) return false;
+  const std::uint16_t number = commands_[header.number];
+  const bool known = number != kUnknown;
+  const CommandInfo* const command = known ? &channel_->info.commands[number] : nullptr;
+  if (!known || !command->latest || header.call != 0) {
+    if (known && waiting_[header.number] == command->depth) return false;
+    ++waiting_[header.number];
+  }
+  if (!known) return refuse(header, Errc::NotImplemented);
+  const ArrivedValue value =
+      payloads_->open({Kind::Command, number}, payload, channel_->clockShift());
+  if (value.slot == nullptr) return false;
+  Errc error = whyNot(number);
+  if (error == Errc{}) error = value.error;
+  if (error == Errc{}) error = post(header, number, value.slot);
   if (error != Errc{}) return refuse(header, error);
   work_ = true;
   return true;
@@ -57,14 +77,18 @@ bool ProviderSide::refuse(const Header& header, Errc error) {
   return true;
 }
 
-Errc ProviderSide::post(const Header& header, std::span<const std::byte> payload) {
-  const CommandInfo& command = channel_->info.commands[header.number];
+Errc ProviderSide::whyNot(std::uint16_t command) const {
   const Errc error = errorOf(channel_->status.load(std::memory_order_acquire));
   if (error != Errc{}) return error;
-  if (readOnly_ && !command.reads()) return Errc::NotPermitted;
-  const auto slot = channel_->commands.claim(header.number, here(header.stamp), header.call);
+  const bool withheld = readOnly_ && !channel_->info.commands[command].reads();
+  return withheld ? Errc::NotPermitted : Errc{};
+}
+
+Errc ProviderSide::post(const Header& header, std::uint16_t number, const std::byte* arguments) {
+  const CommandInfo& command = channel_->info.commands[number];
+  const auto slot = channel_->commands.claim(number, here(header.stamp), header.call);
   if (!slot) return slot.error();
-  if (!payload.empty()) std::memcpy(*slot, payload.data(), payload.size());
+  std::memcpy(*slot, arguments, command.argumentsSize);
   if (!channel_->admits(command, *slot)) {
     channel_->commands.abandon();
     return Errc::Invalid;
@@ -77,15 +101,19 @@ bool ProviderSide::takeSubscription(const Header& header, std::span<const std::b
   Subscription wanted;
   if (payload.size() != sizeof(wanted)) return false;
   std::memcpy(&wanted, payload.data(), sizeof(wanted));
+  const InterfaceInfo& contract = channel_->info;
+  const EventSet events = fromWireNumbers(contract.wireEvents, wanted.events);
+  const EventSet joining = fromWireNumbers(contract.wireEvents, wanted.joining) & events;
+  const rt::ColumnSet columns = fromWireNumbers(contract.wireColumns, wanted.columns);
   subscription_ = header.call;
   for (std::size_t i = 0; i < since_.size(); ++i) {
-    if (wanted.joining >> i & 1) since_[i] = now();
+    if (joining >> i & 1) since_[i] = now();
   }
-  channel_->subscribe(wanted.events, wanted.joining & wanted.events);
+  channel_->subscribe(events, joining);
   columns_ = 0;
   lastRow_ = 0;
   for (unsigned i = 0; i < slots_.size(); ++i) {
-    const bool read = (wanted.columns >> i & 1) != 0 && !slots_[i].empty();
+    const bool read = (columns >> i & 1) != 0 && !slots_[i].empty();
     wantedSlots_[i] = read ? reinterpret_cast<std::byte*>(slots_[i].data()) : nullptr;
     if (read) columns_ |= rt::ColumnSet{1} << i;
   }
@@ -110,13 +138,15 @@ void ProviderSide::giveReplies() {
   while (hasRoom()) {
     const ReplyRecord* const reply = channel_->nextReply();
     if (reply == nullptr) return;
-    const bool value = reply->error == Errc{};
-    const std::size_t size = value ? channel_->replies.frontSize() - sizeof(ReplyRecord) : 0;
+    std::span<const std::byte> result;
+    if (reply->error == Errc{}) {
+      result = payloads_->pack({Kind::Reply, reply->command}, reply->result());
+    }
     send({.kind = Kind::Reply,
           .error = static_cast<std::uint8_t>(reply->error),
           .call = reply->call,
           .stamp = toNanoseconds(reply->stamp)},
-         {reply->result(), size});
+         result);
     channel_->popReply();
   }
 }
@@ -136,13 +166,14 @@ void ProviderSide::giveTally() {
 }
 
 void ProviderSide::giveCredits() {
-  for (std::uint16_t command = 0; command < waiting_.size(); ++command) {
-    if (waiting_[command] == 0) continue;
-    const std::uint32_t there = channel_->commands.waiting(command);
-    if (there >= waiting_[command]) continue;
+  for (std::uint16_t theirs = 0; theirs < waiting_.size(); ++theirs) {
+    if (waiting_[theirs] == 0) continue;
+    const std::uint16_t command = commands_[theirs];
+    const std::uint32_t there = command == kUnknown ? 0 : channel_->commands.waiting(command);
+    if (there >= waiting_[theirs]) continue;
     if (!hasRoom()) return;
-    send({.kind = Kind::Taken, .number = command, .call = waiting_[command] - there});
-    waiting_[command] = there;
+    send({.kind = Kind::Taken, .number = theirs, .call = waiting_[theirs] - there});
+    waiting_[theirs] = there;
   }
 }
 
@@ -152,10 +183,10 @@ void ProviderSide::giveEvents() {
     if (record == nullptr) return;
     if (wanted(*record)) {
       send({.kind = Kind::Event,
-            .number = record->event,
+            .number = numberAt(channel_->info.wireEvents, record->event),
             .call = subscription_,
             .stamp = toNanoseconds(record->stamp)},
-           {record->payload(), channel_->info.events[record->event].payloadSize});
+           payloads_->pack({Kind::Event, record->event}, record->payload()));
     }
     channel_->events.pop();
   }
@@ -173,25 +204,9 @@ void ProviderSide::giveRow() {
   rt::StateTable::Row row = state.readRow(wantedSlots_);
   lastRow_ = row.sequence;
   row.keep(columns_);
-  if (row.any()) sendRow(row);
-}
-
-void ProviderSide::sendRow(const rt::StateTable::Row& row) {
-  const rt::RowColumns& columns = row;
-  std::size_t size = sizeof(columns);
-  for (unsigned i = 0; i < slots_.size(); ++i) {
-    if (row.hasValue(i)) size += slots_[i].size() * sizeof(std::uint64_t);
-  }
-  std::byte* memory = begin({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)}, size);
-  const auto put = [&memory](const void* bytes, std::size_t count) {
-    std::memcpy(memory, bytes, count);
-    memory += count;
-  };
-  put(&columns, sizeof(columns));
-  for (unsigned i = 0; i < slots_.size(); ++i) {
-    if (row.hasValue(i)) put(slots_[i].data(), slots_[i].size() * sizeof(std::uint64_t));
-  }
-  finish();
+  if (!row.any()) return;
+  send({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)},
+       payloads_->packRow(row, wantedSlots_));
 }
 
 }  // namespace suture::frame

@@ -13,8 +13,13 @@ namespace suture::frame {
 /// provider answers, emits and publishes. Belongs to the lane thread.
 class ProviderSide final : public Connection {
  public:
-  /// `channel`'s client doorbell is the lane thread's.
-  ProviderSide(std::shared_ptr<Channel> channel, std::uint32_t number);
+  /// No command of the contract.
+  static constexpr std::uint16_t kUnknown = 0xffff;
+
+  /// `channel`'s client doorbell is the lane thread's. `commands`: by the number that the client
+  /// gives a command, its number here, or kUnknown; empty if the two have the same numbers.
+  ProviderSide(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
+               std::uint32_t number, std::vector<std::uint16_t> commands = {});
 
   /// Before it is carried: only what reads is taken, a command is refused (Errc::NotPermitted).
   void setReadOnly() { readOnly_ = true; }
@@ -25,7 +30,8 @@ class ProviderSide final : public Connection {
   void give() override;
 
   bool takeCommand(const Header& header, std::span<std::byte> payload);
-  Errc post(const Header& header, std::span<const std::byte> payload);
+  Errc whyNot(std::uint16_t command) const;
+  Errc post(const Header& header, std::uint16_t command, const std::byte* arguments);
   bool refuse(const Header& header, Errc error);
   bool takeSubscription(const Header& header, std::span<const std::byte> payload);
 
@@ -35,12 +41,13 @@ class ProviderSide final : public Connection {
   void giveCredits();
   void giveEvents();
   void giveRow();
-  void sendRow(const rt::StateTable::Row& row);
   bool wanted(const rt::EventRecord& record) const;
 
   bool readOnly_ = false;
-  bool heard_ = false;                  // the client's side: from then on it is there
-  std::vector<std::uint32_t> waiting_;  // by command: credits that the client has not got back
+  bool heard_ = false;  // the client's side: from then on it is there
+  const std::vector<std::uint16_t> commands_;
+  std::vector<std::uint32_t> waiting_;  // by the client's number of a command: credits that the
+                                        // client has not got back
   Tally tally_;                         // as the client's side has been told
   struct RefusedCall {
     std::uint32_t call;

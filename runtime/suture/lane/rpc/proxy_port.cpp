@@ -7,8 +7,6 @@
 #include <suture/wire/stamps.h>
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 
 namespace suture::rpc {
 namespace {
@@ -84,9 +82,7 @@ void ProxyPort::push(std::uint16_t event, const std::byte* slot) {
 }
 
 void ProxyPort::noteReplay(std::uint16_t event, std::int64_t stamp) {
-  if (event >= std::numeric_limits<EventSet>::digits) return;
-  const EventSet here = fromWireNumbers(channel_->info.wireEvents, EventSet{1} << event);
-  const auto place = static_cast<std::size_t>(std::countr_zero(here));
+  const std::size_t place = placeOf(info().wireEvents, event);
   if (place < replays_.size()) replays_[place] = stamp;
 }
 

@@ -42,7 +42,7 @@ std::size_t stateBytes(const SharedParts& parts) {
 
 SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<MemoryBlock> client,
                         rt::Doorbell& watcher) {
-  const InterfaceInfo& contract = *connection.contract;
+  const InterfaceInfo& contract = connection.contract;
   ProvidedBase& provided = connection.provided;
   SharedOffer offer;
   offer.parts.channel = std::make_shared<MemoryBlock>("suture-channel", channelBytes(contract));

@@ -209,7 +209,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
       return accept(
           {.client = client.toString(),
            .connection = {.provided = provided,
-                          .contract = sameContract(provided.info(), hash),
+                          .contract = *match.contract,
                           .name = name,
                           .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
                           .provider = host_.serverOf_(provided),
@@ -347,7 +347,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
         ProvidedBase& provided = host_.directory_.provided(endpoint);
         const std::string name = "(a plain client) -> " + endpoint.toString();
         const IncomingConnection connection{.provided = provided,
-                                            .contract = &provided.info(),
+                                            .contract = provided.info(),
                                             .name = name,
                                             .events = ~EventSet{0},
                                             .provider = host_.serverOf_(provided),

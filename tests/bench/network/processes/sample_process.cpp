@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "bench/local/sample_server.h"
+#include "bench/network/lanes.h"
 #include "bench/placement.h"
 
 namespace bench {
@@ -19,6 +20,7 @@ void serve(const SampleProcessOptions& options) {
   const Pinned pinned(options.cpu);
   SampleTask server(options.cpu);
   suture::Manager manager{"server", options.manager, securityWith(options.keys, "server")};
+  addEncodedFrames(manager);
   manager.add("Server", server);
   manager.start();
   awaitEndOfInput();
@@ -41,7 +43,9 @@ SampleProcess::SampleProcess(Transport transport, int serverCpu)
     : names_(transport),
       process_({kSampleSubcommand, "--manager", names_.address(), "--keys", names_.keys(), "--cpu",
                 std::to_string(serverCpu)}),
-      manager_("client", names_.address(), securityWith(names_.keys(), "client")) {}
+      manager_("client", names_.address(), securityWith(names_.keys(), "client")) {
+  addEncodedFrames(manager_);
+}
 
 SampleProcess::~SampleProcess() {
   manager_.stop();

@@ -1,7 +1,8 @@
 // One version of a program of which two processes talk to each other, about every edit of the
 // table:
 //   edits_peer serve ADDRESS  provides all contracts until its standard input ends
-//   edits_peer ask ADDRESS    uses those of the other process, and prints why others cannot be used
+//   edits_peer ask ADDRESS LANE  uses those of the other process, and prints why others cannot be
+//   used
 
 #include <suture/component/device.h>
 
@@ -121,13 +122,13 @@ void printAnswer(Client& client) {
   }
 }
 
-void ask(const std::string& address) {
+void ask(const evolution::Asking& asking) {
   Client client;
-  suture::Manager manager("client", address);
+  suture::Manager manager("client", asking.manager);
   manager.add("Client", client);
   manager.start();
   tellRefusals(manager);
-  manager.connect("Client/Edits", "server:Keeper/Edits");
+  manager.connect("Client/Edits", "server:Keeper/Edits", asking.options);
   printEvents(client);
   printLatched(client);
   printAnswer(client);

@@ -22,16 +22,16 @@ def members(path, side_of):
 
 
 class Conversation(unittest.TestCase):
-    """The client is of one version, the provider of the other."""
+    """The client is of one version, the provider of the other; they talk by one lane."""
 
     maxDiff = None
-    server, client = "", ""
+    server, client, lane = "", "", ""
 
     @classmethod
     def setUpClass(cls):
         if not cls.server:
             raise unittest.SkipTest("only those that derive from it say who talks")
-        cls.served, cls.asked = talk(PROGRAMS, cls.server, cls.client)
+        cls.served, cls.asked = talk(PROGRAMS, cls.server, cls.client, cls.lane)
 
     @classmethod
     def of_client(cls, edit):
@@ -93,12 +93,20 @@ class Conversation(unittest.TestCase):
         self.assertIn(f"{there} there", said[0])
 
 
-class ANewProviderOfAnOldClient(Conversation):
-    server, client = "v2", "v1"
+class ANewProviderOfAnOldClientByFrames(Conversation):
+    server, client, lane = "v2", "v1", "frame"
 
 
-class AnOldProviderOfANewClient(Conversation):
-    server, client = "v1", "v2"
+class AnOldProviderOfANewClientByFrames(Conversation):
+    server, client, lane = "v1", "v2", "frame"
+
+
+class ANewProviderOfAnOldClientByCalls(Conversation):
+    server, client, lane = "v2", "v1", "rpc"
+
+
+class AnOldProviderOfANewClientByCalls(Conversation):
+    server, client, lane = "v1", "v2", "rpc"
 
 
 if __name__ == "__main__":

@@ -39,8 +39,11 @@ std::span<std::byte> FrameReader::space() {
 const Header* FrameReader::next() {
   begin_ += std::exchange(taken_, 0);
   if (fault_ != Fault::None || end_ - begin_ < sizeof(Header)) return nullptr;
+  if (const std::size_t size = header().size; size > mostPayload_) {
+    if (size > limit_) return broken(Fault::Size);
+    makeRoom(size);
+  }
   const Header& next = header();
-  if (next.size > mostPayload_) return broken(Fault::Size);
   const std::size_t whole = sizeof(Header) + wordBytes(next.size);
   if (end_ - begin_ < whole) return nullptr;
   if (const Fault fault = judge(next); fault != Fault::None) return broken(fault);

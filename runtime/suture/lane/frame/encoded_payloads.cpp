@@ -1,0 +1,104 @@
+#include <suture/lane/frame/encoded_payloads.h>
+
+#include <capnp/serialize.h>
+#include <kj/exception.h>
+
+namespace suture::frame {
+namespace {
+
+// As of a message of the control plane: a newer peer's values may be larger than this one knows.
+constexpr std::size_t kLimit = std::size_t{16} << 20;
+
+// Behind which most messages are no larger than what they encode.
+constexpr std::size_t kHeadWords = 64;
+
+std::size_t words(std::size_t bytes) { return wordBytes(bytes) / sizeof(capnp::word); }
+
+std::size_t rowBytes(const InterfaceInfo& contract) {
+  std::size_t size = 0;
+  for (const CommandInfo& one : contract.commands) {
+    if (one.column >= 0) size += wordBytes(one.resultSize);
+  }
+  return size;
+}
+
+/// Reads a message of one segment. What is malformed is not there.
+template <class Read>
+void readMessage(std::span<const std::byte> payload, const Read& read) {
+  static constexpr capnp::word kNothing{};
+  kj::ArrayPtr<const capnp::word> segment(&kNothing, 1);
+  if (!payload.empty()) {
+    segment = kj::arrayPtr(reinterpret_cast<const capnp::word*>(payload.data()),
+                           payload.size() / sizeof(capnp::word));
+  }
+  // An exception would end the thread, and with it all connections.
+  kj::runCatchingExceptions([&] {
+    capnp::SegmentArrayMessageReader message(kj::arrayPtr(&segment, 1));
+    read(message.getRoot<capnp::AnyPointer>());
+  });
+}
+
+}  // namespace
+
+EncodedPayloads::EncodedPayloads(const InterfaceInfo& contract)
+    : contract_(contract),
+      scratch_(kHeadWords +
+               2 * words(std::max<std::size_t>(largestSlot(contract), rowBytes(contract)))),
+      slot_(words(largestSlot(contract))) {}
+
+std::size_t EncodedPayloads::limit() const { return kLimit; }
+
+const rpc::MessageCodec& EncodedPayloads::codecOf(ValueName name) const {
+  const rpc::Codec& codec = contract_.codec();
+  if (name.kind == Kind::Event) return codec.events[name.number].payload;
+  const rpc::CommandCodec& command = codec.commands[name.number];
+  return name.kind == Kind::Reply ? command.result : command.arguments;
+}
+
+template <class Encode>
+std::span<const std::byte> EncodedPayloads::packed(const Encode& encode) {
+  for (;;) {
+    message_.reset();  // which leaves scratch_ zero
+    message_.emplace(kj::arrayPtr(scratch_.data(), scratch_.size()));
+    encode(message_->getRoot<capnp::AnyPointer>());
+    const auto segments = message_->getSegmentsForOutput();
+    if (segments.size() == 1) {
+      const auto bytes = segments[0].asBytes();
+      return {reinterpret_cast<const std::byte*>(bytes.begin()), bytes.size()};
+    }
+    std::size_t all = 0;
+    for (const auto& segment : segments) all += segment.size();
+    message_.reset();
+    scratch_ = std::vector<capnp::word>(2 * all);
+  }
+}
+
+std::span<const std::byte> EncodedPayloads::pack(ValueName name, const std::byte* slot) {
+  return packed([&](capnp::AnyPointer::Builder out) { codecOf(name).encode(slot, out); });
+}
+
+std::span<const std::byte> EncodedPayloads::packRow(const rt::StateTable::Row& row,
+                                                    std::span<const std::byte* const> slots) {
+  return packed([&](capnp::AnyPointer::Builder out) {
+    contract_.codec().row.encode(row, slots, contract_.wireColumns, out);
+  });
+}
+
+ArrivedValue EncodedPayloads::open(ValueName name, std::span<std::byte> payload, Duration shift) {
+  auto* const slot = reinterpret_cast<std::byte*>(slot_.data());
+  ArrivedValue value{slot, Errc::Invalid};
+  readMessage(payload, [&](capnp::AnyPointer::Reader in) {
+    value.error = codecOf(name).decode(in, slot, shift);
+  });
+  return value;
+}
+
+bool EncodedPayloads::openRow(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror,
+                              rt::RowColumns& columns) {
+  readMessage(payload, [&](capnp::AnyPointer::Reader in) {
+    columns = contract_.codec().row.decode(in, contract_.wireColumns, shift, mirror);
+  });
+  return true;
+}
+
+}  // namespace suture::frame

@@ -1,0 +1,40 @@
+#pragma once
+// Values as Cap'n Proto messages, between processes whose builds differ.
+
+#include <suture/lane/frame/payloads.h>
+#include <suture/wire/codec.h>
+
+#include <capnp/message.h>
+
+#include <optional>
+#include <vector>
+
+namespace suture::frame {
+
+/// Allocates only when a message is larger than all before. A message that is malformed has no
+/// value; what its sender does not know reads as its default.
+class EncodedPayloads final : public Payloads {
+ public:
+  explicit EncodedPayloads(const InterfaceInfo& contract);
+
+  std::size_t most() const override { return scratch_.size() * sizeof(capnp::word); }
+  std::size_t limit() const override;
+  std::span<const std::byte> pack(ValueName name, const std::byte* slot) override;
+  std::span<const std::byte> packRow(const rt::StateTable::Row& row,
+                                     std::span<const std::byte* const> slots) override;
+  ArrivedValue open(ValueName name, std::span<std::byte> payload, Duration shift) override;
+  bool openRow(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror,
+               rt::RowColumns& columns) override;
+
+ private:
+  const rpc::MessageCodec& codecOf(ValueName name) const;
+  template <class Encode>
+  std::span<const std::byte> packed(const Encode& encode);
+
+  const InterfaceInfo& contract_;
+  std::vector<capnp::word> scratch_;                    // of the message that is being sent; zero
+  std::optional<capnp::MallocMessageBuilder> message_;  // in scratch_
+  std::vector<std::uint64_t> slot_;                     // of the value that arrives
+};
+
+}  // namespace suture::frame
