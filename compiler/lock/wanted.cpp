@@ -255,6 +255,7 @@ WantedMember wantedEvent(const model::Interface& owner, const model::Event& even
     value.annotations = valueAnnotations(type, limits.unit, limits.range);
     member.parameters.push_back(std::move(value));
   }
+  member.parameters.push_back(plain("stamp", "Int64"));
   member.annotations.emplace("queue", std::to_string(event.queue));
   if (event.latest) member.annotations.emplace("latest", "");
   if (event.latched) member.annotations.emplace("latched", "");

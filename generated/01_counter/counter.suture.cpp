@@ -99,6 +99,7 @@ constexpr CommandCodec kCounterCommandCodecs[] = {
 
 constexpr EventCodec kCounterEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::CounterEvents::TenMoreParams>,
      .payload = messageOf<wire::CounterEvents::TenMoreParams, std::int64_t,
                           encodeCounterTenMoreEvent, decodeCounterTenMoreEvent>},
 };
@@ -134,7 +135,7 @@ constexpr EventInfo kCounterEvents[] = {
 
 // The self-description, as in 01_counter/counter.suture.json.
 constexpr char kCounterDescription[] = R"json(
-{"name": "counting::Counter", "hash": "38931bde09fe12583e55c15888548c0c", "commands": [{
+{"name": "counting::Counter", "hash": "d0b9cec53f4001af7aba4e29b891fbe9", "commands": [{
 "name": "add", "kind": "write", "ordinal": 1,
 "doc": "Adds to the count. Runs in the provider's thread.", "parameters": [{"name": "amount",
 "type": {"kind": "Int32"}}], "queue": 8}, {"name": "value", "kind": "read", "ordinal": 2,
@@ -152,10 +153,10 @@ constexpr char kCounterDescription[] = R"json(
 "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xab8aa54e33362c79", "kind": "interface",
 "name": "CounterEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0xbfec877b65b98c5c"}]}, {"at": 1, "name": "tenMore", "parameters": [{
-"at": 0, "name": "value", "is": "Int64"}]}]}, {"id": "@0xbfec877b65b98c5c", "kind": "struct",
-"name": "CounterStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "value", "is": "Int64"}, {"at": 3,
-"name": "tooLarge", "is": "UInt64"}]}]})json";
+"at": 0, "name": "value", "is": "Int64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xbfec877b65b98c5c", "kind": "struct", "name": "CounterStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "value", "is": "Int64"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}]})json";
 
 }  // namespace
 }  // namespace counting
@@ -166,7 +167,7 @@ template <>
 const InterfaceInfo& interfaceInfo<counting::Counter>() {
   static constexpr InterfaceInfo kInfo{
       .name = "counting::Counter",
-      .hash = "38931bde09fe12583e55c15888548c0c",
+      .hash = "d0b9cec53f4001af7aba4e29b891fbe9",
       .description = counting::kCounterDescription,
       .commands = counting::kCounterCommands,
       .events = counting::kCounterEvents,

@@ -22,6 +22,7 @@ using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::messageOf;
 using suture::rpc::sentIn;
+using suture::rpc::stampIn;
 using suture::slotSize;
 
 namespace {
@@ -116,9 +117,11 @@ constexpr CommandCodec kGripperCommandCodecs[] = {
 
 constexpr EventCodec kGripperEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::GripperEvents::JawsChangedParams>,
      .payload = messageOf<wire::GripperEvents::JawsChangedParams, std::uint8_t,
                           encodeGripperJawsChangedEvent, decodeGripperJawsChangedEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::GripperEvents::TouchedParams>,
      .payload = messageOf<wire::GripperEvents::TouchedParams, double, encodeGripperTouchedEvent,
                           decodeGripperTouchedEvent>},
 };
@@ -157,7 +160,7 @@ constexpr EventInfo kGripperEvents[] = {
 
 // The self-description, as in 05_events/gripper.suture.json.
 constexpr char kGripperDescription[] = R"json(
-{"name": "gripping::Gripper", "hash": "0ec3c7c1bffbeb9abd876bc2ec33b2c8", "commands": [{
+{"name": "gripping::Gripper", "hash": "791e1a2dbf149a553e5da3c7a37ae448", "commands": [{
 "name": "grasp", "kind": "void", "ordinal": 1, "doc": "Begins to close the jaws.", "queue": 16}, {
 "name": "release", "kind": "void with return", "ordinal": 2,
 "doc": "Opens the jaws. True if they held something.", "result": {"type": {"kind": "Bool"}},
@@ -179,13 +182,13 @@ constexpr char kGripperDescription[] = R"json(
 "name": "value", "is": "Bool"}]}]}, {"id": "@0xb6c3be53b63b21bb", "kind": "interface",
 "name": "GripperEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0x996aaf9b482d97d6"}]}, {"at": 1, "name": "jawsChanged", "parameters": [{
-"at": 0, "name": "value", "is": "@0xf21766ccd2556dea"}]}, {"at": 2, "name": "touched",
-"parameters": [{"at": 0, "name": "value", "is": "Float64 unit \"N\""}]}]}, {
-"id": "@0x996aaf9b482d97d6", "kind": "struct", "name": "GripperStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xf21766ccd2556dea", "kind": "enum", "name": "Jaws",
-"members": [{"at": 0, "name": "open"}, {"at": 1, "name": "closing"}, {"at": 2, "name": "holding"}]}
-]})json";
+"at": 0, "name": "value", "is": "@0xf21766ccd2556dea"}, {"at": 1, "name": "stamp", "is": "Int64"}]
+}, {"at": 2, "name": "touched", "parameters": [{"at": 0, "name": "value", "is": "Float64 unit \"N\""
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0x996aaf9b482d97d6", "kind": "struct",
+"name": "GripperStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xf21766ccd2556dea", "kind": "enum", "name": "Jaws", "members": [{"at": 0, "name": "open"},
+{"at": 1, "name": "closing"}, {"at": 2, "name": "holding"}]}]})json";
 
 }  // namespace
 }  // namespace gripping
@@ -196,7 +199,7 @@ template <>
 const InterfaceInfo& interfaceInfo<gripping::Gripper>() {
   static constexpr InterfaceInfo kInfo{
       .name = "gripping::Gripper",
-      .hash = "0ec3c7c1bffbeb9abd876bc2ec33b2c8",
+      .hash = "791e1a2dbf149a553e5da3c7a37ae448",
       .description = gripping::kGripperDescription,
       .commands = gripping::kGripperCommands,
       .events = gripping::kGripperEvents,

@@ -1450,33 +1450,43 @@ constexpr CommandCodec kArmCommandCodecs[] = {
 
 constexpr EventCodec kArmEventCodecs[] = {
     {.method = 4,
+     .stamp = stampIn<wire::ArmEvents::StatusParams>,
      .payload = messageOf<wire::ArmEvents::StatusParams, suture::MessageSlot, encodeArmStatusEvent,
                           decodeArmStatusEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::ArmEvents::WarningParams>,
      .payload = messageOf<wire::ArmEvents::WarningParams, suture::MessageSlot,
                           encodeArmWarningEvent, decodeArmWarningEvent>},
     {.method = 5,
+     .stamp = stampIn<wire::ArmEvents::ErrorParams>,
      .payload = messageOf<wire::ArmEvents::ErrorParams, suture::MessageSlot, encodeArmErrorEvent,
                           decodeArmErrorEvent>},
     {.method = 1,
+     .stamp = stampIn<wire::ArmEvents::OperatingStateParams>,
      .payload = messageOf<wire::ArmEvents::OperatingStateParams, OperatingStateSlot,
                           encodeArmOperatingStateEvent, decodeArmOperatingStateEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::ArmEvents::GoalReachedParams>,
      .payload = messageOf<wire::ArmEvents::GoalReachedParams, std::uint8_t,
                           encodeArmGoalReachedEvent, decodeArmGoalReachedEvent>},
     {.method = 6,
+     .stamp = stampIn<wire::ArmEvents::DesiredStateParams>,
      .payload = messageOf<wire::ArmEvents::DesiredStateParams, std::uint8_t,
                           encodeArmDesiredStateEvent, decodeArmDesiredStateEvent>},
     {.method = 7,
+     .stamp = stampIn<wire::ArmEvents::GravityCompensationParams>,
      .payload = messageOf<wire::ArmEvents::GravityCompensationParams, std::uint8_t,
                           encodeArmGravityCompensationEvent, decodeArmGravityCompensationEvent>},
     {.method = 8,
+     .stamp = stampIn<wire::ArmEvents::TrajectoryJRatioParams>,
      .payload = messageOf<wire::ArmEvents::TrajectoryJRatioParams, double,
                           encodeArmTrajectoryJRatioEvent, decodeArmTrajectoryJRatioEvent>},
     {.method = 9,
+     .stamp = stampIn<wire::ArmEvents::TrajectoryJRatioVParams>,
      .payload = messageOf<wire::ArmEvents::TrajectoryJRatioVParams, double,
                           encodeArmTrajectoryJRatioVEvent, decodeArmTrajectoryJRatioVEvent>},
     {.method = 10,
+     .stamp = stampIn<wire::ArmEvents::TrajectoryJRatioAParams>,
      .payload = messageOf<wire::ArmEvents::TrajectoryJRatioAParams, double,
                           encodeArmTrajectoryJRatioAEvent, decodeArmTrajectoryJRatioAEvent>},
 };
@@ -1881,7 +1891,7 @@ constexpr EventInfo kArmEvents[] = {
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
 "doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. An arm starts, and restarts, undefined; once it hears of its drives, and they may have\npower, it is disabled and not homed. Until it is enabled it ignores motion commands.\n\nAn arm that is not homed, or not any more after an encoder jumped or unhome(), does not know\nwhere its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint\ncommands.\n\nSo does an arm that works through a cannula until its wrist is far enough beyond the remote\ncentre: a da Vinci's is 45 mm beyond it, and 2 mm more to begin. Joint commands and homing are\nwhat inserts it.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base; the two are one until somebody sets\nanother. A motion command replaces the one before it, of whichever space; relative goals are\nrelative to the set-point. A servo stream that falls silent for 0.1 s ends as hold(), and so\ndoes any stream whose client is gone.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h) where the arm refuses a command or something has befallen it; each reason is\ntold once until the arm obeys again, a refused state command each time.",
-"hash": "01d839824ecc91650f9758cc15eb526a", "version": 2, "major": 2, "base": "suture::Messages",
+"hash": "1f5d06412eacd0fd4ccda12e8a351a33", "version": 2, "major": 2, "base": "suture::Messages",
 "crtk": true, "commands": [{"name": "enable", "kind": "void", "ordinal": 1,
 "doc": "Gives the drives power; the arm holds its position.", "queue": 16}, {"name": "disable",
 "kind": "void", "ordinal": 2,
@@ -2337,27 +2347,33 @@ constexpr char kArmDescription[] = R"json(
 "name": "stateMask", "is": "UInt64"}]}]}, {"id": "@0xa02813b154cdd1d8", "kind": "interface",
 "name": "MessagesEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
-"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
-"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
-{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]}, {"id": "@0x814f9864e019fa96",
-"kind": "struct", "name": "MessagesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"
-}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]},
-{"id": "@0xbd6bc34f74980c5d", "kind": "struct", "name": "Message", "members": [{"at": 0,
-"name": "text", "is": "Text"}, {"at": 1, "name": "code", "is": "UInt32"}, {"at": 2,
-"name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
-"id": "@0xdcbc184d8af1d03c", "kind": "interface", "name": "ArmEvents", "members": [{"at": 0,
-"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x8c45d754ae03e800"}]}, {"at": 1,
-"name": "operatingState", "parameters": [{"at": 0, "name": "value", "is": "@0x8109968bd491318f"}]},
-{"at": 2, "name": "goalReached", "parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {
-"at": 3, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
-}, {"at": 4, "name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
-}]}, {"at": 5, "name": "error", "parameters": [{"at": 0, "name": "value",
-"is": "@0xbd6bc34f74980c5d"}]}, {"at": 6, "name": "desiredState", "parameters": [{"at": 0,
-"name": "value", "is": "@0xc9ed1800ca1df7eb"}]}, {"at": 7, "name": "gravityCompensation",
-"parameters": [{"at": 0, "name": "value", "is": "Bool"}]}, {"at": 8, "name": "trajectoryJRatio",
-"parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 9, "name": "trajectoryJRatioV",
-"parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 10,
-"name": "trajectoryJRatioA", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}]}, {
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"},
+{"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "error", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
+"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
+"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}]}, {"id": "@0xdcbc184d8af1d03c", "kind": "interface",
+"name": "ArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
+"is": "@0x8c45d754ae03e800"}]}, {"at": 1, "name": "operatingState", "parameters": [{"at": 0,
+"name": "value", "is": "@0x8109968bd491318f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 2, "name": "goalReached", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 4, "name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "error", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 6, "name": "desiredState", "parameters": [{"at": 0, "name": "value",
+"is": "@0xc9ed1800ca1df7eb"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 7,
+"name": "gravityCompensation", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 8, "name": "trajectoryJRatio", "parameters": [{"at": 0,
+"name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9,
+"name": "trajectoryJRatioV", "parameters": [{"at": 0, "name": "value", "is": "Float64"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 10, "name": "trajectoryJRatioA", "parameters": [{"at": 0,
+"name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
 "id": "@0x8c45d754ae03e800", "kind": "struct", "name": "ArmStateRow", "members": [{"at": 0,
 "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
 "name": "measuredJs", "is": "@0xac24dfe518a4963f"}, {"at": 3, "name": "setpointJs",
@@ -2472,7 +2488,7 @@ const InterfaceInfo& interfaceInfo<robots::Arm>() {
                                            robots::kArmEvents);
   static const InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "01d839824ecc91650f9758cc15eb526a",
+      .hash = "1f5d06412eacd0fd4ccda12e8a351a33",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = kEvents,

@@ -124,6 +124,7 @@ constexpr CommandCodec kGripperCommandCodecs[] = {
 
 constexpr EventCodec kGripperEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::GripperEvents::ClosedParams>,
      .payload = messageOf<wire::GripperEvents::ClosedParams, std::uint8_t, encodeGripperClosedEvent,
                           decodeGripperClosedEvent>},
 };
@@ -165,7 +166,7 @@ constexpr EventInfo kGripperEvents[] = {
 constexpr char kGripperDescription[] = R"json(
 {"name": "robots::Gripper",
 "doc": "The master provides it as an interface of its own, \"Gripper\". Reads are from the end of its last\ncycle. Joint vectors have one entry, the angle between the handles in rad: 0 is closed, and less\nis squeezed harder. Nothing drives it, so it is measured whether the master has power or not.",
-"hash": "8f26aff2ded6f2b19bd320fa135689ae", "crtk": true, "commands": [{"name": "configuration_js",
+"hash": "2461ceda32472c5d29c39c8e214fcaf4", "crtk": true, "commands": [{"name": "configuration_js",
 "kind": "read", "ordinal": 1, "wire": "configurationJs", "doc": "What the joint is and may do.",
 "result": {"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
 "name": "measured_js", "kind": "read", "ordinal": 2, "wire": "measuredJs",
@@ -216,15 +217,15 @@ constexpr char kGripperDescription[] = R"json(
 "is": "Int64"}]}]}, {"id": "@0xc5f5014ab20db54c", "kind": "interface", "name": "GripperEvents",
 "members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
 "is": "@0xb54cebda06a7e912"}]}, {"at": 1, "name": "closed", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}]}]}, {"id": "@0xb54cebda06a7e912", "kind": "struct",
-"name": "GripperStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "configurationJs", "is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "measuredJs",
-"is": "@0xac24dfe518a4963f"}]}, {"id": "@0xf723b5ed0dc2d63c", "kind": "struct",
-"name": "JointConfiguration", "members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1,
-"name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {"at": 2, "name": "positionMin",
-"is": "List(Float64) unit \"rad\""}, {"at": 3, "name": "positionMax",
-"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
+"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xb54cebda06a7e912", "kind": "struct", "name": "GripperStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "configurationJs",
+"is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "measuredJs", "is": "@0xac24dfe518a4963f"}]}, {
+"id": "@0xf723b5ed0dc2d63c", "kind": "struct", "name": "JointConfiguration", "members": [{"at": 0,
+"name": "name", "is": "List(Text)"}, {"at": 1, "name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {
+"at": 2, "name": "positionMin", "is": "List(Float64) unit \"rad\""}, {"at": 3,
+"name": "positionMax", "is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
 "is": "List(Float64) unit \"rad/s\""}, {"at": 5, "name": "velocityMax",
 "is": "List(Float64) unit \"rad/s\""}, {"at": 6, "name": "accelerationMin",
 "is": "List(Float64) unit \"rad/s2\""}, {"at": 7, "name": "accelerationMax",
@@ -250,7 +251,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Gripper>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Gripper",
-      .hash = "8f26aff2ded6f2b19bd320fa135689ae",
+      .hash = "2461ceda32472c5d29c39c8e214fcaf4",
       .description = robots::kGripperDescription,
       .commands = robots::kGripperCommands,
       .events = robots::kGripperEvents,

@@ -257,15 +257,19 @@ constexpr CommandCodec kJawCommandCodecs[] = {
 
 constexpr EventCodec kJawEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::JawEvents::StatusParams>,
      .payload = messageOf<wire::JawEvents::StatusParams, suture::MessageSlot, encodeJawStatusEvent,
                           decodeJawStatusEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::JawEvents::WarningParams>,
      .payload = messageOf<wire::JawEvents::WarningParams, suture::MessageSlot,
                           encodeJawWarningEvent, decodeJawWarningEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::JawEvents::ErrorParams>,
      .payload = messageOf<wire::JawEvents::ErrorParams, suture::MessageSlot, encodeJawErrorEvent,
                           decodeJawErrorEvent>},
     {.method = 4,
+     .stamp = stampIn<wire::JawEvents::GoalReachedParams>,
      .payload = messageOf<wire::JawEvents::GoalReachedParams, std::uint8_t,
                           encodeJawGoalReachedEvent, decodeJawGoalReachedEvent>},
 };
@@ -336,7 +340,7 @@ constexpr EventInfo kJawEvents[] = {
 constexpr char kJawDescription[] = R"json(
 {"name": "robots::Jaw",
 "doc": "The arm that holds the instrument provides it as an interface of its own, \"Jaw\". Commands run in\nthe arm's thread before its next cycle; reads are from the end of its last one. Joint vectors\nhave one entry, the angle between the blades in rad: 0 is closed, and less presses them\ntogether. It may be -0.698 to 1.396 rad (-40 to 80 degrees) on the large needle driver of a da\nVinci.\n\nThe jaw has the power of its arm, and needs one that is enabled: otherwise it ignores commands\nof motion and says so in a warning, once until it obeys again. When its arm stops being enabled,\nit stops where it is. Homing the arm leaves it as it is.\n\nA command replaces the one before it. A servo stream that falls silent for 0.1 s, or whose\nclient is gone, leaves the set-point where it is.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h).",
-"hash": "dcf774a8ad86ab07aff148b6608f7e9d", "base": "suture::Messages", "crtk": true, "commands": [
+"hash": "7932e43af74de045e5562a71644d3339", "base": "suture::Messages", "crtk": true, "commands": [
 {"name": "configuration_js", "kind": "read", "ordinal": 1, "wire": "configurationJs",
 "doc": "What the joint is and may do. Its effort limit is published\n(LARGE_NEEDLE_DRIVER_400006.json), its acceleration limit, which is that of moves, is not.",
 "result": {"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
@@ -436,29 +440,33 @@ constexpr char kJawDescription[] = R"json(
 "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
 "id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
-"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
-"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
-}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
-}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
-"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
-"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0xd6c2953fc4455ac0", "kind": "interface",
-"name": "JawEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
-"is": "@0xa03ee03faaaeccdd"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
-"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
-"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
-{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 4, "name": "goalReached",
-"parameters": [{"at": 0, "name": "value", "is": "Bool"}]}]}, {"id": "@0xa03ee03faaaeccdd",
-"kind": "struct", "name": "JawStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {
-"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
-"at": 3, "name": "configurationJs", "is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "measuredJs",
-"is": "@0xac24dfe518a4963f"}, {"at": 5, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}]}, {
-"id": "@0xf723b5ed0dc2d63c", "kind": "struct", "name": "JointConfiguration", "members": [{"at": 0,
-"name": "name", "is": "List(Text)"}, {"at": 1, "name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {
-"at": 2, "name": "positionMin", "is": "List(Float64) unit \"rad\""}, {"at": 3,
-"name": "positionMax", "is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct",
+"name": "MessagesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xbd6bc34f74980c5d", "kind": "struct", "name": "Message", "members": [{"at": 0,
+"name": "text", "is": "Text"}, {"at": 1, "name": "code", "is": "UInt32"}, {"at": 2,
+"name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0xd6c2953fc4455ac0", "kind": "interface", "name": "JawEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xa03ee03faaaeccdd"}]}, {"at": 1,
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "goalReached", "parameters": [{
+"at": 0, "name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xa03ee03faaaeccdd", "kind": "struct", "name": "JawStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "configurationJs",
+"is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "measuredJs", "is": "@0xac24dfe518a4963f"}, {
+"at": 5, "name": "setpointJs", "is": "@0xac24dfe518a4963f"}]}, {"id": "@0xf723b5ed0dc2d63c",
+"kind": "struct", "name": "JointConfiguration", "members": [{"at": 0, "name": "name",
+"is": "List(Text)"}, {"at": 1, "name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {"at": 2,
+"name": "positionMin", "is": "List(Float64) unit \"rad\""}, {"at": 3, "name": "positionMax",
+"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
 "is": "List(Float64) unit \"rad/s\""}, {"at": 5, "name": "velocityMax",
 "is": "List(Float64) unit \"rad/s\""}, {"at": 6, "name": "accelerationMin",
 "is": "List(Float64) unit \"rad/s2\""}, {"at": 7, "name": "accelerationMax",
@@ -491,7 +499,7 @@ const InterfaceInfo& interfaceInfo<robots::Jaw>() {
                                           robots::kJawEvents);
   static const InterfaceInfo kInfo{
       .name = "robots::Jaw",
-      .hash = "dcf774a8ad86ab07aff148b6608f7e9d",
+      .hash = "7932e43af74de045e5562a71644d3339",
       .description = robots::kJawDescription,
       .commands = robots::kJawCommands,
       .events = kEvents,

@@ -144,6 +144,7 @@ constexpr CommandCodec kLoopServerCommandCodecs[] = {
 
 constexpr EventCodec kLoopServerEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::LoopServerEvents::EchoParams>,
      .payload = messageOf<wire::LoopServerEvents::EchoParams, robots::PosePrmSlot,
                           encodeLoopServerEchoEvent, decodeLoopServerEchoEvent>},
 };
@@ -194,7 +195,7 @@ constexpr EventInfo kLoopServerEvents[] = {
 // The self-description, as in bench/loop.suture.json.
 constexpr char kLoopServerDescription[] = R"json(
 {"name": "bench::LoopServer", "doc": "What the server of a loop offers.",
-"hash": "39cfa04c06187358856f788402400ce7", "commands": [{"name": "put", "kind": "write",
+"hash": "49368c5f00c39f962328ec80c3a51adb", "commands": [{"name": "put", "kind": "write",
 "ordinal": 1,
 "doc": "Server, client, server: takes back what value() answered and measures how long it was away.",
 "parameters": [{"name": "value", "type": {"kind": "struct", "name": "robots::PosePrm"}}],
@@ -227,14 +228,15 @@ constexpr char kLoopServerDescription[] = R"json(
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xa1763febd61d7208", "kind": "interface",
 "name": "LoopServerEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0xcf8261ed0f1fe7b7"}]}, {"at": 1, "name": "echo", "parameters": [{"at": 0,
-"name": "value", "is": "@0xedd17c97b8723561"}]}]}, {"id": "@0xcf8261ed0f1fe7b7", "kind": "struct",
-"name": "LoopServerStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "value", "is": "@0xedd17c97b8723561"}, {
-"at": 3, "name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xedd17c97b8723561", "kind": "struct",
-"name": "PosePrm", "members": [{"at": 0, "name": "timestamp", "is": "Int64 clock \"steady\""}, {
-"at": 1, "name": "automaticTimestamp", "is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"
-}, {"at": 3, "name": "movingFrame", "is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"
-}, {"at": 5, "name": "position", "is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
+"name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xcf8261ed0f1fe7b7", "kind": "struct", "name": "LoopServerStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "value", "is": "@0xedd17c97b8723561"}, {"at": 3, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
+"name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
+"is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
+"is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
+"is": "/suture/types.capnp:Pose unit \"m\""}]}]})json";
 
 }  // namespace
 }  // namespace bench
@@ -245,7 +247,7 @@ template <>
 const InterfaceInfo& interfaceInfo<bench::LoopServer>() {
   static constexpr InterfaceInfo kInfo{
       .name = "bench::LoopServer",
-      .hash = "39cfa04c06187358856f788402400ce7",
+      .hash = "49368c5f00c39f962328ec80c3a51adb",
       .description = bench::kLoopServerDescription,
       .commands = bench::kLoopServerCommands,
       .events = bench::kLoopServerEvents,

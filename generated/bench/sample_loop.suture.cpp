@@ -144,6 +144,7 @@ constexpr CommandCodec kSampleServerCommandCodecs[] = {
 
 constexpr EventCodec kSampleServerEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::SampleServerEvents::EchoParams>,
      .payload = messageOf<wire::SampleServerEvents::EchoParams, robots::PoseSampleSlot,
                           encodeSampleServerEchoEvent, decodeSampleServerEchoEvent>},
 };
@@ -193,7 +194,7 @@ constexpr EventInfo kSampleServerEvents[] = {
 
 // The self-description, as in bench/sample_loop.suture.json.
 constexpr char kSampleServerDescription[] = R"json(
-{"name": "bench::SampleServer", "hash": "fc81c3d6983bed150e4b6eeb178f075c", "commands": [{
+{"name": "bench::SampleServer", "hash": "22612a40a9732e358268e106fe36141b", "commands": [{
 "name": "put", "kind": "write", "ordinal": 1, "doc": "Counted by the provider.", "parameters": [{
 "name": "value", "type": {"kind": "struct", "name": "robots::PoseSample"}}], "queue": 4096}, {
 "name": "bounce", "kind": "write", "ordinal": 2,
@@ -221,14 +222,15 @@ constexpr char kSampleServerDescription[] = R"json(
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xc71bdb510deae77a", "kind": "interface",
 "name": "SampleServerEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0xb757a2bfdbcd1cf8"}]}, {"at": 1, "name": "echo", "parameters": [{"at": 0,
-"name": "value", "is": "@0x9dcf31510b46998d"}]}]}, {"id": "@0xb757a2bfdbcd1cf8", "kind": "struct",
-"name": "SampleServerStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "value", "is": "@0x9dcf31510b46998d"}]}, {"id": "@0x9dcf31510b46998d", "kind": "struct",
-"name": "PoseSample", "members": [{"at": 0, "name": "rotation", "is": "/suture/types.capnp:Mat3"}, {
-"at": 1, "name": "position", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 2,
-"name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 3, "name": "sequence", "is": "UInt64"}, {
-"at": 4, "name": "flags", "is": "UInt64"}]}]})json";
+"name": "value", "is": "@0x9dcf31510b46998d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xb757a2bfdbcd1cf8", "kind": "struct", "name": "SampleServerStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "value", "is": "@0x9dcf31510b46998d"}]}, {
+"id": "@0x9dcf31510b46998d", "kind": "struct", "name": "PoseSample", "members": [{"at": 0,
+"name": "rotation", "is": "/suture/types.capnp:Mat3"}, {"at": 1, "name": "position",
+"is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 2, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 3, "name": "sequence", "is": "UInt64"}, {"at": 4,
+"name": "flags", "is": "UInt64"}]}]})json";
 
 }  // namespace
 }  // namespace bench
@@ -239,7 +241,7 @@ template <>
 const InterfaceInfo& interfaceInfo<bench::SampleServer>() {
   static constexpr InterfaceInfo kInfo{
       .name = "bench::SampleServer",
-      .hash = "fc81c3d6983bed150e4b6eeb178f075c",
+      .hash = "22612a40a9732e358268e106fe36141b",
       .description = bench::kSampleServerDescription,
       .commands = bench::kSampleServerCommands,
       .events = bench::kSampleServerEvents,

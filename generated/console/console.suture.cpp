@@ -187,15 +187,19 @@ constexpr CommandCodec kConsoleCommandCodecs[] = {
 
 constexpr EventCodec kConsoleEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::ConsoleEvents::StatusParams>,
      .payload = messageOf<wire::ConsoleEvents::StatusParams, suture::MessageSlot,
                           encodeConsoleStatusEvent, decodeConsoleStatusEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::ConsoleEvents::WarningParams>,
      .payload = messageOf<wire::ConsoleEvents::WarningParams, suture::MessageSlot,
                           encodeConsoleWarningEvent, decodeConsoleWarningEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::ConsoleEvents::ErrorParams>,
      .payload = messageOf<wire::ConsoleEvents::ErrorParams, suture::MessageSlot,
                           encodeConsoleErrorEvent, decodeConsoleErrorEvent>},
     {.method = 4,
+     .stamp = stampIn<wire::ConsoleEvents::ConsoleStateParams>,
      .payload = messageOf<wire::ConsoleEvents::ConsoleStateParams, std::uint8_t,
                           encodeConsoleConsoleStateEvent, decodeConsoleConsoleStateEvent>},
 };
@@ -236,7 +240,7 @@ constexpr EventInfo kConsoleEvents[] = {
 constexpr char kConsoleDescription[] = R"json(
 {"name": "robots::Console",
 "doc": "Commands run in the console's own thread before its next cycle. Status, warning and error are\nthe standard messages: what is missing, and which part did not do what it was asked.",
-"hash": "e8c9ebb5a6ee5b3cd4a3b643a8c04ec9", "base": "suture::Messages", "commands": [{
+"hash": "28ab859eb18567f90efa935a80d07299", "base": "suture::Messages", "commands": [{
 "name": "bring_up", "kind": "void", "ordinal": 1, "wire": "bringUp",
 "doc": "Refused, with an error that names each reason, unless the console is down, every part of the\nsystem is there, and the emergency stop is released.",
 "queue": 16}, {"name": "bring_down", "kind": "void", "ordinal": 2, "wire": "bringDown",
@@ -284,23 +288,26 @@ constexpr char kConsoleDescription[] = R"json(
 "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
 "id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
-"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
-"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
-}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
-}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct",
+"name": "MessagesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xbd6bc34f74980c5d", "kind": "struct", "name": "Message", "members": [{"at": 0,
+"name": "text", "is": "Text"}, {"at": 1, "name": "code", "is": "UInt32"}, {"at": 2,
+"name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0x84a81ff77b719ad6", "kind": "interface", "name": "ConsoleEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xc2af8ce57e1b558c"}]}, {"at": 1,
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "consoleState", "parameters": [{
+"at": 0, "name": "value", "is": "@0xe5858b1b3b511bbf"}, {"at": 1, "name": "stamp", "is": "Int64"}]}
+]}, {"id": "@0xc2af8ce57e1b558c", "kind": "struct", "name": "ConsoleStateRow", "members": [{
 "at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
-"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
-"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0x84a81ff77b719ad6", "kind": "interface",
-"name": "ConsoleEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xc2af8ce57e1b558c"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
-"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
-"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
-{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 4, "name": "consoleState",
-"parameters": [{"at": 0, "name": "value", "is": "@0xe5858b1b3b511bbf"}]}]}, {
-"id": "@0xc2af8ce57e1b558c", "kind": "struct", "name": "ConsoleStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
 "name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "consoleState", "is": "@0xe5858b1b3b511bbf"}
 ]}, {"id": "@0xe5858b1b3b511bbf", "kind": "enum", "name": "ConsoleState", "members": [{"at": 0,
 "name": "down"}, {"at": 1, "name": "enabling"}, {"at": 2, "name": "homing"}, {"at": 3, "name": "up"
@@ -317,7 +324,7 @@ const InterfaceInfo& interfaceInfo<robots::Console>() {
                                           robots::kConsoleEvents);
   static const InterfaceInfo kInfo{
       .name = "robots::Console",
-      .hash = "e8c9ebb5a6ee5b3cd4a3b643a8c04ec9",
+      .hash = "28ab859eb18567f90efa935a80d07299",
       .description = robots::kConsoleDescription,
       .commands = robots::kConsoleCommands,
       .events = kEvents,

@@ -164,6 +164,7 @@ constexpr CommandCodec kEmergencyStopCommandCodecs[] = {
 
 constexpr EventCodec kEmergencyStopEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::EmergencyStopEvents::StopParams>,
      .payload = messageOf<wire::EmergencyStopEvents::StopParams, StopNewsSlot,
                           encodeEmergencyStopStopEvent, decodeEmergencyStopStopEvent>},
 };
@@ -206,7 +207,7 @@ constexpr EventInfo kEmergencyStopEvents[] = {
 constexpr char kEmergencyStopDescription[] = R"json(
 {"name": "robots::EmergencyStop",
 "doc": "Commands run in the coordinator's thread before its next cycle.",
-"hash": "85b7719779d11bd4fea35ac127cd15d7", "commands": [{"name": "press", "kind": "void",
+"hash": "5d19bb3881b9132f6effe3d313d4f668", "commands": [{"name": "press", "kind": "void",
 "ordinal": 1, "doc": "All drives stop, and none has power until release().", "queue": 16}, {
 "name": "release", "kind": "void", "ordinal": 2,
 "doc": "An operator's decision: drives may have power again. Arms stay disabled until somebody enables\nthem, such as a console that brings its system up by itself.",
@@ -233,14 +234,14 @@ constexpr char kEmergencyStopDescription[] = R"json(
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xd5baa187cf46a24d", "kind": "interface",
 "name": "EmergencyStopEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0xf44715265e64d420"}]}, {"at": 1, "name": "stop", "parameters": [{"at": 0,
-"name": "value", "is": "@0xcd5512b8a090183f"}]}]}, {"id": "@0xf44715265e64d420", "kind": "struct",
-"name": "EmergencyStopStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "permit", "is": "@0xd02fe436dab69cbc"}]}, {"id": "@0xd02fe436dab69cbc", "kind": "struct",
-"name": "Permit", "members": [{"at": 0, "name": "granted", "is": "Bool"}, {"at": 1, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0xcd5512b8a090183f", "kind": "struct",
-"name": "StopNews", "members": [{"at": 0, "name": "pressed", "is": "Bool"}, {"at": 1,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+"name": "value", "is": "@0xcd5512b8a090183f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xf44715265e64d420", "kind": "struct", "name": "EmergencyStopStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "permit", "is": "@0xd02fe436dab69cbc"}]}, {
+"id": "@0xd02fe436dab69cbc", "kind": "struct", "name": "Permit", "members": [{"at": 0,
+"name": "granted", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0xcd5512b8a090183f", "kind": "struct", "name": "StopNews", "members": [{"at": 0,
+"name": "pressed", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -251,7 +252,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::EmergencyStop>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::EmergencyStop",
-      .hash = "85b7719779d11bd4fea35ac127cd15d7",
+      .hash = "5d19bb3881b9132f6effe3d313d4f668",
       .description = robots::kEmergencyStopDescription,
       .commands = robots::kEmergencyStopCommands,
       .events = robots::kEmergencyStopEvents,

@@ -284,6 +284,7 @@ constexpr CommandCodec kDrivesCommandCodecs[] = {
 
 constexpr EventCodec kDrivesEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::DrivesEvents::PowerParams>,
      .payload = messageOf<wire::DrivesEvents::PowerParams, std::uint8_t, encodeDrivesPowerEvent,
                           decodeDrivesPowerEvent>},
 };
@@ -336,7 +337,7 @@ constexpr EventInfo kDrivesEvents[] = {
 constexpr char kDrivesDescription[] = R"json(
 {"name": "robots::Drives",
 "doc": "Commands run in the drives' own thread before its next cycle; the read is from the end of its\nlast one.",
-"hash": "3535a82e39d81a5857339f67997b362c", "commands": [{"name": "power_on", "kind": "write",
+"hash": "270403ff6448a0e24ad22c954a19f89f", "commands": [{"name": "power_on", "kind": "write",
 "ordinal": 1, "wire": "powerOn",
 "doc": "Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that\nthis answers: drives that have stopped since then, or may not have power, stay as they are.",
 "parameters": [{"name": "permitted", "type": {"kind": "time", "clock": "steady"}}], "queue": 16}, {
@@ -389,12 +390,13 @@ constexpr char kDrivesDescription[] = R"json(
 "name": "value", "is": "@0xc6e6797127c781ed"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
 "id": "@0xe59a5d931070aa84", "kind": "interface", "name": "DrivesEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf51328c4223872e4"}]}, {"at": 1,
-"name": "power", "parameters": [{"at": 0, "name": "value", "is": "@0xd2f9073be1a76833"}]}]}, {
-"id": "@0xf51328c4223872e4", "kind": "struct", "name": "DrivesStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "feedback", "is": "@0xc6e6797127c781ed"}]}, {
-"id": "@0xc6e6797127c781ed", "kind": "struct", "name": "DriveFeedback", "members": [{"at": 0,
-"name": "position", "is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "velocity",
+"name": "power", "parameters": [{"at": 0, "name": "value", "is": "@0xd2f9073be1a76833"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}]}, {"id": "@0xf51328c4223872e4", "kind": "struct",
+"name": "DrivesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "feedback", "is": "@0xc6e6797127c781ed"}]}, {"id": "@0xc6e6797127c781ed", "kind": "struct",
+"name": "DriveFeedback", "members": [{"at": 0, "name": "position",
+"is": "List(Float64) unit \"rad\" shape \"8\""}, {"at": 1, "name": "velocity",
 "is": "List(Float64) unit \"rad/s\" shape \"8\""}, {"at": 2, "name": "joints", "is": "UInt32"}, {
 "at": 3, "name": "power", "is": "@0xd2f9073be1a76833"}, {"at": 4, "name": "permitted",
 "is": "Int64 clock \"steady\""}, {"at": 5, "name": "stamp", "is": "Int64 clock \"steady\""}, {
@@ -414,7 +416,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Drives>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Drives",
-      .hash = "3535a82e39d81a5857339f67997b362c",
+      .hash = "270403ff6448a0e24ad22c954a19f89f",
       .description = robots::kDrivesDescription,
       .commands = robots::kDrivesCommands,
       .events = robots::kDrivesEvents,

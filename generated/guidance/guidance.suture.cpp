@@ -232,6 +232,7 @@ constexpr CommandCodec kGuidanceCommandCodecs[] = {
 
 constexpr EventCodec kGuidanceEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::GuidanceEvents::GuidanceStateParams>,
      .payload = messageOf<wire::GuidanceEvents::GuidanceStateParams, std::uint8_t,
                           encodeGuidanceGuidanceStateEvent, decodeGuidanceGuidanceStateEvent>},
 };
@@ -279,7 +280,7 @@ constexpr EventInfo kGuidanceEvents[] = {
 constexpr char kGuidanceDescription[] = R"json(
 {"name": "robots::Guidance",
 "doc": "Commands run in the guide's own thread before its next cycle; reads are from the end of its last\none.",
-"hash": "7f0a0c34d67de24cc65c667702ad318b", "commands": [{"name": "guidance_state", "kind": "read",
+"hash": "64bae6c767a3a15b052609c5193c0b34", "commands": [{"name": "guidance_state", "kind": "read",
 "ordinal": 1, "wire": "guidanceState", "result": {"type": {"kind": "enum",
 "name": "robots::GuidanceState"}}, "queue": 16}, {"name": "progress", "kind": "read", "ordinal": 2,
 "doc": "It is told also while the guide waits for something, as far as the knot has been seen.",
@@ -324,17 +325,18 @@ constexpr char kGuidanceDescription[] = R"json(
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}]}, {
 "id": "@0xf87738b35a660df1", "kind": "interface", "name": "GuidanceEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xaa6c5932ff7a6316"}]}, {"at": 1,
-"name": "guidanceState", "parameters": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"}]}]
-}, {"id": "@0xaa6c5932ff7a6316", "kind": "struct", "name": "GuidanceStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "guidanceState", "is": "@0x909952bd3e04c1b4"
-}, {"at": 4, "name": "progress", "is": "@0xb62a9e40cb04e11e"}]}, {"id": "@0x909952bd3e04c1b4",
-"kind": "enum", "name": "GuidanceState", "members": [{"at": 0, "name": "preparing"}, {"at": 1,
-"name": "blind"}, {"at": 2, "name": "guiding"}, {"at": 3, "name": "disabled"}, {"at": 4,
-"name": "clutched"}]}, {"id": "@0xb62a9e40cb04e11e", "kind": "struct", "name": "GuidanceProgress",
-"members": [{"at": 0, "name": "knot", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 3,
-"name": "stamp", "is": "Int64 clock \"steady\""}, {"at": 4, "name": "valid", "is": "Bool"}, {
-"at": 5, "name": "distanceToTarget", "is": "Float64 unit \"m\""}, {"at": 6, "name": "lateralError",
+"name": "guidanceState", "parameters": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xaa6c5932ff7a6316", "kind": "struct",
+"name": "GuidanceStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "guidanceState", "is": "@0x909952bd3e04c1b4"}, {"at": 4, "name": "progress",
+"is": "@0xb62a9e40cb04e11e"}]}, {"id": "@0x909952bd3e04c1b4", "kind": "enum",
+"name": "GuidanceState", "members": [{"at": 0, "name": "preparing"}, {"at": 1, "name": "blind"}, {
+"at": 2, "name": "guiding"}, {"at": 3, "name": "disabled"}, {"at": 4, "name": "clutched"}]}, {
+"id": "@0xb62a9e40cb04e11e", "kind": "struct", "name": "GuidanceProgress", "members": [{"at": 0,
+"name": "knot", "is": "/suture/types.capnp:Vec3 unit \"m\""}, {"at": 3, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 4, "name": "valid", "is": "Bool"}, {"at": 5,
+"name": "distanceToTarget", "is": "Float64 unit \"m\""}, {"at": 6, "name": "lateralError",
 "is": "Float64 unit \"m\""}]}]})json";
 
 }  // namespace
@@ -346,7 +348,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Guidance>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Guidance",
-      .hash = "7f0a0c34d67de24cc65c667702ad318b",
+      .hash = "64bae6c767a3a15b052609c5193c0b34",
       .description = robots::kGuidanceDescription,
       .commands = robots::kGuidanceCommands,
       .events = robots::kGuidanceEvents,

@@ -158,12 +158,15 @@ constexpr CommandCodec kFootPedalsCommandCodecs[] = {
 
 constexpr EventCodec kFootPedalsEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::FootPedalsEvents::ClutchParams>,
      .payload = messageOf<wire::FootPedalsEvents::ClutchParams, std::uint8_t,
                           encodeFootPedalsClutchEvent, decodeFootPedalsClutchEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::FootPedalsEvents::CameraParams>,
      .payload = messageOf<wire::FootPedalsEvents::CameraParams, std::uint8_t,
                           encodeFootPedalsCameraEvent, decodeFootPedalsCameraEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::FootPedalsEvents::CoagulationParams>,
      .payload = messageOf<wire::FootPedalsEvents::CoagulationParams, std::uint8_t,
                           encodeFootPedalsCoagulationEvent, decodeFootPedalsCoagulationEvent>},
 };
@@ -200,7 +203,7 @@ constexpr EventInfo kFootPedalsEvents[] = {
 // The self-description, as in pedals/foot_pedals.suture.json.
 constexpr char kFootPedalsDescription[] = R"json(
 {"name": "robots::FootPedals", "doc": "The names are the da Vinci Research Kit's.",
-"hash": "f320d94db1af1de0f1010f2a5a285f2b", "commands": [{"name": "pedals", "kind": "read",
+"hash": "f2201b1981864fec0edf03f41c20c8c0", "commands": [{"name": "pedals", "kind": "read",
 "ordinal": 1, "result": {"type": {"kind": "struct", "name": "robots::PedalState"}}, "queue": 16}],
 "events": [{"name": "clutch", "kind": "write", "ordinal": 1,
 "doc": "Pressed or released, and as it is now to whoever connects.", "payload": {"type": {
@@ -223,15 +226,17 @@ constexpr char kFootPedalsDescription[] = R"json(
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xeb48eb818a9b108b", "kind": "interface",
 "name": "FootPedalsEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0xec8fc265517e6c7c"}]}, {"at": 1, "name": "clutch", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}]}, {"at": 2, "name": "camera", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}]}, {"at": 3, "name": "coagulation", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}]}]}, {"id": "@0xec8fc265517e6c7c", "kind": "struct",
-"name": "FootPedalsStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "pedals", "is": "@0xcff309898affe286"}]}, {"id": "@0xcff309898affe286", "kind": "struct",
-"name": "PedalState", "members": [{"at": 0, "name": "clutch", "is": "Bool"}, {"at": 1,
-"name": "camera", "is": "Bool"}, {"at": 2, "name": "coagulation", "is": "Bool"}, {"at": 3,
-"name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2,
+"name": "camera", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "coagulation", "parameters": [{"at": 0,
+"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xec8fc265517e6c7c", "kind": "struct", "name": "FootPedalsStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "pedals", "is": "@0xcff309898affe286"}]}, {
+"id": "@0xcff309898affe286", "kind": "struct", "name": "PedalState", "members": [{"at": 0,
+"name": "clutch", "is": "Bool"}, {"at": 1, "name": "camera", "is": "Bool"}, {"at": 2,
+"name": "coagulation", "is": "Bool"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}]
+})json";
 
 }  // namespace
 }  // namespace robots
@@ -242,7 +247,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::FootPedals>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::FootPedals",
-      .hash = "f320d94db1af1de0f1010f2a5a285f2b",
+      .hash = "f2201b1981864fec0edf03f41c20c8c0",
       .description = robots::kFootPedalsDescription,
       .commands = robots::kFootPedalsCommands,
       .events = robots::kFootPedalsEvents,

@@ -130,6 +130,7 @@ constexpr CommandCodec kOperatorPresenceCommandCodecs[] = {
 
 constexpr EventCodec kOperatorPresenceEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::OperatorPresenceEvents::OperatorPresentParams>,
      .payload = messageOf<wire::OperatorPresenceEvents::OperatorPresentParams, std::uint8_t,
                           encodeOperatorPresenceOperatorPresentEvent,
                           decodeOperatorPresenceOperatorPresentEvent>},
@@ -168,7 +169,7 @@ constexpr EventInfo kOperatorPresenceEvents[] = {
 
 // The self-description, as in pedals/operator_presence.suture.json.
 constexpr char kOperatorPresenceDescription[] = R"json(
-{"name": "robots::OperatorPresence", "hash": "204d16d24012e4b5ccec084c08b6a398", "commands": [{
+{"name": "robots::OperatorPresence", "hash": "e89a3d747ed71c64e84646e920105176", "commands": [{
 "name": "presence", "kind": "read", "ordinal": 1, "result": {"type": {"kind": "struct",
 "name": "robots::Presence"}}, "queue": 16}], "events": [{"name": "operator_present",
 "kind": "write", "ordinal": 1, "wire": "operatorPresent",
@@ -186,12 +187,12 @@ constexpr char kOperatorPresenceDescription[] = R"json(
 "is": "Int64"}]}]}, {"id": "@0xd9df1a4d2e881c27", "kind": "interface",
 "name": "OperatorPresenceEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0x970403e5511b6372"}]}, {"at": 1, "name": "operatorPresent", "parameters": [
-{"at": 0, "name": "value", "is": "Bool"}]}]}, {"id": "@0x970403e5511b6372", "kind": "struct",
-"name": "OperatorPresenceStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {
-"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
-"at": 3, "name": "presence", "is": "@0xa9429a655b83829a"}]}, {"id": "@0xa9429a655b83829a",
-"kind": "struct", "name": "Presence", "members": [{"at": 0, "name": "present", "is": "Bool"}, {
-"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
+{"at": 0, "name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0x970403e5511b6372", "kind": "struct", "name": "OperatorPresenceStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "presence", "is": "@0xa9429a655b83829a"}]}, {
+"id": "@0xa9429a655b83829a", "kind": "struct", "name": "Presence", "members": [{"at": 0,
+"name": "present", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -202,7 +203,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::OperatorPresence>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::OperatorPresence",
-      .hash = "204d16d24012e4b5ccec084c08b6a398",
+      .hash = "e89a3d747ed71c64e84646e920105176",
       .description = robots::kOperatorPresenceDescription,
       .commands = robots::kOperatorPresenceCommands,
       .events = robots::kOperatorPresenceEvents,

@@ -396,13 +396,16 @@ constexpr CommandCodec kTeleoperationCommandCodecs[] = {
 
 constexpr EventCodec kTeleoperationEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::TeleoperationEvents::TeleopStateParams>,
      .payload = messageOf<wire::TeleoperationEvents::TeleopStateParams, std::uint8_t,
                           encodeTeleoperationTeleopStateEvent,
                           decodeTeleoperationTeleopStateEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::TeleoperationEvents::FollowedParams>,
      .payload = messageOf<wire::TeleoperationEvents::FollowedParams, FollowAnchorsSlot,
                           encodeTeleoperationFollowedEvent, decodeTeleoperationFollowedEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::TeleoperationEvents::SettingsParams>,
      .payload = messageOf<wire::TeleoperationEvents::SettingsParams, TeleopSettingsSlot,
                           encodeTeleoperationSettingsEvent, decodeTeleoperationSettingsEvent>},
 };
@@ -480,7 +483,7 @@ constexpr EventInfo kTeleoperationEvents[] = {
 constexpr char kTeleoperationDescription[] = R"json(
 {"name": "robots::Teleoperation",
 "doc": "Commands run in the teleoperation's own thread before its next cycle. A change of the settings\nwhile it follows does not move the slave: it follows from where it is.",
-"hash": "d5669079036420a78a75a89ca58f658e", "commands": [{"name": "enable", "kind": "void",
+"hash": "ce8c110f1e23bc0acf8dc69700b6dfa0", "commands": [{"name": "enable", "kind": "void",
 "ordinal": 1,
 "doc": "Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has\nremoved the cause enables it.",
 "queue": 16}, {"name": "disable", "kind": "void", "ordinal": 2,
@@ -557,18 +560,20 @@ constexpr char kTeleoperationDescription[] = R"json(
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xe8de6e374cc63239", "kind": "interface",
 "name": "TeleoperationEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0xbc0e291de17cadad"}]}, {"at": 1, "name": "teleopState", "parameters": [{
-"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"}]}, {"at": 2, "name": "followed",
-"parameters": [{"at": 0, "name": "value", "is": "@0x8cdd0eb841f978ce"}]}, {"at": 3,
-"name": "settings", "parameters": [{"at": 0, "name": "value", "is": "@0xe1eab6cf5390e93b"}]}]}, {
-"id": "@0xbc0e291de17cadad", "kind": "struct", "name": "TeleoperationStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "teleopState", "is": "@0x82c72c556eb58a10"}, {"at": 3, "name": "anchors",
-"is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge", "is": "UInt64"}, {"at": 5,
-"name": "settings", "is": "@0xe1eab6cf5390e93b"}]}, {"id": "@0x82c72c556eb58a10", "kind": "enum",
-"name": "TeleopState", "members": [{"at": 0, "name": "disabled"}, {"at": 1, "name": "preparing"}, {
-"at": 2, "name": "following"}, {"at": 3, "name": "aligning"}, {"at": 4, "name": "clutched"}]}, {
-"id": "@0x8cdd0eb841f978ce", "kind": "struct", "name": "FollowAnchors", "members": [{"at": 0,
-"name": "masterStamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "master",
+"at": 0, "name": "value", "is": "@0x82c72c556eb58a10"}, {"at": 1, "name": "stamp", "is": "Int64"}]
+}, {"at": 2, "name": "followed", "parameters": [{"at": 0, "name": "value",
+"is": "@0x8cdd0eb841f978ce"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
+"name": "settings", "parameters": [{"at": 0, "name": "value", "is": "@0xe1eab6cf5390e93b"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xbc0e291de17cadad", "kind": "struct",
+"name": "TeleoperationStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "teleopState", "is": "@0x82c72c556eb58a10"
+}, {"at": 3, "name": "anchors", "is": "@0x8cdd0eb841f978ce"}, {"at": 4, "name": "tooLarge",
+"is": "UInt64"}, {"at": 5, "name": "settings", "is": "@0xe1eab6cf5390e93b"}]}, {
+"id": "@0x82c72c556eb58a10", "kind": "enum", "name": "TeleopState", "members": [{"at": 0,
+"name": "disabled"}, {"at": 1, "name": "preparing"}, {"at": 2, "name": "following"}, {"at": 3,
+"name": "aligning"}, {"at": 4, "name": "clutched"}]}, {"id": "@0x8cdd0eb841f978ce",
+"kind": "struct", "name": "FollowAnchors", "members": [{"at": 0, "name": "masterStamp",
+"is": "Int64 clock \"steady\""}, {"at": 1, "name": "master",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 2, "name": "slaveSetpoint",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 3, "name": "scale", "is": "Float64"}, {
 "at": 4, "name": "entry", "is": "UInt64"}, {"at": 5, "name": "view",
@@ -586,7 +591,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Teleoperation>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Teleoperation",
-      .hash = "d5669079036420a78a75a89ca58f658e",
+      .hash = "ce8c110f1e23bc0acf8dc69700b6dfa0",
       .description = robots::kTeleoperationDescription,
       .commands = robots::kTeleoperationCommands,
       .events = robots::kTeleoperationEvents,

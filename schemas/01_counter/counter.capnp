@@ -21,7 +21,7 @@ interface CounterEvents @0xab8aa54e33362c79 $Meta.eventsOf("counting::Counter") 
 
   state @0 (row :CounterStateRow) -> ();
   # A new row of the columns asked for.
-  tenMore @1 (value :Int64) -> () $Meta.cxx("ten_more") $Meta.queue(16);
+  tenMore @1 (value :Int64, stamp :Int64) -> () $Meta.cxx("ten_more") $Meta.queue(16);
   # The count has passed a multiple of ten.
 }
 

@@ -27,9 +27,10 @@ interface GripperEvents @0xb6c3be53b63b21bb $Meta.eventsOf("gripping::Gripper") 
 
   state @0 (row :GripperStateRow) -> ();
   # A new row of the columns asked for.
-  jawsChanged @1 (value :Jaws) -> () $Meta.cxx("jaws_changed") $Meta.latched $Meta.queue(16);
+  jawsChanged @1 (value :Jaws, stamp :Int64) -> () $Meta.cxx("jaws_changed") $Meta.latched
+      $Meta.queue(16);
   # A state: whoever subscribes late is told the last one at once.
-  touched @2 (value :Float64 $Meta.unit("N")) -> () $Meta.queue(16);
+  touched @2 (value :Float64 $Meta.unit("N"), stamp :Int64) -> () $Meta.queue(16);
   # Something that happens: each one counts, so 16 may wait at a subscriber that is busy.
 }
 

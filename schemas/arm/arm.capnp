@@ -226,28 +226,31 @@ interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
 
   state @0 (row :ArmStateRow) -> ();
   # A new row of the columns asked for.
-  operatingState @1 (value :OperatingState.OperatingState) -> () $Meta.cxx("operating_state")
-      $Meta.latched $Meta.queue(16);
+  operatingState @1 (value :OperatingState.OperatingState, stamp :Int64) -> ()
+      $Meta.cxx("operating_state") $Meta.latched $Meta.queue(16);
   # Each change of the operating state, and the last one to whoever connects.
-  goalReached @2 (value :Bool) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
+  goalReached @2 (value :Bool, stamp :Int64) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
   # A move ended: true at its goal, false when something else replaced it.
-  warning @3 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  warning @3 (value :SuturestandardMessages.Message, stamp :Int64) -> () $Meta.latched
+      $Meta.queue(16);
   # Something was refused, or is not as it should be; the component goes on.
-  status @4 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  status @4 (value :SuturestandardMessages.Message, stamp :Int64) -> () $Meta.latched
+      $Meta.queue(16);
   # All is well; something has been done.
-  error @5 (value :SuturestandardMessages.Message) -> () $Meta.latched $Meta.queue(16);
+  error @5 (value :SuturestandardMessages.Message, stamp :Int64) -> () $Meta.latched
+      $Meta.queue(16);
   # Something failed, and somebody should see to it.
-  desiredState @6 (value :OperatingState.ArmState) -> () $Meta.cxx("desired_state") $Meta.latched
-      $Meta.queue(16);
+  desiredState @6 (value :OperatingState.ArmState, stamp :Int64) -> () $Meta.cxx("desired_state")
+      $Meta.latched $Meta.queue(16);
   # The state that a command asked for.
-  gravityCompensation @7 (value :Bool) -> () $Meta.cxx("gravity_compensation") $Meta.latched
-      $Meta.queue(16);
-  trajectoryJRatio @8 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio") $Meta.latched
-      $Meta.queue(16);
-  trajectoryJRatioV @9 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio_v") $Meta.latched
-      $Meta.queue(16);
-  trajectoryJRatioA @10 (value :Float64) -> () $Meta.cxx("trajectory_j_ratio_a") $Meta.latched
-      $Meta.queue(16);
+  gravityCompensation @7 (value :Bool, stamp :Int64) -> () $Meta.cxx("gravity_compensation")
+      $Meta.latched $Meta.queue(16);
+  trajectoryJRatio @8 (value :Float64, stamp :Int64) -> () $Meta.cxx("trajectory_j_ratio")
+      $Meta.latched $Meta.queue(16);
+  trajectoryJRatioV @9 (value :Float64, stamp :Int64) -> () $Meta.cxx("trajectory_j_ratio_v")
+      $Meta.latched $Meta.queue(16);
+  trajectoryJRatioA @10 (value :Float64, stamp :Int64) -> () $Meta.cxx("trajectory_j_ratio_a")
+      $Meta.latched $Meta.queue(16);
 }
 
 struct ArmStateRow @0x8c45d754ae03e800 $Meta.stateOf("robots::Arm") {

@@ -29,7 +29,7 @@ interface GripperEvents @0xc5f5014ab20db54c $Meta.eventsOf("robots::Gripper") {
 
   state @0 (row :GripperStateRow) -> ();
   # A new row of the columns asked for.
-  closed @1 (value :Bool) -> () $Meta.latched $Meta.queue(16);
+  closed @1 (value :Bool, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Whether it is closed, each time that changes, and the last one to whoever connects: dVRK's
   # gripper/closed.
 }

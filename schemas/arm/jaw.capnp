@@ -58,13 +58,13 @@ interface JawEvents @0xd6c2953fc4455ac0 $Meta.eventsOf("robots::Jaw") {
 
   state @0 (row :JawStateRow) -> ();
   # A new row of the columns asked for.
-  status @1 (value :Messages.Message) -> () $Meta.latched $Meta.queue(16);
+  status @1 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # All is well; something has been done.
-  warning @2 (value :Messages.Message) -> () $Meta.latched $Meta.queue(16);
+  warning @2 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Something was refused, or is not as it should be; the component goes on.
-  error @3 (value :Messages.Message) -> () $Meta.latched $Meta.queue(16);
+  error @3 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Something failed, and somebody should see to it.
-  goalReached @4 (value :Bool) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
+  goalReached @4 (value :Bool, stamp :Int64) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
   # A move ended: true at its goal, false when something else replaced it.
 }
 

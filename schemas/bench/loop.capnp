@@ -26,7 +26,7 @@ interface LoopServerEvents @0xa1763febd61d7208 $Meta.eventsOf("bench::LoopServer
 
   state @0 (row :LoopServerStateRow) -> ();
   # A new row of the columns asked for.
-  echo @1 (value :Pose.PosePrm) -> () $Meta.queue(16);
+  echo @1 (value :Pose.PosePrm, stamp :Int64) -> () $Meta.queue(16);
   # The value that bounce() took.
 }
 

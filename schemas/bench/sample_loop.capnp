@@ -23,7 +23,7 @@ interface SampleServerEvents @0xc71bdb510deae77a $Meta.eventsOf("bench::SampleSe
 
   state @0 (row :SampleServerStateRow) -> ();
   # A new row of the columns asked for.
-  echo @1 (value :Pose.PoseSample) -> () $Meta.queue(16);
+  echo @1 (value :Pose.PoseSample, stamp :Int64) -> () $Meta.queue(16);
   # The value that bounce() took.
 }
 

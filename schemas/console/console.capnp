@@ -43,14 +43,14 @@ interface ConsoleEvents @0x84a81ff77b719ad6 $Meta.eventsOf("robots::Console") {
 
   state @0 (row :ConsoleStateRow) -> ();
   # A new row of the columns asked for.
-  status @1 (value :Messages.Message) -> () $Meta.latched $Meta.queue(16);
+  status @1 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # All is well; something has been done.
-  warning @2 (value :Messages.Message) -> () $Meta.latched $Meta.queue(16);
+  warning @2 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Something was refused, or is not as it should be; the component goes on.
-  error @3 (value :Messages.Message) -> () $Meta.latched $Meta.queue(16);
+  error @3 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Something failed, and somebody should see to it.
-  consoleState @4 (value :ConsoleState) -> () $Meta.cxx("console_state") $Meta.latched
-      $Meta.queue(16);
+  consoleState @4 (value :ConsoleState, stamp :Int64) -> () $Meta.cxx("console_state")
+      $Meta.latched $Meta.queue(16);
   # Each change, and the last one to whoever connects.
 }
 

@@ -42,7 +42,7 @@ interface EmergencyStopEvents @0xd5baa187cf46a24d $Meta.eventsOf("robots::Emerge
 
   state @0 (row :EmergencyStopStateRow) -> ();
   # A new row of the columns asked for.
-  stop @1 (value :StopNews) -> () $Meta.latched $Meta.queue(16);
+  stop @1 (value :StopNews, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Each press and each release, and the last one to whoever connects.
 }
 

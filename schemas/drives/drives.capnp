@@ -73,7 +73,7 @@ interface DrivesEvents @0xe59a5d931070aa84 $Meta.eventsOf("robots::Drives") {
 
   state @0 (row :DrivesStateRow) -> ();
   # A new row of the columns asked for.
-  power @1 (value :DrivePower) -> () $Meta.latched $Meta.queue(16);
+  power @1 (value :DrivePower, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Each change, and the last one to whoever connects.
 }
 

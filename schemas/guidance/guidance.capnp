@@ -59,8 +59,8 @@ interface GuidanceEvents @0xf87738b35a660df1 $Meta.eventsOf("robots::Guidance") 
 
   state @0 (row :GuidanceStateRow) -> ();
   # A new row of the columns asked for.
-  guidanceState @1 (value :GuidanceState) -> () $Meta.cxx("guidance_state") $Meta.latched
-      $Meta.queue(16);
+  guidanceState @1 (value :GuidanceState, stamp :Int64) -> () $Meta.cxx("guidance_state")
+      $Meta.latched $Meta.queue(16);
   # Each change, and the last one to whoever connects.
 }
 

@@ -34,10 +34,10 @@ interface FootPedalsEvents @0xeb48eb818a9b108b $Meta.eventsOf("robots::FootPedal
 
   state @0 (row :FootPedalsStateRow) -> ();
   # A new row of the columns asked for.
-  clutch @1 (value :Bool) -> () $Meta.latched $Meta.queue(16);
+  clutch @1 (value :Bool, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Pressed or released, and as it is now to whoever connects.
-  camera @2 (value :Bool) -> () $Meta.latched $Meta.queue(16);
-  coagulation @3 (value :Bool) -> () $Meta.latched $Meta.queue(16);
+  camera @2 (value :Bool, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
+  coagulation @3 (value :Bool, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
 }
 
 struct FootPedalsStateRow @0xec8fc265517e6c7c $Meta.stateOf("robots::FootPedals") {

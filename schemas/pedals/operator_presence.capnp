@@ -26,7 +26,7 @@ interface OperatorPresenceEvents @0xd9df1a4d2e881c27 $Meta.eventsOf("robots::Ope
 
   state @0 (row :OperatorPresenceStateRow) -> ();
   # A new row of the columns asked for.
-  operatorPresent @1 (value :Bool) -> () $Meta.cxx("operator_present") $Meta.latched
+  operatorPresent @1 (value :Bool, stamp :Int64) -> () $Meta.cxx("operator_present") $Meta.latched
       $Meta.queue(16);
   # Each change, and as it is now to whoever connects.
 }

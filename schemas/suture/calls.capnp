@@ -15,12 +15,6 @@ struct CallsAnswer {
 interface Calls {
   # The bootstrap interface of a socket for calls.
 
-  contract @0 (connection :UInt32, replays :Replays) -> (contract :Capability);
+  contract @0 (connection :UInt32) -> (contract :Capability);
   # The capability of the contract's own interface (its generated schema).
-}
-
-interface Replays {
-  replayed @0 (event :UInt16, stamp :Int64) -> ();
-  # The next such event on this socket, numbered as in ConnectRequest, is the last value of a latched one, for a new
-  # subscriber; it was emitted at `stamp` of the provider's steady clock, ns.
 }

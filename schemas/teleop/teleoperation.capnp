@@ -74,10 +74,11 @@ interface TeleoperationEvents @0xe8de6e374cc63239 $Meta.eventsOf("robots::Teleop
 
   state @0 (row :TeleoperationStateRow) -> ();
   # A new row of the columns asked for.
-  teleopState @1 (value :TeleopState) -> () $Meta.cxx("teleop_state") $Meta.latched $Meta.queue(16);
-  followed @2 (value :FollowAnchors) -> () $Meta.latched $Meta.queue(16);
+  teleopState @1 (value :TeleopState, stamp :Int64) -> () $Meta.cxx("teleop_state") $Meta.latched
+      $Meta.queue(16);
+  followed @2 (value :FollowAnchors, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Following begins, or goes on by other settings.
-  settings @3 (value :TeleopSettings) -> () $Meta.latched $Meta.queue(16);
+  settings @3 (value :TeleopSettings, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Each change, and the last one to whoever connects.
 }
 

@@ -41,10 +41,10 @@ interface ArmLikeEvents @0xdb1787086decafde $Meta.eventsOf("reference::ArmLike")
 
   state @0 (row :ArmLikeStateRow) -> ();
   # A new row of the columns asked for.
-  mode @1 (value :ArmTypes.Mode) -> () $Meta.latched $Meta.queue(16);
-  arrived @2 (value :ArmTypes.PoseStamped) -> () $Meta.queue(4);
-  stopped @3 () -> () $Meta.queue(16);
-  moved @4 (value :ArmTypes.PoseStamped, value2 :Float64) -> () $Meta.queue(16);
+  mode @1 (value :ArmTypes.Mode, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
+  arrived @2 (value :ArmTypes.PoseStamped, stamp :Int64) -> () $Meta.queue(4);
+  stopped @3 (stamp :Int64) -> () $Meta.queue(16);
+  moved @4 (value :ArmTypes.PoseStamped, value2 :Float64, stamp :Int64) -> () $Meta.queue(16);
   # Where it is and how fast.
 }
 

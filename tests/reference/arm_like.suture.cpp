@@ -351,13 +351,16 @@ constexpr CommandCodec kArmLikeCommandCodecs[] = {
 
 constexpr EventCodec kArmLikeEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::ArmLikeEvents::ModeParams>,
      .payload = messageOf<wire::ArmLikeEvents::ModeParams, std::uint8_t, encodeArmLikeModeEvent,
                           decodeArmLikeModeEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::ArmLikeEvents::ArrivedParams>,
      .payload = messageOf<wire::ArmLikeEvents::ArrivedParams, PoseStampedSlot,
                           encodeArmLikeArrivedEvent, decodeArmLikeArrivedEvent>},
-    {.method = 3},
+    {.method = 3, .stamp = stampIn<wire::ArmLikeEvents::StoppedParams>},
     {.method = 4,
+     .stamp = stampIn<wire::ArmLikeEvents::MovedParams>,
      .payload = messageOf<wire::ArmLikeEvents::MovedParams, ArmLikeMovedPayload,
                           encodeArmLikeMovedEvent, decodeArmLikeMovedEvent>},
 };

@@ -30,12 +30,12 @@ interface GripperArmEvents @0xc4dcbf461eed82fb $Meta.eventsOf("reference::Grippe
 
   state @0 (row :GripperArmStateRow) -> ();
   # A new row of the columns asked for.
-  mode @1 (value :ArmTypes.Mode) -> () $Meta.latched $Meta.queue(16);
-  arrived @2 (value :ArmTypes.PoseStamped) -> () $Meta.queue(4);
-  stopped @3 () -> () $Meta.queue(16);
-  moved @4 (value :ArmTypes.PoseStamped, value2 :Float64) -> () $Meta.queue(16);
+  mode @1 (value :ArmTypes.Mode, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
+  arrived @2 (value :ArmTypes.PoseStamped, stamp :Int64) -> () $Meta.queue(4);
+  stopped @3 (stamp :Int64) -> () $Meta.queue(16);
+  moved @4 (value :ArmTypes.PoseStamped, value2 :Float64, stamp :Int64) -> () $Meta.queue(16);
   # Where it is and how fast.
-  gripped @5 (value :Float64) -> () $Meta.queue(16);
+  gripped @5 (value :Float64, stamp :Int64) -> () $Meta.queue(16);
 }
 
 struct GripperArmStateRow @0xaad3d7925d80f23f $Meta.stateOf("reference::GripperArm") {

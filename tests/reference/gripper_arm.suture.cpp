@@ -221,16 +221,20 @@ constexpr CommandCodec kGripperArmCommandCodecs[] = {
 
 constexpr EventCodec kGripperArmEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::GripperArmEvents::ModeParams>,
      .payload = messageOf<wire::GripperArmEvents::ModeParams, std::uint8_t,
                           encodeGripperArmModeEvent, decodeGripperArmModeEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::GripperArmEvents::ArrivedParams>,
      .payload = messageOf<wire::GripperArmEvents::ArrivedParams, PoseStampedSlot,
                           encodeGripperArmArrivedEvent, decodeGripperArmArrivedEvent>},
-    {.method = 3},
+    {.method = 3, .stamp = stampIn<wire::GripperArmEvents::StoppedParams>},
     {.method = 4,
+     .stamp = stampIn<wire::GripperArmEvents::MovedParams>,
      .payload = messageOf<wire::GripperArmEvents::MovedParams, ArmLikeMovedPayload,
                           encodeGripperArmMovedEvent, decodeGripperArmMovedEvent>},
     {.method = 5,
+     .stamp = stampIn<wire::GripperArmEvents::GrippedParams>,
      .payload = messageOf<wire::GripperArmEvents::GrippedParams, double,
                           encodeGripperArmGrippedEvent, decodeGripperArmGrippedEvent>},
 };

@@ -166,8 +166,10 @@ void emitEventCodecs(Code& code, const Context& context, const model::Interface&
   if (interface.events.empty()) return;
   code.line("constexpr EventCodec k", prefixOf(interface), "EventCodecs[] = {");
   for (const model::Event& event : interface.events) {
-    std::vector<std::string> members = {".method = " +
-                                        std::to_string(methodOf(context, interface, event))};
+    std::vector<std::string> members = {
+        ".method = " + std::to_string(methodOf(context, interface, event)),
+        ".stamp = stampIn<" + wireEventsOf(interface) + "::" + model::titleCase(event.wireName) +
+            "Params>"};
     if (!event.payload.empty()) {
       members.push_back(".payload = " + messageOf(payloadOf(context, interface, event)));
     }

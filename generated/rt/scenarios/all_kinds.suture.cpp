@@ -641,17 +641,21 @@ constexpr CommandCodec kAllKindsCommandCodecs[] = {
 };
 
 constexpr EventCodec kAllKindsEventCodecs[] = {
-    {.method = 1},
+    {.method = 1, .stamp = stampIn<wire::AllKindsEvents::ClearedParams>},
     {.method = 2,
+     .stamp = stampIn<wire::AllKindsEvents::ScalarSetParams>,
      .payload = messageOf<wire::AllKindsEvents::ScalarSetParams, double,
                           encodeAllKindsScalarSetEvent, decodeAllKindsScalarSetEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::AllKindsEvents::VectorSetParams>,
      .payload = messageOf<wire::AllKindsEvents::VectorSetParams, std::array<double, 3>,
                           encodeAllKindsVectorSetEvent, decodeAllKindsVectorSetEvent>},
     {.method = 4,
+     .stamp = stampIn<wire::AllKindsEvents::RecordSetParams>,
      .payload = messageOf<wire::AllKindsEvents::RecordSetParams, robots::PosePrmSlot,
                           encodeAllKindsRecordSetEvent, decodeAllKindsRecordSetEvent>},
     {.method = 5,
+     .stamp = stampIn<wire::AllKindsEvents::TextSetParams>,
      .payload = messageOf<wire::AllKindsEvents::TextSetParams, suture::BoundedText<31>,
                           encodeAllKindsTextSetEvent, decodeAllKindsTextSetEvent>},
 };
@@ -813,7 +817,7 @@ constexpr EventInfo kAllKindsEvents[] = {
 
 // The self-description, as in rt/scenarios/all_kinds.suture.json.
 constexpr char kAllKindsDescription[] = R"json(
-{"name": "scenarios::AllKinds", "hash": "6c3eb0727bcc74c29cb02c916019eb6c", "commands": [{
+{"name": "scenarios::AllKinds", "hash": "a9aa7eb587740dbc7d09ca6fff6de2b1", "commands": [{
 "name": "clear", "kind": "void", "ordinal": 1, "doc": "Forgets all values. void", "queue": 16}, {
 "name": "set_scalar", "kind": "write", "ordinal": 2, "wire": "setScalar",
 "doc": "Write: keep a value and tell it.", "parameters": [{"name": "value", "type": {
@@ -933,17 +937,19 @@ constexpr char kAllKindsDescription[] = R"json(
 "is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
 "name": "value", "is": "Text"}]}]}, {"id": "@0xdccb6d872bbaa8db", "kind": "interface",
 "name": "AllKindsEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xf9cad0ab043d03c9"}]}, {"at": 1, "name": "cleared"}, {"at": 2,
-"name": "scalarSet", "parameters": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 3,
-"name": "vectorSet", "parameters": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}]},
-{"at": 4, "name": "recordSet", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
-}]}, {"at": 5, "name": "textSet", "parameters": [{"at": 0, "name": "value", "is": "Text"}]}]}, {
-"id": "@0xf9cad0ab043d03c9", "kind": "struct", "name": "AllKindsStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "scalar", "is": "Float64"}, {"at": 4,
-"name": "vector", "is": "/suture/types.capnp:Vec3"}, {"at": 5, "name": "record",
-"is": "@0xedd17c97b8723561"}, {"at": 6, "name": "text", "is": "Text"}]}, {
-"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
+"name": "row", "is": "@0xf9cad0ab043d03c9"}]}, {"at": 1, "name": "cleared", "parameters": [{
+"at": 0, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "scalarSet", "parameters": [{"at": 0,
+"name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
+"name": "vectorSet", "parameters": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4, "name": "recordSet", "parameters": [{"at": 0,
+"name": "value", "is": "@0xedd17c97b8723561"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 5, "name": "textSet", "parameters": [{"at": 0, "name": "value", "is": "Text"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}]}, {"id": "@0xf9cad0ab043d03c9", "kind": "struct",
+"name": "AllKindsStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "scalar", "is": "Float64"}, {"at": 4, "name": "vector", "is": "/suture/types.capnp:Vec3"}, {
+"at": 5, "name": "record", "is": "@0xedd17c97b8723561"}, {"at": 6, "name": "text", "is": "Text"}]},
+{"id": "@0xedd17c97b8723561", "kind": "struct", "name": "PosePrm", "members": [{"at": 0,
 "name": "timestamp", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "automaticTimestamp",
 "is": "Bool = true"}, {"at": 2, "name": "valid", "is": "Bool"}, {"at": 3, "name": "movingFrame",
 "is": "Text"}, {"at": 4, "name": "referenceFrame", "is": "Text"}, {"at": 5, "name": "position",
@@ -958,7 +964,7 @@ template <>
 const InterfaceInfo& interfaceInfo<scenarios::AllKinds>() {
   static constexpr InterfaceInfo kInfo{
       .name = "scenarios::AllKinds",
-      .hash = "6c3eb0727bcc74c29cb02c916019eb6c",
+      .hash = "a9aa7eb587740dbc7d09ca6fff6de2b1",
       .description = scenarios::kAllKindsDescription,
       .commands = scenarios::kAllKindsCommands,
       .events = scenarios::kAllKindsEvents,

@@ -308,6 +308,7 @@ constexpr CommandCodec kLifecycleCommandCodecs[] = {
 
 constexpr EventCodec kLifecycleEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::LifecycleEvents::StateChangedParams>,
      .payload = messageOf<wire::LifecycleEvents::StateChangedParams, StateChangeSlot,
                           encodeLifecycleStateChangedEvent, decodeLifecycleStateChangedEvent>},
 };
@@ -361,7 +362,7 @@ constexpr EventInfo kLifecycleEvents[] = {
 constexpr char kLifecycleDescription[] = R"json(
 {"name": "suture::Lifecycle",
 "doc": "The provided interface \"component\" of every component that a manager has. It is served also\nwhile the component is suspended or faulted.",
-"hash": "72e14ab84ae789d5bf0ab7fb7bb4a807", "commands": [{"name": "suspend",
+"hash": "c0d761ea153a3e16ede74edeb40c58bf", "commands": [{"name": "suspend",
 "kind": "void with return", "ordinal": 1,
 "doc": "Lets the component do nothing from its next cycle on. False: it is not running.",
 "result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "resume", "kind": "void with return",
@@ -415,18 +416,19 @@ constexpr char kLifecycleDescription[] = R"json(
 }]}]}, {"id": "@0xa4c750cb89591cca", "kind": "interface", "name": "LifecycleEvents", "members": [{
 "at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf777f0543682aa19"}]}, {
 "at": 1, "name": "stateChanged", "parameters": [{"at": 0, "name": "value",
-"is": "@0x94110f1e97b939a5"}]}]}, {"id": "@0xf777f0543682aa19", "kind": "struct",
-"name": "LifecycleStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "componentState", "is": "@0x8e5bed957aeeb624"}]}, {"id": "@0x8e5bed957aeeb624",
-"kind": "enum", "name": "ComponentState", "members": [{"at": 0, "name": "constructed"}, {"at": 1,
-"name": "configured"}, {"at": 2, "name": "running"}, {"at": 3, "name": "suspended"}, {"at": 4,
-"name": "faulted"}, {"at": 5, "name": "stopped"}]}, {"id": "@0x94110f1e97b939a5", "kind": "struct",
-"name": "StateChange", "members": [{"at": 0, "name": "state", "is": "@0x8e5bed957aeeb624"}, {
-"at": 1, "name": "fault", "is": "Text"}, {"at": 2, "name": "stamp", "is": "Int64 clock \"steady\""}
-]}, {"id": "@0xc2c9babc8f01c05f", "kind": "enum", "name": "ResumeOutcome", "members": [{"at": 0,
-"name": "resumed"}, {"at": 1, "name": "asked"}, {"at": 2, "name": "noSuchInterface"}, {"at": 3,
-"name": "notConnected"}, {"at": 4, "name": "notAwaiting"}, {"at": 5, "name": "providerLost"}]}]})json";
+"is": "@0x94110f1e97b939a5"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xf777f0543682aa19", "kind": "struct", "name": "LifecycleStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "componentState", "is": "@0x8e5bed957aeeb624"
+}]}, {"id": "@0x8e5bed957aeeb624", "kind": "enum", "name": "ComponentState", "members": [{"at": 0,
+"name": "constructed"}, {"at": 1, "name": "configured"}, {"at": 2, "name": "running"}, {"at": 3,
+"name": "suspended"}, {"at": 4, "name": "faulted"}, {"at": 5, "name": "stopped"}]}, {
+"id": "@0x94110f1e97b939a5", "kind": "struct", "name": "StateChange", "members": [{"at": 0,
+"name": "state", "is": "@0x8e5bed957aeeb624"}, {"at": 1, "name": "fault", "is": "Text"}, {"at": 2,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}, {"id": "@0xc2c9babc8f01c05f", "kind": "enum",
+"name": "ResumeOutcome", "members": [{"at": 0, "name": "resumed"}, {"at": 1, "name": "asked"}, {
+"at": 2, "name": "noSuchInterface"}, {"at": 3, "name": "notConnected"}, {"at": 4,
+"name": "notAwaiting"}, {"at": 5, "name": "providerLost"}]}]})json";
 
 }  // namespace
 }  // namespace suture
@@ -437,7 +439,7 @@ template <>
 const InterfaceInfo& interfaceInfo<suture::Lifecycle>() {
   static constexpr InterfaceInfo kInfo{
       .name = "suture::Lifecycle",
-      .hash = "72e14ab84ae789d5bf0ab7fb7bb4a807",
+      .hash = "c0d761ea153a3e16ede74edeb40c58bf",
       .description = suture::kLifecycleDescription,
       .commands = suture::kLifecycleCommands,
       .events = suture::kLifecycleEvents,

@@ -20,6 +20,7 @@ using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::messageOf;
+using suture::rpc::stampIn;
 using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::shiftSlot;
@@ -111,12 +112,15 @@ Errc decodeMessagesErrorEvent(wire::MessagesEvents::ErrorParams::Reader in, Mess
 
 constexpr EventCodec kMessagesEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::MessagesEvents::StatusParams>,
      .payload = messageOf<wire::MessagesEvents::StatusParams, MessageSlot,
                           encodeMessagesStatusEvent, decodeMessagesStatusEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::MessagesEvents::WarningParams>,
      .payload = messageOf<wire::MessagesEvents::WarningParams, MessageSlot,
                           encodeMessagesWarningEvent, decodeMessagesWarningEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::MessagesEvents::ErrorParams>,
      .payload = messageOf<wire::MessagesEvents::ErrorParams, MessageSlot, encodeMessagesErrorEvent,
                           decodeMessagesErrorEvent>},
 };
@@ -158,7 +162,7 @@ constexpr EventInfo kMessagesEvents[] = {
 constexpr char kMessagesDescription[] = R"json(
 {"name": "suture::Messages",
 "doc": "Any component may provide it (message_port.h), and any contract may derive from it (then\nmessage_sender.h sends); whoever listens to messages can connect to both. Each listener keeps\nup to 16 of a kind that it has not handled; more are dropped and counted. Who comes late gets\nthe last of each kind.",
-"hash": "a854c1edb8d67562447b42945d96160c", "commands": [], "events": [{"name": "status",
+"hash": "3292aca5ba841eeeaadd64f9f3ca3d09", "commands": [], "events": [{"name": "status",
 "kind": "write", "ordinal": 1, "doc": "All is well; something has been done.", "payload": {
 "type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
 "name": "warning", "kind": "write", "ordinal": 2,
@@ -180,15 +184,16 @@ constexpr char kMessagesDescription[] = R"json(
 "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
 "id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
-"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
-"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
-}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
-}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
-"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
-"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}]})json";
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct",
+"name": "MessagesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xbd6bc34f74980c5d", "kind": "struct", "name": "Message", "members": [{"at": 0,
+"name": "text", "is": "Text"}, {"at": 1, "name": "code", "is": "UInt32"}, {"at": 2,
+"name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
 }  // namespace suture
@@ -199,7 +204,7 @@ template <>
 const InterfaceInfo& interfaceInfo<suture::Messages>() {
   static constexpr InterfaceInfo kInfo{
       .name = "suture::Messages",
-      .hash = "a854c1edb8d67562447b42945d96160c",
+      .hash = "3292aca5ba841eeeaadd64f9f3ca3d09",
       .description = suture::kMessagesDescription,
       .commands = {},
       .events = suture::kMessagesEvents,

@@ -120,12 +120,15 @@ constexpr CommandCodec kLampCommandCodecs[] = {
 
 constexpr EventCodec kLampEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::LampEvents::StatusParams>,
      .payload = messageOf<wire::LampEvents::StatusParams, suture::MessageSlot,
                           encodeLampStatusEvent, decodeLampStatusEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::LampEvents::WarningParams>,
      .payload = messageOf<wire::LampEvents::WarningParams, suture::MessageSlot,
                           encodeLampWarningEvent, decodeLampWarningEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::LampEvents::ErrorParams>,
      .payload = messageOf<wire::LampEvents::ErrorParams, suture::MessageSlot, encodeLampErrorEvent,
                           decodeLampErrorEvent>},
 };
@@ -157,7 +160,7 @@ constexpr CommandInfo kLampCommands[] = {
 
 // The self-description, as in unit/contracts/lamp.suture.json.
 constexpr char kLampDescription[] = R"json(
-{"name": "contracts::Lamp", "hash": "01b08049b7531e674d0093087c2ac2b3", "base": "suture::Messages",
+{"name": "contracts::Lamp", "hash": "6d9eb09eeffd19248376e3cef7415d78", "base": "suture::Messages",
 "commands": [{"name": "light", "kind": "write", "ordinal": 1, "parameters": [{"name": "on",
 "type": {"kind": "Bool"}}], "queue": 16}, {"name": "lit", "kind": "read", "ordinal": 2, "result": {
 "type": {"kind": "Bool"}}, "queue": 16}], "events": [{"name": "status", "kind": "write",
@@ -189,23 +192,26 @@ constexpr char kLampDescription[] = R"json(
 "at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}]}, {
 "id": "@0xa02813b154cdd1d8", "kind": "interface", "name": "MessagesEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x814f9864e019fa96"}]}, {"at": 1,
-"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {
-"at": 2, "name": "warning", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]
-}, {"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"
-}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct", "name": "MessagesStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}]}, {"id": "@0xbd6bc34f74980c5d", "kind": "struct",
-"name": "Message", "members": [{"at": 0, "name": "text", "is": "Text"}, {"at": 1, "name": "code",
-"is": "UInt32"}, {"at": 2, "name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp",
-"is": "Int64 clock \"steady\""}]}, {"id": "@0xd29be22d5548c1be", "kind": "interface",
-"name": "LampEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
-"is": "@0xc60e3f090bda1270"}]}, {"at": 1, "name": "status", "parameters": [{"at": 0,
-"name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 2, "name": "warning", "parameters": [{
-"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}, {"at": 3, "name": "error", "parameters": [
-{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}]}]}, {"id": "@0xc60e3f090bda1270",
-"kind": "struct", "name": "LampStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {
-"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
-"at": 3, "name": "lit", "is": "Bool"}]}]})json";
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0x814f9864e019fa96", "kind": "struct",
+"name": "MessagesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xbd6bc34f74980c5d", "kind": "struct", "name": "Message", "members": [{"at": 0,
+"name": "text", "is": "Text"}, {"at": 1, "name": "code", "is": "UInt32"}, {"at": 2,
+"name": "counter", "is": "UInt32"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}, {
+"id": "@0xd29be22d5548c1be", "kind": "interface", "name": "LampEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xc60e3f090bda1270"}]}, {"at": 1,
+"name": "status", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "warning", "parameters": [{"at": 0,
+"name": "value", "is": "@0xbd6bc34f74980c5d"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "error", "parameters": [{"at": 0, "name": "value", "is": "@0xbd6bc34f74980c5d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xc60e3f090bda1270", "kind": "struct",
+"name": "LampStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "lit", "is": "Bool"}]}]})json";
 
 }  // namespace
 }  // namespace contracts
@@ -216,7 +222,7 @@ template <>
 const InterfaceInfo& interfaceInfo<contracts::Lamp>() {
   static const InterfaceInfo kInfo{
       .name = "contracts::Lamp",
-      .hash = "01b08049b7531e674d0093087c2ac2b3",
+      .hash = "6d9eb09eeffd19248376e3cef7415d78",
       .description = contracts::kLampDescription,
       .commands = contracts::kLampCommands,
       .events = interfaceInfo<suture::Messages>().events,

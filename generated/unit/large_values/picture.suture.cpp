@@ -196,6 +196,7 @@ constexpr CommandCodec kGalleryCommandCodecs[] = {
 
 constexpr EventCodec kGalleryEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::GalleryEvents::HungParams>,
      .payload = messageOf<wire::GalleryEvents::HungParams, PictureSlot, encodeGalleryHungEvent,
                           decodeGalleryHungEvent>},
 };
@@ -250,7 +251,7 @@ constexpr EventInfo kGalleryEvents[] = {
 
 // The self-description, as in unit/large_values/picture.suture.json.
 constexpr char kGalleryDescription[] = R"json(
-{"name": "large_values::Gallery", "hash": "c27c4c87013183d160e67b10a27a6a3f", "commands": [{
+{"name": "large_values::Gallery", "hash": "a771e30828cbea86cffdd8ee6844256a", "commands": [{
 "name": "newest", "kind": "read", "ordinal": 1, "result": {"type": {"kind": "struct",
 "name": "large_values::Picture"}}, "queue": 16}, {"name": "oldest", "kind": "read", "ordinal": 2,
 "result": {"type": {"kind": "struct", "name": "large_values::Picture"}}, "queue": 16}, {
@@ -278,12 +279,12 @@ constexpr char kGalleryDescription[] = R"json(
 "at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}]}, {"id": "@0xc01f74a8ea49ad06",
 "kind": "interface", "name": "GalleryEvents", "members": [{"at": 0, "name": "state", "parameters": [
 {"at": 0, "name": "row", "is": "@0xca1846eae9ffa1ee"}]}, {"at": 1, "name": "hung", "parameters": [{
-"at": 0, "name": "value", "is": "@0xe2f1b542ae737d95"}]}]}, {"id": "@0xca1846eae9ffa1ee",
-"kind": "struct", "name": "GalleryStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"},
-{"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
-"at": 3, "name": "newest", "is": "@0xe2f1b542ae737d95"}, {"at": 4, "name": "oldest",
-"is": "@0xe2f1b542ae737d95"}]}, {"id": "@0xe2f1b542ae737d95", "kind": "struct", "name": "Picture",
-"members": [{"at": 0, "name": "pixels", "is": "Data"}]}]})json";
+"at": 0, "name": "value", "is": "@0xe2f1b542ae737d95"}, {"at": 1, "name": "stamp", "is": "Int64"}]}
+]}, {"id": "@0xca1846eae9ffa1ee", "kind": "struct", "name": "GalleryStateRow", "members": [{
+"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "newest", "is": "@0xe2f1b542ae737d95"}, {
+"at": 4, "name": "oldest", "is": "@0xe2f1b542ae737d95"}]}, {"id": "@0xe2f1b542ae737d95",
+"kind": "struct", "name": "Picture", "members": [{"at": 0, "name": "pixels", "is": "Data"}]}]})json";
 
 }  // namespace
 }  // namespace large_values
@@ -294,7 +295,7 @@ template <>
 const InterfaceInfo& interfaceInfo<large_values::Gallery>() {
   static constexpr InterfaceInfo kInfo{
       .name = "large_values::Gallery",
-      .hash = "c27c4c87013183d160e67b10a27a6a3f",
+      .hash = "a771e30828cbea86cffdd8ee6844256a",
       .description = large_values::kGalleryDescription,
       .commands = large_values::kGalleryCommands,
       .events = large_values::kGalleryEvents,

@@ -38,7 +38,10 @@ class Receiver final : public capnp::DynamicCapability::Server {
       capnp::InterfaceSchema::Method method,
       capnp::CallContext<capnp::DynamicStruct, capnp::DynamicStruct> context) override {
     for (const Member& event : contract_->events()) {
-      if (event.method == method) heard_(event, unwrapped(toJson(context.getParams(), labels_)));
+      if (event.method != method) continue;
+      Json all = toJson(context.getParams(), labels_);
+      all.erase("stamp");
+      heard_(event, unwrapped(all));
     }
     return kj::READY_NOW;
   }

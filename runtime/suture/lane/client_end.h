@@ -22,8 +22,6 @@ class ClientEnd : public kj::Refcounted {
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);
-  /// The next such event was emitted at `stamp`, on the provider's clock, ns: it is a replay.
-  virtual void noteReplay(std::uint16_t /*event*/, std::int64_t /*stamp*/) {}
 
  protected:
   bool isClosed() const { return closed_; }

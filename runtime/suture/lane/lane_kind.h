@@ -13,7 +13,6 @@
 #include <suture/net/byte_stream.h>
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 
@@ -104,15 +103,10 @@ struct IncomingConnection {
   Duration silence{0};  ///< that the client bears; 0: it does not say
 };
 
-/// Tells a client that the next such event, as its contract numbers them on the wire, repeats one
-/// that was emitted at `stamp`.
-using TellReplay = std::function<void(std::uint16_t event, Time stamp)>;
-
 /// A provider's end that has been made. Its channel is not attached to the provider yet.
 struct AcceptedEnd {
   kj::Own<rpc::ProviderEnd> end;
   std::shared_ptr<Channel> channel;
-  TellReplay replays;  ///< of a lane whose events do not say when they were emitted
 };
 
 /// A lane in one session, in the provider's process.

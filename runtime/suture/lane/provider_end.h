@@ -17,13 +17,10 @@ namespace suture::rpc {
 /// thread.
 class ProviderEnd : public kj::Refcounted {
  public:
-  /// Hears of each change of how it stands with the provider's component, and of what a client
-  /// cannot see of an event.
+  /// Hears of each change of how it stands with the provider's component.
   struct Listener {
     virtual ~Listener() noexcept(false) = default;
     virtual void told(ChannelStatus status) = 0;
-    /// The next such event repeats one that was emitted at `stamp`, for a new subscriber.
-    virtual void replays(std::uint16_t event, Time stamp) = 0;
     /// Passes on what has become of the client's commands. Resolves when the client has heard.
     virtual kj::Promise<void> tallies(const Tally& tally) = 0;
     /// Passes on what has become of those of the connections before.

@@ -35,12 +35,13 @@ struct SentCodec {
   wire::Sent::Reader (*of)(capnp::AnyPointer::Reader parameters);
 };
 
-/// Where the results of a read say when the value was produced; of other commands they do not.
+/// Where the results of a read say when the value was produced, and the parameters of an event when
+/// it was emitted; the results of other commands do not. On the sender's steady clock, ns.
 struct StampCodec {
-  void (*set)(capnp::AnyPointer::Builder results,
+  void (*set)(capnp::AnyPointer::Builder message,
               std::int64_t stamp) = [](capnp::AnyPointer::Builder, std::int64_t) {};
   /// 0: not said.
-  std::int64_t (*of)(capnp::AnyPointer::Reader results) = [](capnp::AnyPointer::Reader) {
+  std::int64_t (*of)(capnp::AnyPointer::Reader message) = [](capnp::AnyPointer::Reader) {
     return std::int64_t{0};
   };
 };
@@ -57,6 +58,7 @@ struct CommandCodec {
 /// An event is a method of the events interface of each contract that has it.
 struct EventCodec {
   std::uint16_t method;
+  StampCodec stamp;
   MessageCodec payload = {};
 };
 
@@ -101,11 +103,11 @@ inline constexpr SentCodec sentIn{
     .in = [](capnp::AnyPointer::Builder out) { return out.getAs<Parameters>().initSent(); },
     .of = [](capnp::AnyPointer::Reader in) { return in.getAs<Parameters>().getSent(); }};
 
-template <class Results>
+template <class Message>
 inline constexpr StampCodec stampIn{
     .set = [](capnp::AnyPointer::Builder out,
-              std::int64_t stamp) { out.getAs<Results>().setStamp(stamp); },
-    .of = [](capnp::AnyPointer::Reader in) { return in.getAs<Results>().getStamp(); }};
+              std::int64_t stamp) { out.getAs<Message>().setStamp(stamp); },
+    .of = [](capnp::AnyPointer::Reader in) { return in.getAs<Message>().getStamp(); }};
 
 /// The columns of a contract without reads.
 template <class Row>

@@ -62,13 +62,14 @@ interface AllKindsEvents @0xdccb6d872bbaa8db $Meta.eventsOf("scenarios::AllKinds
 
   state @0 (row :AllKindsStateRow) -> ();
   # A new row of the columns asked for.
-  cleared @1 () -> () $Meta.queue(16);
+  cleared @1 (stamp :Int64) -> () $Meta.queue(16);
   # All values are forgotten. void
-  scalarSet @2 (value :Float64) -> () $Meta.cxx("scalar_set") $Meta.queue(16);
+  scalarSet @2 (value :Float64, stamp :Int64) -> () $Meta.cxx("scalar_set") $Meta.queue(16);
   # Write: a value has been set.
-  vectorSet @3 (value :Types.Vec3) -> () $Meta.cxx("vector_set") $Meta.queue(16);
-  recordSet @4 (value :Pose.PosePrm) -> () $Meta.cxx("record_set") $Meta.queue(16);
-  textSet @5 (value :Text $Meta.capacity([31])) -> () $Meta.cxx("text_set") $Meta.queue(16);
+  vectorSet @3 (value :Types.Vec3, stamp :Int64) -> () $Meta.cxx("vector_set") $Meta.queue(16);
+  recordSet @4 (value :Pose.PosePrm, stamp :Int64) -> () $Meta.cxx("record_set") $Meta.queue(16);
+  textSet @5 (value :Text $Meta.capacity([31]), stamp :Int64) -> () $Meta.cxx("text_set")
+      $Meta.queue(16);
 }
 
 struct AllKindsStateRow @0xf9cad0ab043d03c9 $Meta.stateOf("scenarios::AllKinds") {

@@ -51,7 +51,7 @@ interface LifecycleEvents @0xa4c750cb89591cca $Meta.eventsOf("suture::Lifecycle"
 
   state @0 (row :LifecycleStateRow) -> ();
   # A new row of the columns asked for.
-  stateChanged @1 (value :StateChange) -> () $Meta.cxx("state_changed") $Meta.latched
+  stateChanged @1 (value :StateChange, stamp :Int64) -> () $Meta.cxx("state_changed") $Meta.latched
       $Meta.queue(16);
   # Once for each transition; whoever subscribes later gets the last.
 }

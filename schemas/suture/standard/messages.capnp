@@ -32,11 +32,11 @@ interface MessagesEvents @0xa02813b154cdd1d8 $Meta.eventsOf("suture::Messages") 
 
   state @0 (row :MessagesStateRow) -> ();
   # A new row of the columns asked for.
-  status @1 (value :Message) -> () $Meta.latched $Meta.queue(16);
+  status @1 (value :Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # All is well; something has been done.
-  warning @2 (value :Message) -> () $Meta.latched $Meta.queue(16);
+  warning @2 (value :Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Something was refused, or is not as it should be; the component goes on.
-  error @3 (value :Message) -> () $Meta.latched $Meta.queue(16);
+  error @3 (value :Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   # Something failed, and somebody should see to it.
 }
 

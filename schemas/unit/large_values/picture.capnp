@@ -25,7 +25,7 @@ interface GalleryEvents @0xc01f74a8ea49ad06 $Meta.eventsOf("large_values::Galler
 
   state @0 (row :GalleryStateRow) -> ();
   # A new row of the columns asked for.
-  hung @1 (value :Picture) -> () $Meta.latest $Meta.queue(16);
+  hung @1 (value :Picture, stamp :Int64) -> () $Meta.latest $Meta.queue(16);
 }
 
 struct GalleryStateRow @0xca1846eae9ffa1ee $Meta.stateOf("large_values::Gallery") {

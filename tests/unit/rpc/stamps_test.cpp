@@ -1,28 +1,95 @@
-#include <gtest/gtest.h>
-#include <suture/wire/stamps.h>
+// An event says when it was emitted, on the reader's clock, however long it took.
+#include <suture/loop/kj_comparisons.h>  // first
 
-#include <limits>
+#include <gtest/gtest.h>
+#include <suture/lane/rpc/proxy_port.h>
+#include <suture/lane/rpc/servant.h>
+#include <suture/loop/control_thread.h>
+
+#include <chrono>
+#include <memory>
+
+#include "reference/arm_like.suture.h"
+#include "support/eventually.h"
+#include "support/patience.h"
 
 namespace suture::rpc {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
-constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
+constexpr std::uint16_t kStopped = 2;
 
-TEST(Stamps, MovesAStampAndLeavesAnUnsetOne) {
-  EXPECT_EQ(shifted(5, 3ns), 8);
-  EXPECT_EQ(shifted(5, -7ns), -2);
-  EXPECT_EQ(shifted(0, 3ns), 0);
+/// A channel of which one end belongs to the control thread, to a process whose clock stands so to
+/// this one's.
+std::shared_ptr<Channel> makeChannel(rt::Doorbell& client, rt::Doorbell& provider, Duration shift) {
+  const auto peer = std::make_shared<PeerState>();
+  peer->clockShift = shift;
+  peer->clockError = 1ms;
+  const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
+  return std::make_shared<Channel>(
+      contract, "client -> provider", "rpc",
+      Channel::Ends{.client = &client, .provider = &provider, .watcher = &client, .peer = peer},
+      makeStateTable(contract, rt::StateTable::Readers::Here), ~EventSet{0});
 }
 
-TEST(Stamps, AStampFromNowhereStillHasAnAge) {
-  EXPECT_EQ(shifted(kMost, 168h), kMost / 2);
-  EXPECT_EQ(shifted(kLeast, -168h), -(kMost / 2));
-  EXPECT_EQ(shifted(kMost, Duration::max()), kMost / 2);
-  EXPECT_GT(now() - fromNanoseconds(shifted(kLeast, 0ns)), 0ns);
-  EXPECT_LT(now() - fromNanoseconds(shifted(kMost, 0ns)), 0ns);
+class CallStamps : public testing::Test {
+ protected:
+  CallStamps() {
+    control_.run(kPatience, [this] {
+      const auto counters = std::make_shared<LinkCounters>();
+      servant_ = kj::refcounted<ServantPort>(control_, far_, counters);
+      proxy_ = kj::refcounted<ProxyPort>(control_, near_, counters);
+      proxy_->open(kj::heap<Servant>(kj::addRef(*servant_)));
+      return kj::Promise<void>(kj::READY_NOW);
+    });
+  }
+  // In one process the two ports keep each other until both have closed, and what they had under
+  // way has ended.
+  ~CallStamps() noexcept override {
+    control_.run(kPatience, [this] {
+      proxy_->close(ChannelStatus::Closed);
+      return control_.timer().afterDelay(1 * kj::MILLISECONDS);
+    });
+    control_.run(kPatience, [this] {
+      servant_->close();
+      return control_.timer().afterDelay(1 * kj::MILLISECONDS);
+    });
+    control_.run(kPatience, [this] {
+      proxy_ = nullptr;
+      servant_ = nullptr;
+      return kj::Promise<void>(kj::READY_NOW);
+    });
+  }
+
+  /// What the client hears of an event that was emitted at `emitted`.
+  Time heard(Time emitted) {
+    EXPECT_TRUE(far_->events.push(kStopped, emitted, {}));
+    far_->ends.client->ring();
+    const rt::EventRecord* record = nullptr;
+    EXPECT_TRUE(eventually([&] { return (record = near_->events.next()) != nullptr; }));
+    const Time stamp = record == nullptr ? Time{} : record->stamp;
+    if (record != nullptr) near_->events.pop();
+    return stamp;
+  }
+
+  ControlThread control_;
+  rt::Doorbell bell_;
+  const std::shared_ptr<Channel> near_ = makeChannel(bell_, control_.doorbell(), -7s);
+  const std::shared_ptr<Channel> far_ = makeChannel(control_.doorbell(), bell_, 0s);
+  kj::Own<ServantPort> servant_;
+  kj::Own<ProxyPort> proxy_;
+};
+
+TEST_F(CallStamps, OfEventsAreTheClients) {
+  const Time emitted = now() + 1s;
+  EXPECT_EQ(heard(emitted), emitted - 7s);
+  EXPECT_EQ(heard(emitted + 1ms), emitted + 1ms - 7s);
+}
+
+TEST_F(CallStamps, NoEventComesFromTheFuture) {
+  const Time stamp = heard(now() + 1h);
+  EXPECT_LE(stamp, now());
 }
 
 }  // namespace

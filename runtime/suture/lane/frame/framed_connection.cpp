@@ -42,7 +42,7 @@ AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& o
   if (connection.readOnly) side->setReadOnly();
   on.link->join(side);
   bell->ring();
-  return AcceptedEnd{kj::mv(end), std::move(channel), {}};
+  return AcceptedEnd{kj::mv(end), std::move(channel)};
 }
 
 }  // namespace suture::frame

@@ -24,21 +24,6 @@ bool isLarge(const InterfaceInfo& contract) {
   return std::max(row, most) > kMostShared;
 }
 
-class ReplaysReceiver final : public wire::Replays::Server {
- public:
-  explicit ReplaysReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
-
- protected:
-  kj::Promise<void> replayed(ReplayedContext context) override {
-    const auto in = context.getParams();
-    port_->noteReplay(in.getEvent(), in.getStamp());
-    return kj::READY_NOW;
-  }
-
- private:
-  kj::Own<ProxyPort> port_;
-};
-
 /// The link lives as long as the client's end.
 class CallsAttempt final : public LaneAttempt {
  public:
@@ -53,9 +38,7 @@ class CallsAttempt final : public LaneAttempt {
   kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t rows) override {
     auto channel = mirroredChannel(connection_, "rpc", control_.doorbell(), control_, rows);
     auto port = kj::refcounted<ProxyPort>(control_, channel, link_->counters());
-    auto contract = link_->contract(answer.getAs<wire::CallsAnswer>().getConnection(),
-                                    kj::heap<ReplaysReceiver>(kj::addRef(*port)));
-    port->open(kj::mv(contract));
+    port->open(link_->contract(answer.getAs<wire::CallsAnswer>().getConnection()));
     auto broken = link_->whenBroken().attach(std::shared_ptr(link_));
     return OpenedEnd{kj::mv(port), std::move(channel), kj::mv(broken)};
   }
@@ -81,11 +64,9 @@ CallsLink::CallsLink(ControlThread& control, LaneSocket socket)
                       })
                       .fork()) {}
 
-capnp::Capability::Client CallsLink::contract(std::uint32_t connection,
-                                              wire::Replays::Client replays) {
+capnp::Capability::Client CallsLink::contract(std::uint32_t connection) {
   auto request = peer_.contractRequest();
   request.setConnection(connection);
-  request.setReplays(kj::mv(replays));
   return request.send().getContract();
 }
 

@@ -24,7 +24,6 @@ class CallsServer::Bootstrap final : public wire::Calls::Server {
       return failure(Type::FAILED, "no such connection has been accepted on this socket");
     }
     context.getResults().setContract(kj::mv(found->second.contract));
-    *found->second.replays = context.getParams().getReplays();
     contracts_->erase(found);
     return kj::READY_NOW;
   }
@@ -66,22 +65,9 @@ kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
   auto channel = callsChannel(session_.control(), connection);
   auto port = serveCalls(session_.control(), connection, channel, found->second.link->counters());
   const std::uint32_t number = ++latest_;
-  const auto replays = std::make_shared<kj::Maybe<wire::Replays::Client>>();
-  found->second.contracts->emplace(number,
-                                   Offered{channel, kj::heap<Servant>(kj::addRef(*port)), replays});
+  found->second.contracts->emplace(number, Offered{channel, kj::heap<Servant>(kj::addRef(*port))});
   answer.initAs<wire::CallsAnswer>().setConnection(number);
-  return AcceptedEnd{kj::mv(port), std::move(channel), tellThrough(replays)};
-}
-
-TellReplay CallsServer::tellThrough(std::shared_ptr<kj::Maybe<wire::Replays::Client>> replays) {
-  return [this, replays = std::move(replays)](std::uint16_t event, Time stamp) {
-    KJ_IF_MAYBE (client, *replays) {
-      auto request = client->replayedRequest();
-      request.setEvent(event);
-      request.setStamp(toNanoseconds(stamp));
-      tasks_.add(request.send().ignoreResult());
-    }
-  };
+  return AcceptedEnd{kj::mv(port), std::move(channel)};
 }
 
 // A session has at most so many connections, and each needs one socket at most.

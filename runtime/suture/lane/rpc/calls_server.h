@@ -32,7 +32,6 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
   struct Offered {
     std::shared_ptr<Channel> channel;
     capnp::Capability::Client contract;
-    std::shared_ptr<kj::Maybe<wire::Replays::Client>> replays;
   };
   using Contracts = std::map<std::uint32_t, Offered>;
   class Bootstrap;
@@ -42,8 +41,6 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
   };
 
   void taskFailed(kj::Exception&&) override {}
-
-  TellReplay tellThrough(std::shared_ptr<kj::Maybe<wire::Replays::Client>> replays);
 
   ServerSession& session_;
   std::map<std::uint32_t, Socket> sockets_;  // by number

@@ -26,7 +26,6 @@ ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
       control_(control),
       counters_(std::move(counters)),
       payload_(mostWords(channel_->info)),
-      replays_(channel_->info.events.size()),
       calls_(*this) {}
 
 ProxyPort::~ProxyPort() noexcept(false) { close(ChannelStatus::Closed); }
@@ -65,25 +64,20 @@ kj::Promise<void> ProxyPort::event(std::uint16_t event, capnp::AnyPointer::Reade
   auto* const slot = reinterpret_cast<std::byte*>(payload_.data());
   if (known.sharedPayload) putSharedSlot(slot, nullptr);
   KJ_DEFER(if (known.sharedPayload) releaseSharedSlot(slot));
-  const Errc error = info().codec().events[event].payload.decode(in, slot, shift());
+  const EventCodec& codec = info().codec().events[event];
+  const Errc error = codec.payload.decode(in, slot, shift());
   if (error != Errc{}) return remoteError(error);
   if (!channel_->admits(known, slot)) {
     return remoteError(Errc::Invalid, channel_->lastInvalid.read());
   }
-  push(event, slot);
+  push(event, slot, codec.stamp.of(in));
   return acknowledge();
 }
 
-void ProxyPort::push(std::uint16_t event, const std::byte* slot) {
-  const Time stamp = here(std::exchange(replays_[event], 0));
+void ProxyPort::push(std::uint16_t event, const std::byte* slot, std::int64_t stamp) {
   if (isClosed() || (leaving_ >> event & 1) != 0) return;
-  channel_->events.push(event, stamp, {slot, channel_->info.events[event].payloadSize});
+  channel_->events.push(event, here(stamp), {slot, channel_->info.events[event].payloadSize});
   channel_->ends.client->ring(rt::RungFor::Arrival);
-}
-
-void ProxyPort::noteReplay(std::uint16_t event, std::int64_t stamp) {
-  const std::size_t place = placeOf(info().wireEvents, event);
-  if (place < replays_.size()) replays_[place] = stamp;
 }
 
 kj::Promise<void> ProxyPort::acknowledge() {

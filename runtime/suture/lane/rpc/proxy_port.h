@@ -34,7 +34,6 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
 
   /// Begins: subscribes and sends what waits. `provider` must be of the contract's interface.
   void open(capnp::Capability::Client provider);
-  void noteReplay(std::uint16_t event, std::int64_t stamp) override;
   const InterfaceInfo& info() const { return channel_->info; }
 
   /// A row has come.
@@ -45,7 +44,7 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
  private:
   Duration shift() const { return channel_->clockShift(); }
   Time here(std::int64_t stamp) const;
-  void push(std::uint16_t event, const std::byte* slot);
+  void push(std::uint16_t event, const std::byte* slot, std::int64_t stamp);
   /// The newest event is answered with the next command, or when another event arrives: a message
   /// of its own would cost both processes a wake-up, and the provider does not wait for it before
   /// ServantPort::kWindow of them.
@@ -73,7 +72,6 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   EventSet events_ = 0;
   rt::ColumnSet columns_ = 0;
   std::vector<std::uint64_t> payload_;  // of the event that comes
-  std::vector<std::int64_t> replays_;   // by event: what noteReplay() told; 0: it did not
   EventSet leaving_ = 0;            // what of these comes was emitted for an earlier subscription
   unsigned farewellsUnderWay_ = 0;  // messages after whose answer no more of it comes
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;

@@ -243,16 +243,12 @@ bool ServantPort::wanted(const rt::EventRecord& record) const {
 
 void ServantPort::sendEvent(Subscriber& subscriber, const rt::EventRecord& record) {
   ++eventsInFlight_;
-  if (record.stamp < since_[record.event]) {
-    KJ_IF_MAYBE (listener, listener_) (*listener)->replays(record.event, record.stamp);
-  }
-  sending_.add(subscriber.event(record.event, record.payload())
-                   .then([this] { eventSent(); },
-                         [this](kj::Exception&& failure) {
-                           throwIfGone(kj::mv(failure));
-                           channel_->events.countDropped();
-                           eventSent();
-                         }));
+  sending_.add(subscriber.event(record).then([this] { eventSent(); },
+                                             [this](kj::Exception&& failure) {
+                                               throwIfGone(kj::mv(failure));
+                                               channel_->events.countDropped();
+                                               eventSent();
+                                             }));
 }
 
 void ServantPort::eventSent() {

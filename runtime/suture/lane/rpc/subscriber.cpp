@@ -3,12 +3,13 @@
 
 namespace suture::rpc {
 
-kj::Promise<void> Subscriber::event(std::uint16_t event, const std::byte* payload) {
+kj::Promise<void> Subscriber::event(const rt::EventRecord& record) {
   const Codec& codec = contract_.codec();
-  if (event >= codec.events.size()) return kj::READY_NOW;
-  const EventCodec& known = codec.events[event];
+  if (record.event >= codec.events.size()) return kj::READY_NOW;
+  const EventCodec& known = codec.events[record.event];
   auto request = client_.typelessRequest(codec.subscriber, known.method, nullptr);
-  known.payload.encode(payload, request);
+  known.payload.encode(record.payload(), request);
+  known.stamp.set(request, toNanoseconds(record.stamp));
   return request.send().ignoreResult();
 }
 

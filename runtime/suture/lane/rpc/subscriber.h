@@ -5,6 +5,7 @@
 
 #include <capnp/capability.h>
 #include <suture/component/contract/interface_info.h>
+#include <suture/rt/queue/event_queue.h>
 #include <suture/rt/state/state_table.h>
 
 #include <cstddef>
@@ -20,9 +21,9 @@ class Subscriber {
   Subscriber(capnp::Capability::Client client, const InterfaceInfo& contract)
       : client_(kj::mv(client)), contract_(contract) {}
 
-  /// Sends event `event`, if its contract has it; the promise resolves when the subscriber has
+  /// Sends an event, if its contract has it; the promise resolves when the subscriber has
   /// taken it.
-  kj::Promise<void> event(std::uint16_t event, const std::byte* payload);
+  kj::Promise<void> event(const rt::EventRecord& record);
   /// Sends the columns that have a value; `slots[i]` is the slot of column i.
   kj::Promise<void> row(const rt::StateTable::Row& row, std::span<const std::byte* const> slots);
 

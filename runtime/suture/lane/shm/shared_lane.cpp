@@ -71,8 +71,8 @@ class SharedServer final : public LaneServer {
           SharedOffer offer =
               offerShared(connection, std::move(bell), session_.control().doorbell());
           toWire(offer.parts, answer.initAs<wire::SharedChannel>());
-          return AcceptedEnd{
-              kj::refcounted<StatusPort>(session_.control(), offer.channel), offer.channel, {}};
+          return AcceptedEnd{kj::refcounted<StatusPort>(session_.control(), offer.channel),
+                             offer.channel};
         });
   }
 

@@ -14,10 +14,6 @@ void NoticesSender::told(ChannelStatus status) {
   }
 }
 
-void NoticesSender::replays(std::uint16_t event, Time stamp) {
-  if (replays_) replays_(events_.empty() ? event : events_[event], stamp);
-}
-
 kj::Promise<void> NoticesSender::tallies(const Tally& tally) {
   auto request = client_.talliedRequest();
   toWire(tally, request.initTally());

@@ -1,7 +1,7 @@
 #pragma once
 // Tells a client in another process what befalls its provider.
 
-#include <suture/lane/lane_kind.h>
+#include <suture/lane/provider_end.h>
 #include <suture/loop/control_thread.h>
 #include <suture/peer.capnp.h>
 
@@ -10,14 +10,10 @@ namespace suture {
 /// Whether the client hears does not matter here. Belongs to the control thread.
 class NoticesSender final : public rpc::ProviderEnd::Listener {
  public:
-  /// `replays`: the lane's way to tell of a replay. `events`: how the client's contract numbers
-  /// them on the wire.
-  NoticesSender(rpc::ControlThread& control, wire::Notices::Client client, TellReplay replays,
-                WireNumbers events)
-      : control_(control), client_(kj::mv(client)), replays_(std::move(replays)), events_(events) {}
+  NoticesSender(rpc::ControlThread& control, wire::Notices::Client client)
+      : control_(control), client_(kj::mv(client)) {}
 
   void told(ChannelStatus status) override;
-  void replays(std::uint16_t event, Time stamp) override;
   kj::Promise<void> tallies(const Tally& tally) override;
   void tells(const Earlier& earlier) override;
 
@@ -29,8 +25,6 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
 
   rpc::ControlThread& control_;
   wire::Notices::Client client_;
-  const TellReplay replays_;
-  const WireNumbers events_;
 };
 
 }  // namespace suture

@@ -276,9 +276,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
     return end.close();
   }
   enter(accepted.channel);
-  end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices(),
-                                          std::move(accepted.replays),
-                                          asked.match.contract->wireEvents));
+  end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   keep(kj::addRef(end), accepted.channel);
   if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
   auto out = context.getResults().getAccepted();
@@ -291,7 +289,7 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
 
 void PeerServer::keep(kj::Own<rpc::ProviderEnd> end, std::shared_ptr<Channel> channel) {
   leases_.watch(*end);
-  held_.push_back({kj::mv(end), std::move(channel), {}});
+  held_.push_back({kj::mv(end), std::move(channel)});
 }
 
 void PeerServer::forgetEnded() {

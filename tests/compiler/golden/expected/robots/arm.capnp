@@ -79,11 +79,12 @@ interface ArmEvents @0xa6aa5daf71e0a4ba $Meta.eventsOf("robots::Arm") {
 
   state @0 (row :ArmStateRow) -> ();
   # A new row of the columns asked for.
-  modeChanged @1 (value :Mode) -> () $Meta.cxx("mode_changed") $Meta.latched $Meta.queue(8);
-  stopped @2 () -> () $Meta.queue(16);
-  arrived @3 (value :Geometry.PoseStamped) -> () $Meta.queue(16);
-  moved @4 (value :Geometry.PoseStamped, value2 :Float64, value3 :Mode) -> () $Meta.latched
-      $Meta.queue(16);
+  modeChanged @1 (value :Mode, stamp :Int64) -> () $Meta.cxx("mode_changed") $Meta.latched
+      $Meta.queue(8);
+  stopped @2 (stamp :Int64) -> () $Meta.queue(16);
+  arrived @3 (value :Geometry.PoseStamped, stamp :Int64) -> () $Meta.queue(16);
+  moved @4 (value :Geometry.PoseStamped, value2 :Float64, value3 :Mode, stamp :Int64) -> ()
+      $Meta.latched $Meta.queue(16);
   # Where, how fast and why.
 }
 

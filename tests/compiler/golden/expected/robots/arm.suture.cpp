@@ -573,13 +573,16 @@ constexpr CommandCodec kArmCommandCodecs[] = {
 
 constexpr EventCodec kArmEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::ArmEvents::ModeChangedParams>,
      .payload = messageOf<wire::ArmEvents::ModeChangedParams, std::int8_t,
                           encodeArmModeChangedEvent, decodeArmModeChangedEvent>},
-    {.method = 2},
+    {.method = 2, .stamp = stampIn<wire::ArmEvents::StoppedParams>},
     {.method = 3,
+     .stamp = stampIn<wire::ArmEvents::ArrivedParams>,
      .payload = messageOf<wire::ArmEvents::ArrivedParams, PoseStampedSlot, encodeArmArrivedEvent,
                           decodeArmArrivedEvent>},
     {.method = 4,
+     .stamp = stampIn<wire::ArmEvents::MovedParams>,
      .payload = messageOf<wire::ArmEvents::MovedParams, ArmMovedPayload, encodeArmMovedEvent,
                           decodeArmMovedEvent>},
 };
@@ -683,8 +686,8 @@ constexpr EventInfo kArmEvents[] = {
 
 // The self-description, as in robots/arm.suture.json.
 constexpr char kArmDescription[] = R"json(
-{"name": "robots::Arm", "doc": "A robot arm.", "hash": "098f1414549f8719cb5e7383aff6c956",
-"core": "105905a88a26f5954c1b7ccca0ff990d", "commands": [{"name": "enable", "kind": "void",
+{"name": "robots::Arm", "doc": "A robot arm.", "hash": "d8de998c5ba084a28d01192de0814d0b",
+"core": "bec890e4e4cf5450b64adb3019e10edb", "commands": [{"name": "enable", "kind": "void",
 "ordinal": 1, "queue": 4}, {"name": "servo_cp", "kind": "write", "ordinal": 2, "wire": "servoCp",
 "doc": "Follow the goal.", "parameters": [{"name": "goal", "type": {"kind": "struct",
 "name": "robots::PoseStamped"}}], "queue": 16, "latest": true, "ttl": 0.02}, {"name": "set_speed",
@@ -772,11 +775,13 @@ constexpr char kArmDescription[] = R"json(
 "name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
 "id": "@0xa6aa5daf71e0a4ba", "kind": "interface", "name": "ArmEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xd633b378dcab35c1"}]}, {"at": 1,
-"name": "modeChanged", "parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}]}, {
-"at": 2, "name": "stopped"}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
-"is": "@0xe61654a89cf5f1dd"}]}, {"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value",
-"is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "value2", "is": "Float64"}, {"at": 2,
-"name": "value3", "is": "@0xab8c3dd92b2643d4"}]}]}, {"id": "@0xd633b378dcab35c1", "kind": "struct",
+"name": "modeChanged", "parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "stopped", "parameters": [{"at": 0,
+"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "arrived", "parameters": [{"at": 0,
+"name": "value", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value", "is": "@0xe61654a89cf5f1dd"}, {
+"at": 1, "name": "value2", "is": "Float64"}, {"at": 2, "name": "value3", "is": "@0xab8c3dd92b2643d4"
+}, {"at": 3, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xd633b378dcab35c1", "kind": "struct",
 "name": "ArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
 "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
 "name": "measuredCp", "is": "@0xe61654a89cf5f1dd"}, {"at": 4, "name": "mode",
@@ -820,7 +825,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Arm",
-      .hash = "098f1414549f8719cb5e7383aff6c956",
+      .hash = "d8de998c5ba084a28d01192de0814d0b",
       .description = robots::kArmDescription,
       .commands = robots::kArmCommands,
       .events = robots::kArmEvents,

@@ -27,13 +27,14 @@ interface GripperEvents @0x9acb6a7a5fa48866 $Meta.eventsOf("robots::Gripper") {
 
   state @0 (row :GripperStateRow) -> ();
   # A new row of the columns asked for.
-  modeChanged @1 (value :Arm.Mode) -> () $Meta.cxx("mode_changed") $Meta.latched $Meta.queue(8);
-  stopped @2 () -> () $Meta.queue(16);
-  arrived @3 (value :Geometry.PoseStamped) -> () $Meta.queue(16);
-  moved @4 (value :Geometry.PoseStamped, value2 :Float64, value3 :Arm.Mode) -> () $Meta.latched
-      $Meta.queue(16);
+  modeChanged @1 (value :Arm.Mode, stamp :Int64) -> () $Meta.cxx("mode_changed") $Meta.latched
+      $Meta.queue(8);
+  stopped @2 (stamp :Int64) -> () $Meta.queue(16);
+  arrived @3 (value :Geometry.PoseStamped, stamp :Int64) -> () $Meta.queue(16);
+  moved @4 (value :Geometry.PoseStamped, value2 :Float64, value3 :Arm.Mode, stamp :Int64) -> ()
+      $Meta.latched $Meta.queue(16);
   # Where, how fast and why.
-  gripped @5 (value :Float64, value2 :Bool) -> () $Meta.queue(16) $Meta.since(2);
+  gripped @5 (value :Float64, value2 :Bool, stamp :Int64) -> () $Meta.queue(16) $Meta.since(2);
 }
 
 struct GripperStateRow @0x8d73a8caf926376a $Meta.stateOf("robots::Gripper") {
@@ -68,7 +69,7 @@ interface NamesEvents @0xf43423c9c422881d $Meta.eventsOf("robots::Names") {
 
   state @0 (row :NamesStateRow) -> ();
   # A new row of the columns asked for.
-  latched @1 (value :Float64) -> () $Meta.latched $Meta.queue(16);
+  latched @1 (value :Float64, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
 }
 
 struct NamesStateRow @0x87faafafa7e923b7 $Meta.stateOf("robots::Names") {

@@ -252,16 +252,20 @@ constexpr CommandCodec kGripperCommandCodecs[] = {
 
 constexpr EventCodec kGripperEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::GripperEvents::ModeChangedParams>,
      .payload = messageOf<wire::GripperEvents::ModeChangedParams, std::int8_t,
                           encodeGripperModeChangedEvent, decodeGripperModeChangedEvent>},
-    {.method = 2},
+    {.method = 2, .stamp = stampIn<wire::GripperEvents::StoppedParams>},
     {.method = 3,
+     .stamp = stampIn<wire::GripperEvents::ArrivedParams>,
      .payload = messageOf<wire::GripperEvents::ArrivedParams, PoseStampedSlot,
                           encodeGripperArrivedEvent, decodeGripperArrivedEvent>},
     {.method = 4,
+     .stamp = stampIn<wire::GripperEvents::MovedParams>,
      .payload = messageOf<wire::GripperEvents::MovedParams, ArmMovedPayload,
                           encodeGripperMovedEvent, decodeGripperMovedEvent>},
     {.method = 5,
+     .stamp = stampIn<wire::GripperEvents::GrippedParams>,
      .payload = messageOf<wire::GripperEvents::GrippedParams, GripperGrippedPayload,
                           encodeGripperGrippedEvent, decodeGripperGrippedEvent>},
 };
@@ -312,7 +316,7 @@ constexpr EventInfo kGripperEvents[] = {
 // The self-description, as in robots/gripper.suture.json.
 constexpr char kGripperDescription[] = R"json(
 {"name": "robots::Gripper", "doc": "An arm with a gripper.",
-"hash": "80297788a323ca7bff040107b64d3705", "core": "a9b1e581d8cd565de2fe8b81c0049693",
+"hash": "fc71972a184a19de55a9a012bd7d14f9", "core": "eb9eb46966e5dba33474216f5ce87555",
 "version": 2, "base": "robots::Arm", "since": 2, "commands": [{"name": "enable", "kind": "void",
 "ordinal": 1, "queue": 4, "from": "robots::Arm"}, {"name": "servo_cp", "kind": "write",
 "ordinal": 2, "wire": "servoCp", "doc": "Follow the goal.", "parameters": [{"name": "goal",
@@ -423,11 +427,13 @@ constexpr char kGripperDescription[] = R"json(
 "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xa6aa5daf71e0a4ba",
 "kind": "interface", "name": "ArmEvents", "members": [{"at": 0, "name": "state", "parameters": [{
 "at": 0, "name": "row", "is": "@0xd633b378dcab35c1"}]}, {"at": 1, "name": "modeChanged",
-"parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}]}, {"at": 2,
-"name": "stopped"}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
-"is": "@0xe61654a89cf5f1dd"}]}, {"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value",
-"is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "value2", "is": "Float64"}, {"at": 2,
-"name": "value3", "is": "@0xab8c3dd92b2643d4"}]}]}, {"id": "@0xd633b378dcab35c1", "kind": "struct",
+"parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 2, "name": "stopped", "parameters": [{"at": 0, "name": "stamp",
+"is": "Int64"}]}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
+"is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 4,
+"name": "moved", "parameters": [{"at": 0, "name": "value", "is": "@0xe61654a89cf5f1dd"}, {"at": 1,
+"name": "value2", "is": "Float64"}, {"at": 2, "name": "value3", "is": "@0xab8c3dd92b2643d4"}, {
+"at": 3, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xd633b378dcab35c1", "kind": "struct",
 "name": "ArmStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
 "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
 "name": "measuredCp", "is": "@0xe61654a89cf5f1dd"}, {"at": 4, "name": "mode",
@@ -453,18 +459,20 @@ constexpr char kGripperDescription[] = R"json(
 "is": "Int64 period \"1/1000\""}, {"at": 20, "name": "when", "is": "Int64 clock \"steady\""}]}, {
 "id": "@0x9acb6a7a5fa48866", "kind": "interface", "name": "GripperEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0x8d73a8caf926376a"}]}, {"at": 1,
-"name": "modeChanged", "parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}]}, {
-"at": 2, "name": "stopped"}, {"at": 3, "name": "arrived", "parameters": [{"at": 0, "name": "value",
-"is": "@0xe61654a89cf5f1dd"}]}, {"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value",
-"is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "value2", "is": "Float64"}, {"at": 2,
-"name": "value3", "is": "@0xab8c3dd92b2643d4"}]}, {"at": 5, "name": "gripped", "parameters": [{
-"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "value2", "is": "Bool"}]}]}, {
-"id": "@0x8d73a8caf926376a", "kind": "struct", "name": "GripperStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "measuredCp", "is": "@0xe61654a89cf5f1dd"}, {
-"at": 4, "name": "mode", "is": "@0xab8c3dd92b2643d4"}, {"at": 5, "name": "everything",
-"is": "@0xe827b555e2bdb416"}, {"at": 6, "name": "load", "is": "Float64"}, {"at": 7,
-"name": "opening", "is": "Float64"}]}]})json";
+"name": "modeChanged", "parameters": [{"at": 0, "name": "value", "is": "@0xab8c3dd92b2643d4"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "stopped", "parameters": [{"at": 0,
+"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "arrived", "parameters": [{"at": 0,
+"name": "value", "is": "@0xe61654a89cf5f1dd"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 4, "name": "moved", "parameters": [{"at": 0, "name": "value", "is": "@0xe61654a89cf5f1dd"}, {
+"at": 1, "name": "value2", "is": "Float64"}, {"at": 2, "name": "value3", "is": "@0xab8c3dd92b2643d4"
+}, {"at": 3, "name": "stamp", "is": "Int64"}]}, {"at": 5, "name": "gripped", "parameters": [{
+"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "value2", "is": "Bool"}, {"at": 2,
+"name": "stamp", "is": "Int64"}]}]}, {"id": "@0x8d73a8caf926376a", "kind": "struct",
+"name": "GripperStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "measuredCp", "is": "@0xe61654a89cf5f1dd"}, {"at": 4, "name": "mode",
+"is": "@0xab8c3dd92b2643d4"}, {"at": 5, "name": "everything", "is": "@0xe827b555e2bdb416"}, {
+"at": 6, "name": "load", "is": "Float64"}, {"at": 7, "name": "opening", "is": "Float64"}]}]})json";
 
 bool acceptsNamesTitle(const NamesNameArguments& slot, FieldPath* path) {
   if (!isValid(slot.range)) return refusedAt(path, "range");
@@ -570,6 +578,7 @@ constexpr CommandCodec kNamesCommandCodecs[] = {
 
 constexpr EventCodec kNamesEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::NamesEvents::LatchedParams>,
      .payload = messageOf<wire::NamesEvents::LatchedParams, double, encodeNamesLatchedEvent,
                           decodeNamesLatchedEvent>},
 };
@@ -617,7 +626,7 @@ constexpr EventInfo kNamesEvents[] = {
 // The self-description, as in robots/gripper.suture.json.
 constexpr char kNamesDescription[] = R"json(
 {"name": "robots::Names", "doc": "Members that are called as arguments of the annotations are.",
-"hash": "e54c0cb37918bd57e34585c46706a1ad", "commands": [{"name": "queue", "kind": "write",
+"hash": "523ca76d5743653a39146ca5ecc60fec", "commands": [{"name": "queue", "kind": "write",
 "ordinal": 1, "parameters": [{"name": "name", "type": {"kind": "Int32"}}], "queue": 4}, {
 "name": "name", "kind": "write with return", "ordinal": 2, "wire": "title", "parameters": [{
 "name": "range", "type": {"kind": "Float64"}}, {"name": "slot", "type": {"kind": "Float64"}}, {
@@ -639,10 +648,10 @@ constexpr char kNamesDescription[] = R"json(
 "at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xf43423c9c422881d", "kind": "interface",
 "name": "NamesEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0x87faafafa7e923b7"}]}, {"at": 1, "name": "latched", "parameters": [{
-"at": 0, "name": "value", "is": "Float64"}]}]}, {"id": "@0x87faafafa7e923b7", "kind": "struct",
-"name": "NamesStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
-"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
-"name": "range", "is": "Float64"}]}]})json";
+"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0x87faafafa7e923b7", "kind": "struct", "name": "NamesStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "range", "is": "Float64"}]}]})json";
 
 }  // namespace
 }  // namespace robots
@@ -657,7 +666,7 @@ const InterfaceInfo& interfaceInfo<robots::Gripper>() {
                                           robots::kGripperEvents);
   static const InterfaceInfo kInfo{
       .name = "robots::Gripper",
-      .hash = "80297788a323ca7bff040107b64d3705",
+      .hash = "fc71972a184a19de55a9a012bd7d14f9",
       .description = robots::kGripperDescription,
       .commands = kCommands,
       .events = kEvents,
@@ -672,7 +681,7 @@ template <>
 const InterfaceInfo& interfaceInfo<robots::Names>() {
   static constexpr InterfaceInfo kInfo{
       .name = "robots::Names",
-      .hash = "e54c0cb37918bd57e34585c46706a1ad",
+      .hash = "523ca76d5743653a39146ca5ecc60fec",
       .description = robots::kNamesDescription,
       .commands = robots::kNamesCommands,
       .events = robots::kNamesEvents,

@@ -34,8 +34,8 @@ interface ContractEvents @0xe5c41a90a7253ceb $Meta.eventsOf("demo::Contract") {
 
   state @0 (row :ContractStateRow) -> ();
   # A new row of the columns asked for.
-  on @1 () -> () $Meta.queue(16);
-  counted @2 (value :Int64) -> () $Meta.queue(16);
+  on @1 (stamp :Int64) -> () $Meta.queue(16);
+  counted @2 (value :Int64, stamp :Int64) -> () $Meta.queue(16);
 }
 
 struct ContractStateRow @0xf46d7556c214799f $Meta.stateOf("demo::Contract") {

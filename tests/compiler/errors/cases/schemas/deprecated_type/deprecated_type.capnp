@@ -38,7 +38,7 @@ interface ContractEvents @0xe5c41a90a7253ceb $Meta.eventsOf("demo::Contract") {
 
   state @0 (row :ContractStateRow) -> ();
   # A new row of the columns asked for.
-  moved @1 (value :Place) -> () $Meta.queue(16);
+  moved @1 (value :Place, stamp :Int64) -> () $Meta.queue(16);
 }
 
 struct ContractStateRow @0xf46d7556c214799f $Meta.stateOf("demo::Contract") {

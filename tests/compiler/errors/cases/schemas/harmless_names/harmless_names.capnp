@@ -35,7 +35,7 @@ interface ContractEvents @0xe5c41a90a7253ceb $Meta.eventsOf("demo::Contract") {
 
   state @0 (row :ContractStateRow) -> ();
   # A new row of the columns asked for.
-  latched @1 (value :Int32) -> () $Meta.latched $Meta.queue(2);
+  latched @1 (value :Int32, stamp :Int64) -> () $Meta.latched $Meta.queue(2);
 }
 
 struct ContractStateRow @0xf46d7556c214799f $Meta.stateOf("demo::Contract") {

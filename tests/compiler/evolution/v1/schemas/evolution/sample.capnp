@@ -38,7 +38,7 @@ interface FeedEvents @0xa66981bc7ce3187d $Meta.eventsOf("evolution::Feed") {
 
   state @0 (row :FeedStateRow) -> ();
   # A new row of the columns asked for.
-  moved @1 (value :Sample) -> () $Meta.queue(16);
+  moved @1 (value :Sample, stamp :Int64) -> () $Meta.queue(16);
 }
 
 struct FeedStateRow @0xfb7574b60a5416b5 $Meta.stateOf("evolution::Feed") {

@@ -229,7 +229,7 @@ interface StoreEvents @0xe1e2cc5c73c90fe5 $Meta.eventsOf("shapes::Store") {
 
   state @0 (row :StoreStateRow) -> ();
   # A new row of the columns asked for.
-  changed @1 (value :ShapesContainersEitherOfFloat64OrPoint) -> () $Meta.queue(16);
+  changed @1 (value :ShapesContainersEitherOfFloat64OrPoint, stamp :Int64) -> () $Meta.queue(16);
 }
 
 struct StoreStateRow @0xca120faf75e33fa7 $Meta.stateOf("shapes::Store") {

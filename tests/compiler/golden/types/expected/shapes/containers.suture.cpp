@@ -975,6 +975,7 @@ constexpr CommandCodec kStoreCommandCodecs[] = {
 
 constexpr EventCodec kStoreEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::StoreEvents::ChangedParams>,
      .payload = messageOf<wire::StoreEvents::ChangedParams, suture::SlotVariant<double, PointSlot>,
                           encodeStoreChangedEvent, decodeStoreChangedEvent>},
 };
@@ -1039,7 +1040,7 @@ constexpr EventInfo kStoreEvents[] = {
 // The self-description, as in shapes/containers.suture.json.
 constexpr char kStoreDescription[] = R"json(
 {"name": "shapes::Store", "doc": "Composites right in a contract.",
-"hash": "12f79678e78dcc3f88f4e408f39ab4bb", "commands": [{"name": "put", "kind": "write",
+"hash": "5839ad6669a078a7c2d8c90f1fd4ac0e", "commands": [{"name": "put", "kind": "write",
 "ordinal": 1, "parameters": [{"name": "value", "type": {"kind": "struct",
 "name": "shapes::Sequences"}}], "queue": 16}, {"name": "choose", "kind": "write", "ordinal": 2,
 "parameters": [{"name": "gain", "type": {"kind": "optional", "element": {"kind": "Float64"}}}],
@@ -1130,16 +1131,16 @@ constexpr char kStoreDescription[] = R"json(
 "name": "value", "is": "@0xfdb609e41c4ccca5"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
 "id": "@0xe1e2cc5c73c90fe5", "kind": "interface", "name": "StoreEvents", "members": [{"at": 0,
 "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xca120faf75e33fa7"}]}, {"at": 1,
-"name": "changed", "parameters": [{"at": 0, "name": "value", "is": "@0x8f220204a5e1de49"}]}]}, {
-"id": "@0xca120faf75e33fa7", "kind": "struct", "name": "StoreStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "sequences", "is": "@0xdd7a64a833e189af"}, {
-"at": 4, "name": "choices", "is": "@0xbda4c87a7b3da61e"}, {"at": 5, "name": "matrices",
-"is": "@0xd5b880c1c2797353"}, {"at": 6, "name": "reading", "is": "@0xfdb609e41c4ccca5"}]}, {
-"id": "@0xdd7a64a833e189af", "kind": "struct", "name": "Sequences", "members": [{"at": 0,
-"name": "bytes", "is": "Data"}, {"at": 1, "name": "one", "is": "UInt8"}, {"at": 2, "name": "row",
-"is": "List(Float64) shape \"3\""}, {"at": 3, "name": "grid",
-"is": "List(List(Int32)) shape \"2,3\""}, {"at": 4, "name": "corners",
+"name": "changed", "parameters": [{"at": 0, "name": "value", "is": "@0x8f220204a5e1de49"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xca120faf75e33fa7", "kind": "struct",
+"name": "StoreStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "sequences", "is": "@0xdd7a64a833e189af"}, {"at": 4, "name": "choices",
+"is": "@0xbda4c87a7b3da61e"}, {"at": 5, "name": "matrices", "is": "@0xd5b880c1c2797353"}, {"at": 6,
+"name": "reading", "is": "@0xfdb609e41c4ccca5"}]}, {"id": "@0xdd7a64a833e189af", "kind": "struct",
+"name": "Sequences", "members": [{"at": 0, "name": "bytes", "is": "Data"}, {"at": 1, "name": "one",
+"is": "UInt8"}, {"at": 2, "name": "row", "is": "List(Float64) shape \"3\""}, {"at": 3,
+"name": "grid", "is": "List(List(Int32)) shape \"2,3\""}, {"at": 4, "name": "corners",
 "is": "List(@0xb51a57f43829556b) shape \"2\""}, {"at": 5, "name": "path",
 "is": "List(@0xb51a57f43829556b)"}, {"at": 6, "name": "bits", "is": "List(Bool)"}, {"at": 7,
 "name": "flags", "is": "List(Bool)"}, {"at": 8, "name": "numbers", "is": "List(Int32)"}, {"at": 9,
@@ -1228,7 +1229,7 @@ template <>
 const InterfaceInfo& interfaceInfo<shapes::Store>() {
   static constexpr InterfaceInfo kInfo{
       .name = "shapes::Store",
-      .hash = "12f79678e78dcc3f88f4e408f39ab4bb",
+      .hash = "5839ad6669a078a7c2d8c90f1fd4ac0e",
       .description = shapes::kStoreDescription,
       .commands = shapes::kStoreCommands,
       .events = shapes::kStoreEvents,

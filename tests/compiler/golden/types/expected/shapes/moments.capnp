@@ -82,9 +82,9 @@ interface JournalEvents @0xf44a38be83c21076 $Meta.eventsOf("shapes::Journal") {
 
   state @0 (row :JournalStateRow) -> ();
   # A new row of the columns asked for.
-  added @1 (value :Int64 $Meta.clock("steady")) -> () $Meta.queue(16);
-  changed @2 (value :Moment, value2 :Int64) -> () $Meta.queue(16);
-  counted @3 (value :Int64) -> () $Meta.queue(16);
+  added @1 (value :Int64 $Meta.clock("steady"), stamp :Int64) -> () $Meta.queue(16);
+  changed @2 (value :Moment, value2 :Int64, stamp :Int64) -> () $Meta.queue(16);
+  counted @3 (value :Int64, stamp :Int64) -> () $Meta.queue(16);
 }
 
 struct JournalStateRow @0xb5363f8a2843600b $Meta.stateOf("shapes::Journal") {

@@ -501,12 +501,15 @@ constexpr CommandCodec kJournalCommandCodecs[] = {
 
 constexpr EventCodec kJournalEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::JournalEvents::AddedParams>,
      .payload = messageOf<wire::JournalEvents::AddedParams, std::int64_t, encodeJournalAddedEvent,
                           decodeJournalAddedEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::JournalEvents::ChangedParams>,
      .payload = messageOf<wire::JournalEvents::ChangedParams, JournalChangedPayload,
                           encodeJournalChangedEvent, decodeJournalChangedEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::JournalEvents::CountedParams>,
      .payload = messageOf<wire::JournalEvents::CountedParams, std::int64_t,
                           encodeJournalCountedEvent, decodeJournalCountedEvent>},
 };
@@ -583,7 +586,7 @@ constexpr EventInfo kJournalEvents[] = {
 constexpr char kJournalDescription[] = R"json(
 {"name": "shapes::Journal",
 "doc": "Right in a contract: the arguments, the results and the payloads.",
-"hash": "616300cf11e2f3ab86da08935e74abc7", "commands": [{"name": "put", "kind": "write",
+"hash": "215bbbc1b0ac4ca4c44de637ee1c347e", "commands": [{"name": "put", "kind": "write",
 "ordinal": 1, "parameters": [{"name": "from", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "number", "type": {"kind": "Int64"}}], "queue": 16}, {"name": "count", "kind": "write",
 "ordinal": 2, "parameters": [{"name": "number", "type": {"kind": "Int64"}}], "queue": 16}, {
@@ -633,16 +636,17 @@ constexpr char kJournalDescription[] = R"json(
 "is": "@0x808a81b58e533e44"}]}]}, {"id": "@0xf44a38be83c21076", "kind": "interface",
 "name": "JournalEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
 "name": "row", "is": "@0xb5363f8a2843600b"}]}, {"at": 1, "name": "added", "parameters": [{"at": 0,
-"name": "value", "is": "Int64 clock \"steady\""}]}, {"at": 2, "name": "changed", "parameters": [{
-"at": 0, "name": "value", "is": "@0xde2753d08ad0e07b"}, {"at": 1, "name": "value2", "is": "Int64"}]
-}, {"at": 3, "name": "counted", "parameters": [{"at": 0, "name": "value", "is": "Int64"}]}]}, {
-"id": "@0xb5363f8a2843600b", "kind": "struct", "name": "JournalStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "latest", "is": "Int64 clock \"steady\""}, {
-"at": 4, "name": "moments", "is": "@0xea2eb3c4e250494c"}]}, {"id": "@0xea2eb3c4e250494c",
-"kind": "struct", "name": "Moments", "members": [{"at": 0, "name": "pair",
-"is": "List(Int64) clock \"steady\" shape \"2\""}, {"at": 1, "name": "list",
-"is": "List(Int64) clock \"steady\""}, {"at": 2, "name": "moments",
+"name": "value", "is": "Int64 clock \"steady\""}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 2, "name": "changed", "parameters": [{"at": 0, "name": "value", "is": "@0xde2753d08ad0e07b"},
+{"at": 1, "name": "value2", "is": "Int64"}, {"at": 2, "name": "stamp", "is": "Int64"}]}, {"at": 3,
+"name": "counted", "parameters": [{"at": 0, "name": "value", "is": "Int64"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}]}, {"id": "@0xb5363f8a2843600b", "kind": "struct",
+"name": "JournalStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "latest", "is": "Int64 clock \"steady\""}, {"at": 4, "name": "moments",
+"is": "@0xea2eb3c4e250494c"}]}, {"id": "@0xea2eb3c4e250494c", "kind": "struct", "name": "Moments",
+"members": [{"at": 0, "name": "pair", "is": "List(Int64) clock \"steady\" shape \"2\""}, {"at": 1,
+"name": "list", "is": "List(Int64) clock \"steady\""}, {"at": 2, "name": "moments",
 "is": "List(@0xde2753d08ad0e07b)"}, {"at": 3, "name": "nested",
 "is": "List(List(Int64)) clock \"steady\""}, {"at": 4, "name": "byNumber",
 "is": "List(@0xef7b71232d559ed6)"}, {"at": 5, "name": "perhaps", "is": "@0x86ffd776cef10d3b"}, {
@@ -675,7 +679,7 @@ template <>
 const InterfaceInfo& interfaceInfo<shapes::Journal>() {
   static constexpr InterfaceInfo kInfo{
       .name = "shapes::Journal",
-      .hash = "616300cf11e2f3ab86da08935e74abc7",
+      .hash = "215bbbc1b0ac4ca4c44de637ee1c347e",
       .description = shapes::kJournalDescription,
       .commands = shapes::kJournalCommands,
       .events = shapes::kJournalEvents,

@@ -117,9 +117,9 @@ interface ArchiveEvents @0xbd8392db1e3ed150 $Meta.eventsOf("shapes::Archive") {
 
   state @0 (row :ArchiveStateRow) -> ();
   # A new row of the columns asked for.
-  renamed @1 (value :Text) -> () $Meta.latched $Meta.queue(16);
-  grown @2 (value :Text, value2 :Root) -> () $Meta.queue(16);
-  changed @3 (value :Open) -> () $Meta.latest $Meta.queue(16);
+  renamed @1 (value :Text, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
+  grown @2 (value :Text, value2 :Root, stamp :Int64) -> () $Meta.queue(16);
+  changed @3 (value :Open, stamp :Int64) -> () $Meta.latest $Meta.queue(16);
 }
 
 struct ArchiveStateRow @0xb725b4164d7d1953 $Meta.stateOf("shapes::Archive") {

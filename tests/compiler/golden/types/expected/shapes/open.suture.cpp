@@ -605,12 +605,15 @@ constexpr CommandCodec kArchiveCommandCodecs[] = {
 
 constexpr EventCodec kArchiveEventCodecs[] = {
     {.method = 1,
+     .stamp = stampIn<wire::ArchiveEvents::RenamedParams>,
      .payload = messageOf<wire::ArchiveEvents::RenamedParams, suture::OpenText,
                           encodeArchiveRenamedEvent, decodeArchiveRenamedEvent>},
     {.method = 2,
+     .stamp = stampIn<wire::ArchiveEvents::GrownParams>,
      .payload = messageOf<wire::ArchiveEvents::GrownParams, ArchiveGrownPayload,
                           encodeArchiveGrownEvent, decodeArchiveGrownEvent>},
     {.method = 3,
+     .stamp = stampIn<wire::ArchiveEvents::ChangedParams>,
      .payload = messageOf<wire::ArchiveEvents::ChangedParams, OpenSlot, encodeArchiveChangedEvent,
                           decodeArchiveChangedEvent>},
 };
@@ -688,7 +691,7 @@ constexpr EventInfo kArchiveEvents[] = {
 // The self-description, as in shapes/open.suture.json.
 constexpr char kArchiveDescription[] = R"json(
 {"name": "shapes::Archive", "doc": "What a device may offer.",
-"hash": "17b8a5413fbf942b85ef9b6f9f932fdd", "commands": [{"name": "put", "kind": "write",
+"hash": "1d01cde4610ec40ffda48eb584c8217d", "commands": [{"name": "put", "kind": "write",
 "ordinal": 1, "doc": "Keeps `value` under `key`.", "parameters": [{"name": "key", "type": {
 "kind": "text"}}, {"name": "value", "type": {"kind": "struct", "name": "shapes::Open"}}],
 "queue": 16}, {"name": "remark", "kind": "write", "ordinal": 2, "parameters": [{"name": "text",
@@ -753,20 +756,21 @@ constexpr char kArchiveDescription[] = R"json(
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"
 }]}]}, {"id": "@0xbd8392db1e3ed150", "kind": "interface", "name": "ArchiveEvents", "members": [{
 "at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb725b4164d7d1953"}]}, {
-"at": 1, "name": "renamed", "parameters": [{"at": 0, "name": "value", "is": "Text"}]}, {"at": 2,
-"name": "grown", "parameters": [{"at": 0, "name": "value", "is": "Text"}, {"at": 1,
-"name": "value2", "is": "@0xb6460a48efc46784"}]}, {"at": 3, "name": "changed", "parameters": [{
-"at": 0, "name": "value", "is": "@0xc2c5885ffab9947b"}]}]}, {"id": "@0xb725b4164d7d1953",
-"kind": "struct", "name": "ArchiveStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"},
-{"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {
-"at": 3, "name": "newest", "is": "@0xc2c5885ffab9947b"}]}, {"id": "@0xc2c5885ffab9947b",
-"kind": "struct", "name": "Open", "members": [{"at": 0, "name": "name", "is": "Text"}, {"at": 1,
-"name": "samples", "is": "List(Float64)"}, {"at": 2, "name": "bytes", "is": "Data"}, {"at": 3,
-"name": "block", "is": "Data bulk \"Float32\""}, {"at": 4, "name": "flags", "is": "List(Bool)"}, {
-"at": 5, "name": "path", "is": "List(@0xb51a57f43829556b)"}, {"at": 6, "name": "pair",
-"is": "List(Text) shape \"2\""}, {"at": 7, "name": "words", "is": "List(Text)"}, {"at": 8,
-"name": "shorts", "is": "List(Text)"}, {"at": 9, "name": "keys", "is": "List(Text)"}, {"at": 10,
-"name": "series", "is": "List(@0xa8c3533e6eb12f51)"}, {"at": 11, "name": "note",
+"at": 1, "name": "renamed", "parameters": [{"at": 0, "name": "value", "is": "Text"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "grown", "parameters": [{"at": 0,
+"name": "value", "is": "Text"}, {"at": 1, "name": "value2", "is": "@0xb6460a48efc46784"}, {"at": 2,
+"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "changed", "parameters": [{"at": 0,
+"name": "value", "is": "@0xc2c5885ffab9947b"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xb725b4164d7d1953", "kind": "struct", "name": "ArchiveStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "newest", "is": "@0xc2c5885ffab9947b"}]}, {
+"id": "@0xc2c5885ffab9947b", "kind": "struct", "name": "Open", "members": [{"at": 0, "name": "name",
+"is": "Text"}, {"at": 1, "name": "samples", "is": "List(Float64)"}, {"at": 2, "name": "bytes",
+"is": "Data"}, {"at": 3, "name": "block", "is": "Data bulk \"Float32\""}, {"at": 4, "name": "flags",
+"is": "List(Bool)"}, {"at": 5, "name": "path", "is": "List(@0xb51a57f43829556b)"}, {"at": 6,
+"name": "pair", "is": "List(Text) shape \"2\""}, {"at": 7, "name": "words", "is": "List(Text)"}, {
+"at": 8, "name": "shorts", "is": "List(Text)"}, {"at": 9, "name": "keys", "is": "List(Text)"}, {
+"at": 10, "name": "series", "is": "List(@0xa8c3533e6eb12f51)"}, {"at": 11, "name": "note",
 "is": "@0xf3c25d3461f00058"}, {"at": 12, "name": "either", "is": "@0xbb3bebe320b04d4f"}, {"at": 13,
 "name": "entry", "is": "@0x869c92dc4e541a10"}, {"at": 14, "name": "joints", "is": "List(Float64)"},
 {"at": 15, "name": "any", "is": "@0xcf0d7516d71f233a"}, {"at": 16, "name": "wide",
@@ -809,7 +813,7 @@ template <>
 const InterfaceInfo& interfaceInfo<shapes::Archive>() {
   static constexpr InterfaceInfo kInfo{
       .name = "shapes::Archive",
-      .hash = "17b8a5413fbf942b85ef9b6f9f932fdd",
+      .hash = "1d01cde4610ec40ffda48eb584c8217d",
       .description = shapes::kArchiveDescription,
       .commands = shapes::kArchiveCommands,
       .events = shapes::kArchiveEvents,
