@@ -1,12 +1,17 @@
 // By which lane a connection travels, and what is said if it cannot have the one that is asked for.
 
 #include <gtest/gtest.h>
+#include <suture/lane/frame/frame_lane.h>
 #include <suture/lane/lane_kind.h>
 #include <suture/loop/failure.h>
+
+#include <string>
+#include <thread>
 
 #include "reference/remote_arm.h"
 #include "support/contains.h"
 #include "support/refusal.h"
+#include "support/test_thread.h"
 
 namespace suture {
 namespace {
@@ -84,6 +89,27 @@ TEST_F(LaneChoice, ALaneThatOnlyOneProcessHasIsDeclined) {
   EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}),
                        "no lane can carry it. The last says: the provider's process has no lane "
                        "'hope'."));
+}
+
+// Its name is known as soon as the process is, and a lane comes when its program gets to it.
+TEST_F(LaneChoice, ALaneThatItsProviderIsStillToAddIsWaitedFor) {
+  begin(kTcp);
+  console->addLane(std::make_unique<frame::FrameLane>("late"));
+  Manager starting("starting", manager());
+  std::string refused;
+  TestThread asking([&] {
+    refused =
+        refusal([&] { console->connect("Teleop/Slave", "starting:PSM/Arm", {.lane = {"late"}}); });
+  });
+  std::this_thread::sleep_for(100ms);  // enough to be refused in, if it were
+  starting.addLane(std::make_unique<frame::FrameLane>("late"));
+  starting.add("PSM", psmAgain);
+  starting.start();
+  asking.join();
+  EXPECT_EQ(refused, "");
+  EXPECT_EQ(channel()->lane, "late");
+  console->disconnect("Teleop/Slave");
+  starting.stop();
 }
 
 TEST_F(LaneChoice, ALaneThatWasAddedIsNotChosenUnasked) {

@@ -242,21 +242,24 @@ bool PeerServer::takesOver(const std::string& client, const std::string& name,
 
 kj::Promise<void> PeerServer::accept(const Asked& asked) {
   ConnectContext context = asked.context;
-  const std::string name = stringOf(context.getParams().getLane());
-  LaneServer* const lane = laneNamed(name);
-  auto decline = [context](const std::string& why) mutable {
-    context.getResults().setDeclined(textOf(why));
-  };
-  if (lane == nullptr) {
-    decline("the provider's process has no lane '" + name + "'");
-    return kj::READY_NOW;
-  }
-  auto answer = context.getResults().initAccepted().initAnswer();
-  return kj::evalNow([&] {
-           return lane->accept(asked.connection, context.getParams().getBrings(), answer);
-         })
+  return whenLane(stringOf(context.getParams().getLane()))
+      .then([context, connection = asked.connection](LaneServer* lane) mutable {
+        auto answer = context.getResults().initAccepted().initAnswer();
+        return lane->accept(connection, context.getParams().getBrings(), answer);
+      })
       .then([this, asked](AcceptedEnd&& end) { accepted(asked, kj::mv(end)); },
-            [decline](kj::Exception&& why) mutable { decline(rpc::describe(why)); });
+            [context](kj::Exception&& why) mutable {
+              context.getResults().setDeclined(textOf(rpc::describe(why)));
+            });
+}
+
+// The process is perhaps still adding lanes, until it says what it has.
+kj::Promise<LaneServer*> PeerServer::whenLane(const std::string& name) {
+  if (LaneServer* const lane = laneNamed(name)) return lane;
+  return host_.whenPublished_.addBranch().then([this, name]() -> kj::Promise<LaneServer*> {
+    if (LaneServer* const lane = laneNamed(name)) return lane;
+    return rpc::failure(Type::FAILED, "the provider's process has no lane '" + name + "'");
+  });
 }
 
 LaneServer* PeerServer::laneNamed(const std::string& name) {
@@ -312,24 +315,23 @@ kj::Promise<void> PeerServer::socket(SocketContext context) {
   if (!caller_->known) {
     return rpc::failure(Type::FAILED, "a second connection is for whoever has said hello");
   }
-  const std::string name = stringOf(context.getParams().getLane());
-  LaneServer* const lane = laneNamed(name);
-  if (lane == nullptr) {
-    return rpc::failure(Type::FAILED, "the provider's process has no lane '" + name + "'");
-  }
+  return whenLane(stringOf(context.getParams().getLane()))
+      .then([this, context](LaneServer* lane) mutable { awaitSocket(*lane, context); });
+}
+
+void PeerServer::awaitSocket(LaneServer& lane, SocketContext& context) {
   // A client gives up one that does not come, and asks for another.
   if (sockets_.size() == kMostAwaitedSockets) sockets_.erase(sockets_.begin());
   const std::uint32_t number = ++latestSocket_;
   auto awaiting =
-      host_.sockets_.await(caller_->identity, [this, lane, number](rpc::ByteStream bytes) {
+      host_.sockets_.await(caller_->identity, [this, &lane, number](rpc::ByteStream bytes) {
         sockets_.erase(number);
-        lane->opened({number, kj::mv(bytes)});
+        lane.opened({number, kj::mv(bytes)});
       });
   context.getResults().setNumber(number);
   context.getResults().setToken(
       {reinterpret_cast<const kj::byte*>(awaiting->token().data()), awaiting->token().size()});
   sockets_.emplace(number, kj::mv(awaiting));
-  return kj::READY_NOW;
 }
 
 kj::Promise<void> PeerServer::open(OpenContext context) {

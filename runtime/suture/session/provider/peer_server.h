@@ -48,6 +48,8 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void accepted(const Asked& asked, AcceptedEnd accepted);
   /// The lane of that name in this session; nullptr: this process has no such lane.
   LaneServer* laneNamed(const std::string& name);
+  kj::Promise<LaneServer*> whenLane(const std::string& name);
+  void awaitSocket(LaneServer& lane, SocketContext& context);
   void keep(kj::Own<rpc::ProviderEnd> end, std::shared_ptr<Channel> channel);
   void forgetEnded();
   void putTasks(wire::Peer::PingResults::Builder results) const;
