@@ -1,17 +1,20 @@
 // By which lane a connection travels, and what is said if it cannot have the one that is asked for.
 
 #include <gtest/gtest.h>
+#include <suture/framing/link.h>
 #include <suture/lane/frame/frame_lane.h>
 #include <suture/lane/lane_kind.h>
 #include <suture/loop/failure.h>
+#include <suture/names/manager_link.h>
+#include <suture/peer.capnp.h>
 
 #include <string>
-#include <thread>
+#include <vector>
 
 #include "reference/remote_arm.h"
 #include "support/contains.h"
+#include "support/patience.h"
 #include "support/refusal.h"
-#include "support/test_thread.h"
 
 namespace suture {
 namespace {
@@ -91,25 +94,81 @@ TEST_F(LaneChoice, ALaneThatOnlyOneProcessHasIsDeclined) {
                        "'hope'."));
 }
 
+/// A client, played here, that asks a process for a socket of a lane.
+class SocketSeeker {
+ public:
+  SocketSeeker(const std::string& manager, const std::string& process) {
+    control_.run(kPatience, [&] {
+      names_ = kj::heap<ManagerLink>(control_, std::vector{rpc::Address::parse(manager)}, "seeker");
+      return names_->open(kPatience)
+          .then([&] { return names_->resolve(process, kPatience); })
+          .then([&](ProcessRecord found) { return names_->reach(found, kPatience); })
+          .then([this](rpc::ByteStream bytes) {
+            auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
+            session_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
+            auto hello = session_->bootstrap<wire::Peer>().helloRequest();
+            hello.setVersion(wire::PROTOCOL_VERSION);
+            hello.setProcess("seeker");
+            return hello.send().ignoreResult();
+          });
+    });
+  }
+  ~SocketSeeker() {
+    control_.run(kPatience, [this] {
+      answer_ = kj::READY_NOW;
+      session_ = nullptr;
+      names_ = nullptr;
+      return kj::Promise<void>(kj::READY_NOW);
+    });
+  }
+
+  /// Asks, and returns when the process has heard it: it takes what a link brings in its order.
+  void ask(const std::string& lane) {
+    control_.run(kPatience, [&] {
+      auto peer = session_->bootstrap<wire::Peer>();
+      auto request = peer.socketRequest();
+      request.setLane(lane);
+      answer_ = request.send()
+                    .then([this](auto&&) { said_ = "given"; },
+                          [this](kj::Exception&& why) { said_ = rpc::describe(why); })
+                    .eagerlyEvaluate(nullptr);
+      return peer.pingRequest().send().ignoreResult();
+    });
+  }
+  /// What the process has answered so far.
+  std::string said() {
+    return control_.run(kPatience, [this] { return kj::Promise<std::string>(said_); });
+  }
+
+ private:
+  rpc::ControlThread control_;
+  kj::Own<ManagerLink> names_;
+  kj::Own<rpc::Link> session_;
+  std::string said_;
+  kj::Promise<void> answer_ = kj::READY_NOW;
+};
+
 // Its name is known as soon as the process is, and a lane comes when its program gets to it.
 TEST_F(LaneChoice, ALaneThatItsProviderIsStillToAddIsWaitedFor) {
   begin(kTcp);
-  console->addLane(std::make_unique<frame::FrameLane>("late"));
   Manager starting("starting", manager());
-  std::string refused;
-  TestThread asking([&] {
-    refused =
-        refusal([&] { console->connect("Teleop/Slave", "starting:PSM/Arm", {.lane = {"late"}}); });
-  });
-  std::this_thread::sleep_for(100ms);  // enough to be refused in, if it were
+  SocketSeeker seeker(manager(), "starting");
+  seeker.ask("late");
+  EXPECT_EQ(seeker.said(), "");
   starting.addLane(std::make_unique<frame::FrameLane>("late"));
-  starting.add("PSM", psmAgain);
   starting.start();
-  asking.join();
-  EXPECT_EQ(refused, "");
-  EXPECT_EQ(channel()->lane, "late");
-  console->disconnect("Teleop/Slave");
-  starting.stop();
+  EXPECT_TRUE(eventually([&] { return seeker.said() == "given"; })) << seeker.said();
+}
+
+TEST_F(LaneChoice, ALaneThatItsProviderHasNotWhenItHasStartedIsRefused) {
+  begin(kTcp);
+  Manager starting("starting", manager());
+  SocketSeeker seeker(manager(), "starting");
+  seeker.ask("late");
+  starting.start();
+  EXPECT_TRUE(eventually([&] {
+    return contains(seeker.said(), "the provider's process has no lane 'late'");
+  })) << seeker.said();
 }
 
 TEST_F(LaneChoice, ALaneThatWasAddedIsNotChosenUnasked) {
