@@ -60,7 +60,7 @@ Errc decodeCounterTenMoreEvent(wire::CounterEvents::TenMoreParams::Reader in, st
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeCounterColumn(unsigned column, const std::byte* memory,
                          wire::CounterStateRow::Builder out) {
   switch (column) {

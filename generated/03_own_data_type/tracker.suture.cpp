@@ -45,7 +45,7 @@ Errc decodeTrackerObservationResult(wire::Tracker::ObservationResults::Reader in
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeTrackerColumn(unsigned column, const std::byte* memory,
                          wire::TrackerStateRow::Builder out) {
   switch (column) {

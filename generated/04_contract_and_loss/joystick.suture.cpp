@@ -39,7 +39,7 @@ Errc decodeJoystickAngleResult(wire::Joystick::AngleResults::Reader in, double& 
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeJoystickColumn(unsigned column, const std::byte* memory,
                           wire::JoystickStateRow::Builder out) {
   switch (column) {

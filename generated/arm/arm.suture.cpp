@@ -936,7 +936,7 @@ Errc decodeArmTrajectoryJRatioAEvent(wire::ArmEvents::TrajectoryJRatioAParams::R
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
   switch (column) {
     case 0: {

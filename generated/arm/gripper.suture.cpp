@@ -75,7 +75,7 @@ Errc decodeGripperClosedEvent(wire::GripperEvents::ClosedParams::Reader in, std:
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeGripperColumn(unsigned column, const std::byte* memory,
                          wire::GripperStateRow::Builder out) {
   switch (column) {

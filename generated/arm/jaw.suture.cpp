@@ -179,7 +179,7 @@ Errc decodeJawGoalReachedEvent(wire::JawEvents::GoalReachedParams::Reader in, st
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeJawColumn(unsigned column, const std::byte* memory, wire::JawStateRow::Builder out) {
   switch (column) {
     case 0: {

@@ -101,7 +101,7 @@ Errc decodeLoopServerEchoEvent(wire::LoopServerEvents::EchoParams::Reader in,
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeLoopServerColumn(unsigned column, const std::byte* memory,
                             wire::LoopServerStateRow::Builder out) {
   switch (column) {

@@ -101,7 +101,7 @@ Errc decodeSampleServerEchoEvent(wire::SampleServerEvents::EchoParams::Reader in
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeSampleServerColumn(unsigned column, const std::byte* memory,
                               wire::SampleServerStateRow::Builder out) {
   switch (column) {

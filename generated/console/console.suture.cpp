@@ -148,7 +148,7 @@ Errc decodeConsoleConsoleStateEvent(wire::ConsoleEvents::ConsoleStateParams::Rea
   return fromWire(in.getValue(), slot);
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeConsoleColumn(unsigned column, const std::byte* memory,
                          wire::ConsoleStateRow::Builder out) {
   switch (column) {

@@ -125,7 +125,7 @@ Errc decodeEmergencyStopStopEvent(wire::EmergencyStopEvents::StopParams::Reader 
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeEmergencyStopColumn(unsigned column, const std::byte* memory,
                                wire::EmergencyStopStateRow::Builder out) {
   switch (column) {

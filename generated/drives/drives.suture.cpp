@@ -238,7 +238,7 @@ Errc decodeDrivesPowerEvent(wire::DrivesEvents::PowerParams::Reader in, std::uin
   return fromWire(in.getValue(), slot);
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeDrivesColumn(unsigned column, const std::byte* memory,
                         wire::DrivesStateRow::Builder out) {
   switch (column) {

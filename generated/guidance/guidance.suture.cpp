@@ -178,7 +178,7 @@ Errc decodeGuidanceGuidanceStateEvent(wire::GuidanceEvents::GuidanceStateParams:
   return fromWire(in.getValue(), slot);
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeGuidanceColumn(unsigned column, const std::byte* memory,
                           wire::GuidanceStateRow::Builder out) {
   switch (column) {

@@ -57,7 +57,7 @@ Errc decodeTurntableAngleResult(wire::Turntable::AngleResults::Reader in, double
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeTurntableColumn(unsigned column, const std::byte* memory,
                            wire::TurntableStateRow::Builder out) {
   switch (column) {

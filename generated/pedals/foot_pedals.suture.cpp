@@ -125,7 +125,7 @@ Errc decodeFootPedalsCoagulationEvent(wire::FootPedalsEvents::CoagulationParams:
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeFootPedalsColumn(unsigned column, const std::byte* memory,
                             wire::FootPedalsStateRow::Builder out) {
   switch (column) {

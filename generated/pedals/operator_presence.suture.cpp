@@ -96,7 +96,7 @@ Errc decodeOperatorPresenceOperatorPresentEvent(
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeOperatorPresenceColumn(unsigned column, const std::byte* memory,
                                   wire::OperatorPresenceStateRow::Builder out) {
   switch (column) {

@@ -137,7 +137,7 @@ Errc decodeRegistrationSetCamera(wire::Registration::SetCameraParams::Reader in,
   return in.hasCamera() ? fromWire(in.getCamera(), slot.camera) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeRegistrationColumn(unsigned column, const std::byte* memory,
                               wire::RegistrationStateRow::Builder out) {
   switch (column) {

@@ -108,7 +108,7 @@ Errc decodeStrandViewStrandResult(wire::StrandView::StrandResults::Reader in, St
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeStrandViewColumn(unsigned column, const std::byte* memory,
                             wire::StrandViewStateRow::Builder out) {
   switch (column) {

@@ -308,7 +308,7 @@ Errc decodeTeleoperationSettingsEvent(wire::TeleoperationEvents::SettingsParams:
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeTeleoperationColumn(unsigned column, const std::byte* memory,
                                wire::TeleoperationStateRow::Builder out) {
   switch (column) {

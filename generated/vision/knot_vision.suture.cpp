@@ -109,7 +109,7 @@ Errc decodeKnotVisionSightingResult(wire::KnotVision::SightingResults::Reader in
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeKnotVisionColumn(unsigned column, const std::byte* memory,
                             wire::KnotVisionStateRow::Builder out) {
   switch (column) {

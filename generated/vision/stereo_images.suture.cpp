@@ -112,7 +112,7 @@ Errc decodeStereoImagesExposedResult(wire::StereoImages::ExposedResults::Reader 
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeStereoImagesColumn(unsigned column, const std::byte* memory,
                               wire::StereoImagesStateRow::Builder out) {
   switch (column) {

@@ -62,7 +62,7 @@ Errc decodeTrackedObjectMeasuredCvResult(wire::TrackedObject::MeasuredCvResults:
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeTrackedObjectColumn(unsigned column, const std::byte* memory,
                                wire::TrackedObjectStateRow::Builder out) {
   switch (column) {

@@ -258,7 +258,7 @@ Errc decodeArmLikeMovedEvent(wire::ArmLikeEvents::MovedParams::Reader in, ArmLik
   return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeArmLikeColumn(unsigned column, const std::byte* memory,
                          wire::ArmLikeStateRow::Builder out) {
   switch (column) {

@@ -152,7 +152,7 @@ Errc decodeGripperArmGrippedEvent(wire::GripperArmEvents::GrippedParams::Reader 
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeGripperArmColumn(unsigned column, const std::byte* memory,
                             wire::GripperArmStateRow::Builder out) {
   switch (column) {

@@ -125,7 +125,9 @@ void emitDecodeColumns(Code& code, const Context& context, const model::Interfac
 
 void emitRow(Code& code, const Context& context, const model::Interface& interface) {
   if (readsOf(interface).empty()) return;
-  code.line("// Of a row of the state, each column.");
+  code.line(
+      "// A row of the state has a member for each column, so one function each way converts them "
+      "all.");
   emitEncodeColumns(code, context, interface);
   emitDecodeColumns(code, context, interface);
 }

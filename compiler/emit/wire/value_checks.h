@@ -1,5 +1,5 @@
 #pragma once
-// What every lane asks of a contract's values before a handler sees them.
+// suturec writes these checks for every lane: a handler sees no value that one of them refuses.
 
 #include "compiler/emit/text/code.h"
 #include "compiler/emit/text/context.h"

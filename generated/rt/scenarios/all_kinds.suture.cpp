@@ -464,7 +464,7 @@ Errc decodeAllKindsTextSetEvent(wire::AllKindsEvents::TextSetParams::Reader in,
   return fromWire(in.getValue(), slot);
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeAllKindsColumn(unsigned column, const std::byte* memory,
                           wire::AllKindsStateRow::Builder out) {
   switch (column) {

@@ -161,7 +161,7 @@ Errc decodeCollectingCountsResult(wire::Collecting::CountsResults::Reader in,
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeCollectingColumn(unsigned column, const std::byte* memory,
                             wire::CollectingStateRow::Builder out) {
   switch (column) {

@@ -256,7 +256,7 @@ Errc decodeLifecycleStateChangedEvent(wire::LifecycleEvents::StateChangedParams:
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeLifecycleColumn(unsigned column, const std::byte* memory,
                            wire::LifecycleStateRow::Builder out) {
   switch (column) {

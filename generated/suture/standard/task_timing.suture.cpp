@@ -174,7 +174,7 @@ Errc decodeTaskTimingSkippedResult(wire::TaskTiming::SkippedResults::Reader in, 
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeTaskTimingColumn(unsigned column, const std::byte* memory,
                             wire::TaskTimingStateRow::Builder out) {
   switch (column) {

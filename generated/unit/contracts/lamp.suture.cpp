@@ -82,7 +82,7 @@ Errc decodeLampErrorEvent(wire::LampEvents::ErrorParams::Reader in, suture::Mess
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeLampColumn(unsigned column, const std::byte* memory, wire::LampStateRow::Builder out) {
   switch (column) {
     case 0: {

@@ -136,7 +136,7 @@ Errc decodeGalleryHungEvent(wire::GalleryEvents::HungParams::Reader in, PictureS
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeGalleryColumn(unsigned column, const std::byte* memory,
                          wire::GalleryStateRow::Builder out) {
   switch (column) {

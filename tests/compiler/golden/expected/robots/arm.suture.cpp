@@ -465,7 +465,7 @@ Errc decodeArmMovedEvent(wire::ArmEvents::MovedParams::Reader in, ArmMovedPayloa
   });
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
   switch (column) {
     case 0: {

@@ -169,7 +169,7 @@ Errc decodeGripperGrippedEvent(wire::GripperEvents::GrippedParams::Reader in,
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeGripperColumn(unsigned column, const std::byte* memory,
                          wire::GripperStateRow::Builder out) {
   switch (column) {
@@ -533,7 +533,7 @@ Errc decodeNamesLatchedEvent(wire::NamesEvents::LatchedParams::Reader in, double
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeNamesColumn(unsigned column, const std::byte* memory, wire::NamesStateRow::Builder out) {
   switch (column) {
     case 0: {

@@ -174,7 +174,7 @@ Errc decodeCameraViewResult(wire::Camera::ViewResults::Reader in, ViewSlot& slot
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeCameraColumn(unsigned column, const std::byte* memory,
                         wire::CameraStateRow::Builder out) {
   switch (column) {

@@ -888,7 +888,7 @@ Errc decodeStoreChangedEvent(wire::StoreEvents::ChangedParams::Reader in,
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeStoreColumn(unsigned column, const std::byte* memory, wire::StoreStateRow::Builder out) {
   switch (column) {
     case 0: {

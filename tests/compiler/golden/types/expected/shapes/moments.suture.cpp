@@ -435,7 +435,7 @@ Errc decodeJournalCountedEvent(wire::JournalEvents::CountedParams::Reader in, st
   return Errc{};
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeJournalColumn(unsigned column, const std::byte* memory,
                          wire::JournalStateRow::Builder out) {
   switch (column) {

@@ -548,7 +548,7 @@ Errc decodeArchiveChangedEvent(wire::ArchiveEvents::ChangedParams::Reader in, Op
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// Of a row of the state, each column.
+// A row of the state has a member for each column, so one function each way converts them all.
 void encodeArchiveColumn(unsigned column, const std::byte* memory,
                          wire::ArchiveStateRow::Builder out) {
   switch (column) {
