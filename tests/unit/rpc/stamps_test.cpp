@@ -2,6 +2,7 @@
 #include <suture/loop/kj_comparisons.h>  // first
 
 #include <gtest/gtest.h>
+#include <suture/framing/link.h>
 #include <suture/lane/rpc/proxy_port.h>
 #include <suture/lane/rpc/servant.h>
 #include <suture/loop/control_thread.h>
@@ -12,6 +13,7 @@
 #include "reference/arm_like.suture.h"
 #include "support/eventually.h"
 #include "support/patience.h"
+#include "unit/rpc/socket_pair.h"
 
 namespace suture::rpc {
 namespace {
@@ -37,27 +39,22 @@ class CallStamps : public testing::Test {
  protected:
   CallStamps() {
     control_.run(kPatience, [this] {
-      const auto counters = std::make_shared<LinkCounters>();
-      servant_ = kj::refcounted<ServantPort>(control_, far_, counters);
-      proxy_ = kj::refcounted<ProxyPort>(control_, near_, counters);
-      proxy_->open(kj::heap<Servant>(kj::addRef(*servant_)));
+      SocketPair pair = makeSocketPair();
+      servant_ = kj::refcounted<ServantPort>(control_, far_, std::make_shared<LinkCounters>());
+      providersLink_ = linkOn(kj::mv(pair.theirs), Side::SERVER,
+                              capnp::Capability::Client(kj::heap<Servant>(kj::addRef(*servant_))));
+      clientsLink_ = linkOn(kj::mv(pair.ours), Side::CLIENT, nullptr);
+      proxy_ = kj::refcounted<ProxyPort>(control_, near_, clientsLink_->counters());
+      proxy_->open(clientsLink_->bootstrap<capnp::Capability>());
       return kj::Promise<void>(kj::READY_NOW);
     });
   }
-  // In one process the two ports keep each other until both have closed, and what they had under
-  // way has ended.
   ~CallStamps() noexcept override {
-    control_.run(kPatience, [this] {
-      proxy_->close(ChannelStatus::Closed);
-      return control_.timer().afterDelay(1 * kj::MILLISECONDS);
-    });
-    control_.run(kPatience, [this] {
-      servant_->close();
-      return control_.timer().afterDelay(1 * kj::MILLISECONDS);
-    });
     control_.run(kPatience, [this] {
       proxy_ = nullptr;
       servant_ = nullptr;
+      clientsLink_ = nullptr;
+      providersLink_ = nullptr;
       return kj::Promise<void>(kj::READY_NOW);
     });
   }
@@ -79,6 +76,16 @@ class CallStamps : public testing::Test {
   const std::shared_ptr<Channel> far_ = makeChannel(control_.doorbell(), bell_, 0s);
   kj::Own<ServantPort> servant_;
   kj::Own<ProxyPort> proxy_;
+  kj::Own<Link> providersLink_, clientsLink_;
+
+ private:
+  using Side = capnp::rpc::twoparty::Side;
+
+  kj::Own<Link> linkOn(kj::AutoCloseFd socket, Side side,
+                       kj::Maybe<capnp::Capability::Client> offers) {
+    return kj::heap<Link>(kj::heap<MessageStream>(control_.port(), kj::mv(socket)), side,
+                          kj::mv(offers));
+  }
 };
 
 TEST_F(CallStamps, OfEventsAreTheClients) {
