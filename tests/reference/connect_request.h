@@ -1,6 +1,7 @@
 #pragma once
 // What a client of an arm asks of the arm's process, for tests that play the client by hand.
 
+#include <kj/debug.h>
 #include <suture/calls.capnp.h>
 #include <suture/framing/preamble.h>
 #include <suture/loop/failure.h>

@@ -2,17 +2,15 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <suture/frame.capnp.h>
-#include <suture/framing/link.h>
 #include <suture/framing/preamble.h>
 #include <suture/lane/frame/codec/frame_writer.h>
-#include <suture/names/manager_link.h>
-#include <suture/peer.capnp.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
 #include <cstring>
 
 #include "reference/connect_request.h"
+#include "reference/played_client.h"
 #include "reference/remote_arm.h"
 #include "support/patience.h"
 #include "unit/rpc/socket_pair.h"
@@ -112,49 +110,22 @@ TEST_F(FrameConnections, ShareASocketWhenTheyComeBack) {
   EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
 }
 
-/// A session whose client is played here.
-class Caller {
+/// A client of the robot that the test plays.
+class Caller : public reference::PlayedClient {
  public:
-  explicit Caller(const std::string& manager) : manager_(rpc::Address::parse(manager)) {
-    control_.run(kPatience, [this] {
-      link_ = kj::heap<ManagerLink>(control_, std::vector{manager_}, "test");
-      return link_->open(kPatience)
-          .then([this] { return link_->resolve("robot", kPatience); })
-          .then([this](ProcessRecord robot) {
-            provider_ = rpc::Address::parse(robot.addresses.at(0));
-            return link_->reach(robot, kPatience);
-          })
-          .then([this](rpc::ByteStream bytes) {
-            auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
-            session_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
-          });
-    });
-  }
+  explicit Caller(const std::string& manager) : PlayedClient(manager, "robot") {}
   ~Caller() {
-    control_.run(kPatience, [this] {
-      connection_ = nullptr;
-      session_ = nullptr;
-      link_ = nullptr;
-    });
+    control_.run(kPatience, [this] { connection_ = nullptr; });
   }
 
   struct Socket {
     std::uint32_t number = 0;
     rpc::Token token;
   };
-  /// Says hello.
-  void greet() {
-    control_.run(kPatience, [this] {
-      auto request = session_->bootstrap<wire::Peer>().helloRequest();
-      request.setVersion(wire::PROTOCOL_VERSION);
-      request.setProcess("test");
-      return request.send().ignoreResult();
-    });
-  }
   /// Asks for a second connection.
   Socket socket() {
     return control_.run(kPatience, [this] {
-      auto request = session_->bootstrap<wire::Peer>().socketRequest();
+      auto request = peer().socketRequest();
       request.setLane("frame");
       return request.send().then([](auto&& results) {
         Socket socket{results.getNumber(), {}};
@@ -168,7 +139,7 @@ class Caller {
   /// Why the arm is not connected by frames on that socket; "" if it is.
   std::string connect(std::uint32_t socket) {
     return control_.run(kPatience, [this, socket] {
-      auto request = session_->bootstrap<wire::Peer>().connectRequest();
+      auto request = peer().connectRequest();
       reference::askForArm(request, "test");
       request.setLane("frame");
       auto frame = request.initBrings().initAs<wire::FrameRequest>();
@@ -184,17 +155,11 @@ class Caller {
       });
     });
   }
-  const rpc::Address& provider() const { return provider_; }
   /// What the frames of that connection say.
   std::uint32_t number() const { return number_; }
 
  private:
-  rpc::ControlThread control_;
-  const rpc::Address manager_;
-  rpc::Address provider_;
   std::uint32_t number_ = 0;
-  kj::Own<ManagerLink> link_;
-  kj::Own<rpc::Link> session_;
   kj::Maybe<wire::Connection::Client> connection_;
 };
 

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "reference/arm_like.suture.h"
+#include "reference/arm_channel.h"
 #include "support/allocations.h"
 #include "unit/frame/sides.h"
 #include "unit/rpc/socket_pair.h"
@@ -112,10 +112,7 @@ struct Strangers {
     client.join(makeSide<ClientSide>(near, 1, Form::Encoded));
   }
   static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
-    return std::make_shared<Channel>(
-        armContract(), "client -> provider", "frame",
-        Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell},
-        makeStateTable(armContract(), rt::StateTable::Readers::Here), ~EventSet{0});
+    return reference::armChannel({.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
   }
   bool send(std::uint16_t command, std::uint32_t call) {
     if (!near->commands.claim(command, now(), call)) return false;

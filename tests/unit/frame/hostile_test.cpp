@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/arm_like.suture.h"
+#include "reference/arm_channel.h"
 #include "unit/frame/sides.h"
 #include "unit/rpc/socket_pair.h"
 
@@ -24,10 +24,8 @@ const InterfaceInfo& contract() { return interfaceInfo<reference::ArmLike>(); }
 /// A channel in which everything is played by the test.
 struct Played {
   Played()
-      : channel(std::make_shared<Channel>(
-            contract(), "client -> provider", "frame",
-            Channel::Ends{.client = &client, .provider = &provider, .watcher = &watcher},
-            makeStateTable(contract(), rt::StateTable::Readers::Here), ~EventSet{0})) {}
+      : channel(reference::armChannel(
+            {.client = &client, .provider = &provider, .watcher = &watcher}, "frame")) {}
 
   rt::Doorbell client, provider, watcher;
   std::shared_ptr<Channel> channel;

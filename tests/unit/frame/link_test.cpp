@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "reference/arm_like.suture.h"
+#include "reference/arm_channel.h"
 #include "support/eventually.h"
 #include "support/pass.h"
 #include "support/repetitions.h"
@@ -30,11 +30,7 @@ struct Pair {
       : client(makeSide<ClientSide>(near, number)), provider(makeSide<ProviderSide>(far, number)) {}
 
   static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
-    const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
-    return std::make_shared<Channel>(
-        contract, "client -> provider", "frame",
-        Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell},
-        makeStateTable(contract, rt::StateTable::Readers::Here), ~EventSet{0});
+    return reference::armChannel({.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
   }
   bool hold() {
     if (!near->commands.claim(kHold, now(), 0)) return false;

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <suture/lane/frame/link.h>
 
-#include "reference/arm_like.suture.h"
+#include "reference/arm_channel.h"
 #include "unit/frame/sides.h"
 #include "unit/rpc/socket_pair.h"
 
@@ -15,14 +15,11 @@ constexpr std::uint16_t kHoldMethod = 2, kStoppedMethod = 2;
 
 /// A channel to a process whose clock stands so to this one's.
 std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell, Duration shift) {
-  const auto peer = std::make_shared<PeerState>();
-  peer->clockShift = shift;
-  peer->clockError = 1ms;
-  const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
-  return std::make_shared<Channel>(
-      contract, "client -> provider", "frame",
-      Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell, .peer = peer},
-      makeStateTable(contract, rt::StateTable::Readers::Here), ~EventSet{0});
+  return reference::armChannel({.client = &bell,
+                                .provider = &bell,
+                                .watcher = &bell,
+                                .peer = reference::peerWithClock(shift)},
+                               "frame");
 }
 
 struct StampedEnds {

@@ -14,8 +14,8 @@
 #include <memory>
 #include <string>
 
+#include "reference/arm_channel.h"
 #include "reference/arm_like.capnp.h"
-#include "reference/arm_like.suture.h"
 #include "support/eventually.h"
 #include "support/patience.h"
 #include "unit/component/arm_client.h"
@@ -96,11 +96,8 @@ class InvalidEvents : public testing::Test {
 
   rpc::ControlThread control_;
   rt::Doorbell clientsBell_;
-  const std::shared_ptr<Channel> channel_ = std::make_shared<Channel>(
-      interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
-      Channel::Ends{.client = &clientsBell_, .provider = &control_.doorbell()},
-      makeStateTable(interfaceInfo<reference::ArmLike>(), rt::StateTable::Readers::Here),
-      ~EventSet{0});
+  const std::shared_ptr<Channel> channel_ =
+      reference::armChannel({.client = &clientsBell_, .provider = &control_.doorbell()}, "rpc");
   kj::Maybe<Events> subscriber_;
   kj::Own<rpc::ProxyPort> port_;
 };
@@ -204,11 +201,8 @@ class InvalidCommands : public testing::Test {
 
   rpc::ControlThread control_;
   rt::Doorbell provider_;
-  const std::shared_ptr<Channel> channel_ = std::make_shared<Channel>(
-      interfaceInfo<reference::ArmLike>(), "client -> provider", "rpc",
-      Channel::Ends{.client = &control_.doorbell(), .provider = &provider_},
-      makeStateTable(interfaceInfo<reference::ArmLike>(), rt::StateTable::Readers::Here),
-      EventSet{0});
+  const std::shared_ptr<Channel> channel_ = reference::armChannel(
+      {.client = &control_.doorbell(), .provider = &provider_}, "rpc", EventSet{0});
   kj::Maybe<reference::wire::ArmLike::Client> arm_;
 };
 

@@ -8,8 +8,8 @@
 
 #include <memory>
 
+#include "reference/arm_channel.h"
 #include "reference/arm_like.capnp.h"
-#include "reference/arm_like.suture.h"
 #include "support/patience.h"
 
 namespace suture::rpc {
@@ -18,10 +18,8 @@ namespace {
 /// The provider's end of a connection, whose task is played by the test.
 struct Provider {
   explicit Provider(ControlThread& control)
-      : channel(std::make_shared<Channel>(
-            info, "client -> provider", "rpc",
-            Channel::Ends{.client = &control.doorbell(), .provider = &bell, .watcher = &bell},
-            makeStateTable(info, rt::StateTable::Readers::Here), ~EventSet{0})),
+      : channel(reference::armChannel(
+            {.client = &control.doorbell(), .provider = &bell, .watcher = &bell}, "rpc")),
         port(kj::refcounted<ServantPort>(control, channel, std::make_shared<LinkCounters>())),
         arm(capnp::Capability::Client(kj::heap<Servant>(kj::addRef(*port)))
                 .castAs<reference::wire::ArmLike>()) {}
@@ -35,7 +33,6 @@ struct Provider {
     return channel->commands.next()->call;
   }
 
-  const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
   rt::Doorbell bell;
   const std::shared_ptr<Channel> channel;
   kj::Own<ServantPort> port;

@@ -10,7 +10,7 @@
 #include <chrono>
 #include <memory>
 
-#include "reference/arm_like.suture.h"
+#include "reference/arm_channel.h"
 #include "support/eventually.h"
 #include "support/patience.h"
 #include "unit/rpc/socket_pair.h"
@@ -25,14 +25,11 @@ constexpr std::uint16_t kStopped = 2;
 /// A channel of which one end belongs to the control thread, to a process whose clock stands so to
 /// this one's.
 std::shared_ptr<Channel> makeChannel(rt::Doorbell& client, rt::Doorbell& provider, Duration shift) {
-  const auto peer = std::make_shared<PeerState>();
-  peer->clockShift = shift;
-  peer->clockError = 1ms;
-  const InterfaceInfo& contract = interfaceInfo<reference::ArmLike>();
-  return std::make_shared<Channel>(
-      contract, "client -> provider", "rpc",
-      Channel::Ends{.client = &client, .provider = &provider, .watcher = &client, .peer = peer},
-      makeStateTable(contract, rt::StateTable::Readers::Here), ~EventSet{0});
+  return reference::armChannel({.client = &client,
+                                .provider = &provider,
+                                .watcher = &client,
+                                .peer = reference::peerWithClock(shift)},
+                               "rpc");
 }
 
 class CallStamps : public testing::Test {

@@ -1,16 +1,13 @@
 // By which lane a connection travels, and what is said if it cannot have the one that is asked for.
 
 #include <gtest/gtest.h>
-#include <suture/framing/link.h>
 #include <suture/lane/frame/frame_lane.h>
 #include <suture/lane/lane_kind.h>
 #include <suture/loop/failure.h>
-#include <suture/names/manager_link.h>
-#include <suture/peer.capnp.h>
 
 #include <string>
-#include <vector>
 
+#include "reference/played_client.h"
 #include "reference/remote_arm.h"
 #include "support/contains.h"
 #include "support/patience.h"
@@ -94,45 +91,24 @@ TEST_F(LaneChoice, ALaneThatOnlyOneProcessHasIsDeclined) {
                        "'hope'."));
 }
 
-/// A client, played here, that asks a process for a socket of a lane.
-class SocketSeeker {
+/// A client, which the test plays, that asks a process for a socket of a lane.
+class SocketSeeker : public reference::PlayedClient {
  public:
-  SocketSeeker(const std::string& manager, const std::string& process) {
-    control_.run(kPatience, [&] {
-      names_ = kj::heap<ManagerLink>(control_, std::vector{rpc::Address::parse(manager)}, "seeker");
-      return names_->open(kPatience)
-          .then([&] { return names_->resolve(process, kPatience); })
-          .then([&](ProcessRecord found) { return names_->reach(found, kPatience); })
-          .then([this](rpc::ByteStream bytes) {
-            auto stream = kj::heap<rpc::MessageStream>(control_.port(), kj::mv(bytes));
-            session_ = kj::heap<rpc::Link>(kj::mv(stream), capnp::rpc::twoparty::Side::CLIENT);
-            auto hello = session_->bootstrap<wire::Peer>().helloRequest();
-            hello.setVersion(wire::PROTOCOL_VERSION);
-            hello.setProcess("seeker");
-            return hello.send().ignoreResult();
-          });
-    });
-  }
+  using PlayedClient::PlayedClient;
   ~SocketSeeker() {
-    control_.run(kPatience, [this] {
-      answer_ = kj::READY_NOW;
-      session_ = nullptr;
-      names_ = nullptr;
-      return kj::Promise<void>(kj::READY_NOW);
-    });
+    control_.run(kPatience, [this] { answer_ = kj::READY_NOW; });
   }
 
   /// Asks, and returns when the process has heard it: it takes what a link brings in its order.
   void ask(const std::string& lane) {
     control_.run(kPatience, [&] {
-      auto peer = session_->bootstrap<wire::Peer>();
-      auto request = peer.socketRequest();
+      auto request = peer().socketRequest();
       request.setLane(lane);
       answer_ = request.send()
                     .then([this](auto&&) { said_ = "given"; },
                           [this](kj::Exception&& why) { said_ = rpc::describe(why); })
                     .eagerlyEvaluate(nullptr);
-      return peer.pingRequest().send().ignoreResult();
+      return peer().pingRequest().send().ignoreResult();
     });
   }
   /// What the process has answered so far.
@@ -141,9 +117,6 @@ class SocketSeeker {
   }
 
  private:
-  rpc::ControlThread control_;
-  kj::Own<ManagerLink> names_;
-  kj::Own<rpc::Link> session_;
   std::string said_;
   kj::Promise<void> answer_ = kj::READY_NOW;
 };
@@ -153,6 +126,7 @@ TEST_F(LaneChoice, ALaneThatItsProviderIsStillToAddIsWaitedFor) {
   begin(kTcp);
   Manager starting("starting", manager());
   SocketSeeker seeker(manager(), "starting");
+  seeker.greet();
   seeker.ask("late");
   EXPECT_EQ(seeker.said(), "");
   starting.addLane(std::make_unique<frame::FrameLane>("late"));
@@ -164,6 +138,7 @@ TEST_F(LaneChoice, ALaneThatItsProviderHasNotWhenItHasStartedIsRefused) {
   begin(kTcp);
   Manager starting("starting", manager());
   SocketSeeker seeker(manager(), "starting");
+  seeker.greet();
   seeker.ask("late");
   starting.start();
   EXPECT_TRUE(eventually([&] {

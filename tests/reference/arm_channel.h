@@ -1,0 +1,33 @@
+#pragma once
+// A channel of an arm whose ends a test plays.
+
+#include <suture/component/channel/channel.h>
+#include <suture/component/channel/peer_state.h>
+
+#include <chrono>
+#include <memory>
+
+#include "reference/arm_like.suture.h"
+
+namespace reference {
+
+/// `lane`: its name, for people. The client wants the events `subscribed`.
+inline std::shared_ptr<suture::Channel> armChannel(const suture::Channel::Ends& ends,
+                                                   const char* lane,
+                                                   suture::EventSet subscribed = ~suture::EventSet{
+                                                       0}) {
+  const suture::InterfaceInfo& contract = suture::interfaceInfo<ArmLike>();
+  return std::make_shared<suture::Channel>(
+      contract, "client -> provider", lane, ends,
+      suture::makeStateTable(contract, suture::rt::StateTable::Readers::Here), subscribed);
+}
+
+/// What a session knows of a process whose clock stands so to this one's.
+inline std::shared_ptr<const suture::PeerState> peerWithClock(suture::Duration shift) {
+  const auto peer = std::make_shared<suture::PeerState>();
+  peer->clockShift = shift;
+  peer->clockError = std::chrono::milliseconds(1);
+  return peer;
+}
+
+}  // namespace reference
