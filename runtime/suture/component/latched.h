@@ -1,0 +1,22 @@
+#pragma once
+// Where a provided interface keeps the last value of an event.
+
+#include <suture/component/provided.h>
+#include <suture/rt/state/state_table.h>
+
+#include <array>
+#include <atomic>
+
+namespace suture {
+
+/// The last value of a latched event: the only column of a table.
+struct ProvidedBase::Latched {
+  explicit Latched(const EventInfo& event)
+      : values(std::array{event.payloadSize}, kRows, rt::ColumnSet{event.sharedPayload}) {}
+
+  static constexpr unsigned kRows = 4;
+  rt::StateTable values;
+  std::atomic_flag keeping = ATOMIC_FLAG_INIT;
+};
+
+}  // namespace suture
