@@ -6,23 +6,17 @@
 namespace suture::frame {
 namespace {
 
-// As of a message of the control plane: a newer peer's values may be larger than this one knows.
+// A newer peer's values may be larger than this process knows, but not than a message of the
+// control plane.
 constexpr std::size_t kLimit = std::size_t{16} << 20;
 
-// Behind which most messages are no larger than what they encode.
+// A message has pointers and sizes beside its values: those of most contracts fit into this.
 constexpr std::size_t kHeadWords = 64;
 
 std::size_t words(std::size_t bytes) { return wordBytes(bytes) / sizeof(capnp::word); }
 
-std::size_t rowBytes(const InterfaceInfo& contract) {
-  std::size_t size = 0;
-  for (const CommandInfo& one : contract.commands) {
-    if (one.column >= 0) size += wordBytes(one.resultSize);
-  }
-  return size;
-}
-
-/// Reads a message of one segment. What is malformed is not there.
+/// Calls `read` with the root of a message of one segment, and ends without a word where it is
+/// malformed.
 template <class Read>
 void readMessage(std::span<const std::byte> payload, const Read& read) {
   static constexpr capnp::word kNothing{};

@@ -12,35 +12,36 @@
 
 namespace suture::frame {
 
-/// As slots between processes of one memoryLayout(), else encoded as Cap'n Proto messages.
+/// Values travel as slots between processes of one memoryLayout(), else encoded as Cap'n Proto
+/// messages.
 enum class Form : std::uint8_t { Slots, Encoded };
 
-/// The number of a value's command or event in the contract of this process.
+/// Names a value by its command or event, as the contract of this process numbers them.
 struct ValueName {
   Kind kind;  ///< Command: its arguments; Reply: its result; Event: its payload
   std::uint16_t number;
 };
 
-/// A value that has arrived. Valid until the next call.
+/// A value that has arrived; it is valid until the next call.
 struct ArrivedValue {
   const std::byte* slot = nullptr;  ///< null: the frame makes no sense
   Errc error{};                     ///< why the slot has no value; 0: it has one
 };
 
-/// Between slots and bytes, in both directions, for one contract whose slots are bounded. Belongs
-/// to the lane thread.
+/// Converts between slots and bytes, in both directions, for one contract whose slots are bounded.
+/// Belongs to the lane thread.
 class Payloads {
  public:
   virtual ~Payloads() noexcept(false) = default;
 
-  /// The bytes of the largest payload, and of the largest that may come if the peer's values are
-  /// larger.
+  /// Returns the bytes of the largest payload of this process.
   virtual std::size_t most() const = 0;
+  /// Returns the bytes of the largest that may come: a peer's values may be larger.
   virtual std::size_t limit() const = 0;
 
-  /// What to send. Valid until the next call.
+  /// Returns what to send; it is valid until the next call.
   virtual std::span<const std::byte> pack(ValueName name, const std::byte* slot) = 0;
-  /// The columns of `row` that have a value; `slots[i]` is the slot of column i.
+  /// Does so with the columns of `row` that have a value; `slots[i]` is the slot of column i.
   virtual std::span<const std::byte> packRow(const rt::StateTable::Row& row,
                                              std::span<const std::byte* const> slots) = 0;
 
@@ -52,6 +53,9 @@ class Payloads {
   virtual bool openRow(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror,
                        rt::RowColumns& columns) = 0;
 };
+
+/// Returns the bytes of all columns of a contract, each filled up to words.
+std::size_t rowBytes(const InterfaceInfo& contract);
 
 std::unique_ptr<Payloads> makePayloads(const InterfaceInfo& contract, Form form);
 

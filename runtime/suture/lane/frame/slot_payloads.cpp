@@ -12,17 +12,13 @@ void turn(StampShift stamps, std::byte* slot, Duration shift) {
 
 }  // namespace
 
-SlotPayloads::SlotPayloads(const InterfaceInfo& contract) : contract_(contract) {
-  std::size_t row = sizeof(rt::RowColumns), most = 0;
+SlotPayloads::SlotPayloads(const InterfaceInfo& contract)
+    : contract_(contract),
+      row_(sizeof(rt::RowColumns) + rowBytes(contract)),
+      most_(std::max<std::size_t>(row_.size(), largestSlot(contract))) {
   for (const CommandInfo& one : contract.commands) {
-    most = std::max<std::size_t>({most, one.argumentsSize, one.resultSize});
-    if (one.column < 0) continue;
-    reads_.push_back(&one);
-    row += wordBytes(one.resultSize);
+    if (one.column >= 0) reads_.push_back(&one);
   }
-  for (const EventInfo& one : contract.events) most = std::max<std::size_t>(most, one.payloadSize);
-  row_.resize(row);
-  most_ = std::max(row, most);
 }
 
 SlotPayloads::Form SlotPayloads::formOf(ValueName name) const {

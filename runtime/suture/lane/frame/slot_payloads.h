@@ -30,7 +30,7 @@ class SlotPayloads final : public Payloads {
   const InterfaceInfo& contract_;
   std::vector<const CommandInfo*> reads_;  // by column
   std::vector<std::byte> row_;             // that is being sent
-  std::size_t most_;
+  const std::size_t most_;
 };
 
 }  // namespace suture::frame
