@@ -41,7 +41,7 @@ std::vector<const model::Event*> ownEvents(const model::Interface& interface);
 /// the enum: " = 11".
 std::string startOf(std::size_t inherited);
 
-/// One row of a table: on one line if it fits, else one member a line.
+/// Emits a row of a table: on one line if it fits, else one member a line.
 void emitEntry(Code& code, const std::vector<std::string>& members);
 
 /// The read commands, in the order of their columns.

@@ -15,13 +15,13 @@ namespace suture::compiler::emit {
 std::vector<unsigned> wireEvents(const Context& context, const model::Interface& interface);
 std::vector<unsigned> wireColumns(const Context& context, const model::Interface& interface);
 
-/// The number of a command's or an event's method in the lock.
+/// Returns the number of a command's or an event's method in the lock.
 unsigned methodOf(const Context& context, const model::Interface& interface,
                   const model::Command& command);
 unsigned methodOf(const Context& context, const model::Interface& interface,
                   const model::Event& event);
 
-/// The places as tables.
+/// Emits both as tables.
 void emitWirePlaces(Code& code, const Context& context, const model::Interface& interface);
 
 }  // namespace suture::compiler::emit

@@ -19,7 +19,7 @@
 
 namespace suture::rpc {
 
-/// A message that carries one slot, or nothing.
+/// Converts a message that carries one slot, or nothing.
 struct MessageCodec {
   void (*encode)(const std::byte* slot, capnp::AnyPointer::Builder out) =
       [](const std::byte*, capnp::AnyPointer::Builder) {};
@@ -29,7 +29,7 @@ struct MessageCodec {
       [](capnp::AnyPointer::Reader, std::byte*, Duration) { return Errc{}; };
 };
 
-/// Where the parameters of a command say when it was sent and whether it wants an answer.
+/// Finds where the parameters of a command say when it was sent, and whether it wants an answer.
 struct SentCodec {
   wire::Sent::Builder (*in)(capnp::AnyPointer::Builder parameters);
   wire::Sent::Reader (*of)(capnp::AnyPointer::Reader parameters);
@@ -73,7 +73,7 @@ struct RowCodec {
   std::int64_t (*stamp)(capnp::AnyPointer::Reader in);  ///< of the sender's clock, ns
 };
 
-/// A contract's own.
+/// What suturec writes for one contract.
 struct Codec {
   capnp::InterfaceSchema (*schema)();
   std::uint64_t contract;                  ///< the id of its interface
@@ -85,7 +85,7 @@ struct Codec {
 
 // --- what the generated tables are made of
 
-/// A slot as a message of its own struct.
+/// Makes the codec of a slot that is a message of its own struct.
 template <class Struct, class Slot, void (*kEncode)(const Slot&, typename Struct::Builder),
           Errc (*kDecode)(typename Struct::Reader, Slot&, Duration)>
 inline constexpr MessageCodec messageOf{
@@ -109,7 +109,7 @@ inline constexpr StampCodec stampIn{
               std::int64_t stamp) { out.getAs<Message>().setStamp(stamp); },
     .of = [](capnp::AnyPointer::Reader in) { return in.getAs<Message>().getStamp(); }};
 
-/// The columns of a contract without reads.
+/// A contract without reads has no columns.
 template <class Row>
 void encodeNoColumn(unsigned, const std::byte*, typename Row::Builder) {}
 template <class Row>

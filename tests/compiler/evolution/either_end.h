@@ -20,7 +20,7 @@ inline void keep(const std::string& address, const std::string& name, suture::Co
   manager.stop();
 }
 
-/// Who asks, and how.
+/// Says which manager the client asks for its provider, and how it connects.
 struct Asking {
   std::string manager;                                   ///< its address
   suture::ConnectOptions options{.laneRequired = true};  ///< by the lane that was named

@@ -22,7 +22,7 @@ constexpr std::uint16_t kServoCpCommand = 0, kServoJpCommand = 1, kHoldCommand =
 
 const InterfaceInfo& armContract() { return interfaceInfo<reference::ArmLike>(); }
 
-/// Goals of a number of joints.
+/// Packs goals of a number of joints.
 class Goals {
  public:
   std::span<const std::byte> pack(std::size_t joints) {

@@ -1,5 +1,5 @@
 #pragma once
-// Either side of a connection by frames.
+// Tests make either side of a connection by frames with this.
 
 #include <suture/lane/frame/client_side.h>
 #include <suture/lane/frame/provider_side.h>

@@ -20,12 +20,12 @@ inline std::uint64_t toWireNumbers(WireNumbers numbers, std::uint64_t set) {
   return wire;
 }
 
-/// The number of one of them.
+/// Returns the number of the one at `place`.
 inline std::uint16_t numberAt(WireNumbers numbers, std::uint16_t place) {
   return numbers.empty() ? place : numbers[place];
 }
 
-/// The place of one that has come; beyond all places if this side does not know it.
+/// Returns the place of one that has come: beyond all places if this side does not know it.
 inline std::size_t placeOf(WireNumbers numbers, std::uint16_t number) {
   if (numbers.empty()) return number;
   const auto found = std::find(numbers.begin(), numbers.end(), number);

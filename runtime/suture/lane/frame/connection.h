@@ -23,7 +23,7 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
 
   std::uint32_t number() const { return number_; }
-  /// The bytes of the largest payload, and of the largest that may come.
+  /// Returns the bytes of the largest payload, and of the largest that may come.
   std::size_t mostPayload() const;
   std::size_t payloadLimit() const;
 

@@ -17,7 +17,7 @@
 namespace suture::frame {
 namespace {
 
-// A contract that has more is none of ours.
+// No contract of ours has more.
 constexpr unsigned kMostCommands = 4096;
 
 /// The socket of a session, and what both ends call it.
@@ -41,7 +41,7 @@ void nameCommands(const InterfaceInfo& contract, wire::FrameRequest::Builder out
   }
 }
 
-/// What the commands that a client has named are here.
+/// Returns the numbers here of the commands that a client has named.
 std::vector<std::uint16_t> numbersOf(capnp::List<wire::FrameRequest::Method>::Reader names,
                                      const InterfaceInfo& contract) {
   const auto commands = contract.codec().commands;

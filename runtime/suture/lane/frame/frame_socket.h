@@ -19,7 +19,7 @@ class FrameSocket {
   int descriptor() const { return bytes_.socket(); }
   /// From now on there may be larger payloads. Ends what next() returned.
   void makeRoom(std::size_t mostPayload);
-  /// And even larger ones, up to this, for which room is made as they come.
+  /// From now on there may be even larger ones, for which room is made as they come.
   void allow(std::size_t limit) { reader_.allow(limit); }
 
   /// True if one more frame may be sent.

@@ -13,7 +13,7 @@ namespace suture::frame {
 /// provider answers, emits and publishes. Belongs to the lane thread.
 class ProviderSide final : public Connection {
  public:
-  /// No command of the contract.
+  /// Stands for a command that the contract does not have.
   static constexpr std::uint16_t kUnknown = 0xffff;
 
   /// `channel`'s client doorbell is the lane thread's. `commands`: by the number that the client

@@ -11,7 +11,7 @@
 namespace suture::rpc {
 namespace {
 
-/// Of an event's payload.
+/// Returns how many words the largest payload of an event takes.
 std::size_t mostWords(const InterfaceInfo& contract) {
   std::uint32_t most = 0;
   for (const EventInfo& one : contract.events) most = std::max(most, one.payloadSize);
