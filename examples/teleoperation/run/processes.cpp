@@ -142,9 +142,9 @@ Time Crew::breakOrMend(Time began) {
   if (suture::now() < began + cutOff_->moment.at) return began + cutOff_->moment.at;
   if (!broken_) cut();
   if (suture::now() < *broken_ + cutOff_->moment.length) return *broken_ + cutOff_->moment.length;
-  const Time broken = *broken_;
+  // A process that goes on may move its arms before this one runs again: the moment is taken first.
+  result_.outage = {*broken_, suture::now()};
   mend();
-  result_.outage = {broken, suture::now()};
   return Time::max();
 }
 
