@@ -129,11 +129,20 @@ void Crew::watch(Duration length, const Progress& progress) {
     shown = reportsOfEach();
     progress(suture::now() - began, reports());
   };
-  while (!over() && suture::now() < began + length) {
-    showNewReports(std::min(breakOrMend(began), began + length));
+  while (!over() && suture::now() < endOfRun(began, length)) {
+    showNewReports(std::min(breakOrMend(began), endOfRun(began, length)));
   }
   result_.ran = suture::now() - began;
   showNewReports(suture::now() + kLastReport);
+}
+
+/// What follows a break lasts as long as was asked, however late a busy machine lets the break be.
+Time Crew::endOfRun(Time began, Duration length) const {
+  if (!cutOff_) return began + length;
+  const auto [at, brokenFor] = cutOff_->moment;
+  const Duration after = length - at - brokenFor;
+  if (result_.outage) return result_.outage->mended + after;
+  return broken_ ? *broken_ + brokenFor + after : Time::max();
 }
 
 /// Does what is due, and says when there is more to do.

@@ -49,7 +49,7 @@ class Crew {
   Crew& operator=(const Crew&) = delete;
 
   /// Runs for `length` and ends every process, whatever happens; never longer than that and some
-  /// seconds.
+  /// seconds, unless this process gets no time to break what is to be broken.
   CrewResult run(suture::Duration length, const Progress& progress);
 
  private:
@@ -64,6 +64,7 @@ class Crew {
   void startWorkstations();
   void awaitStarted();
   void watch(suture::Duration length, const Progress& progress);
+  suture::Time endOfRun(suture::Time began, suture::Duration length) const;
   suture::Time breakOrMend(suture::Time began);
   void cut();
   void mend();

@@ -4,8 +4,10 @@ How soon, to the millisecond, depends here on what else the machine does; the de
 """
 
 import pathlib
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
 from programs import PATIENCE, Demo, all_end, eventually, interrupt, is_frozen
@@ -48,6 +50,17 @@ class Workstations(Broken):
     def test_a_workstation_that_is_frozen(self):
         held = self.run_and_break("--topology", "fig3c", "--network", "unix", "--seconds", "8", "--break", "right@3s")
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
+
+    def test_a_demo_that_gets_no_time_breaks_later(self):
+        with Demo(PROGRAMS, "--topology", "fig3a", "--network", "unix", "--seconds", "6", "--break", "right@2s") as demo:
+            demo.await_progress()
+            over = time.monotonic() + 6
+            demo.process.send_signal(signal.SIGSTOP)
+            self.assertTrue(eventually(lambda: time.monotonic() > over, PATIENCE))
+            demo.process.send_signal(signal.SIGCONT)
+            status, output = demo.finish()
+            self.assertEqual(demo.result()["failures"], [], output)
+            self.assertIn("ran to the end and had every connection again", output)
 
     def test_one_that_drives_nobody_elsewhere(self):
         held = self.run_and_break("--topology", "fig3a", "--network", "tcp", "--seconds", "7", "--break", "right@3s")
