@@ -18,14 +18,14 @@ using suture::fuzz::Input;
 using suture::fuzz::require;
 
 constexpr std::uint32_t kEpoch = 3;
-constexpr std::size_t kMostPayload = 500;
+constexpr std::size_t kLargest = 500;
 
 std::byte fillOf(std::uint32_t sequence) { return static_cast<std::byte>(sequence * 7); }
 
 std::vector<std::byte> rightFrames(Input& input, std::size_t count) {
-  FrameWriter writer(kEpoch, kMostPayload);
+  FrameWriter writer(kEpoch);
   for (std::uint32_t i = 1; i <= count; ++i) {
-    const std::size_t size = input.two() % (kMostPayload + 1);
+    const std::size_t size = input.two() % (kLargest + 1);
     const auto kind = static_cast<Kind>(input.byte() % kKinds);
     std::fill_n(writer.begin({.kind = kind, .call = i}, size), size, fillOf(i));
     writer.finish();
@@ -52,7 +52,7 @@ void hit(std::vector<std::byte>& bytes, Input& input) {
 }
 
 void read(const std::vector<std::byte>& bytes, std::size_t chunk, std::size_t count) {
-  FrameReader reader(kEpoch, kMostPayload);
+  FrameReader reader(kEpoch);
   std::uint32_t sequence = 0;
   for (std::size_t done = 0; done < bytes.size() && reader.fault() == Fault::None;) {
     const auto space = reader.space();

@@ -175,7 +175,7 @@ kj::AutoCloseFd secondConnection(const rpc::Address& provider, const rpc::Token&
 }
 
 void subscribe(int socket, std::uint32_t epoch, std::uint32_t connection) {
-  frame::FrameWriter writer(epoch, sizeof(frame::Subscription));
+  frame::FrameWriter writer(epoch);
   const frame::Subscription everything{0, 0, ~std::uint64_t{0}};
   const frame::Header header{.kind = frame::Kind::Subscribe, .call = 1, .connection = connection};
   std::memcpy(writer.begin(header, sizeof(everything)), &everything, sizeof(everything));

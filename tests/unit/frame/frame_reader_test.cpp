@@ -11,7 +11,7 @@ namespace suture::frame {
 namespace {
 
 constexpr std::uint32_t kEpoch = 77;
-constexpr std::size_t kMostPayload = 200;
+constexpr std::size_t kLarge = 200;
 
 using Bytes = std::vector<std::byte>;
 
@@ -26,12 +26,12 @@ Bytes bytesOf(const FrameWriter& writer) {
   return {unsent.begin(), unsent.end()};
 }
 
-/// A command without a payload, an event of seven bytes and a row of the largest size.
+/// A command without a payload, an event of seven bytes and a row of 200.
 Bytes threeFrames() {
-  FrameWriter writer(kEpoch, kMostPayload);
+  FrameWriter writer(kEpoch);
   write(writer, Kind::Command, 1, 0);
   write(writer, Kind::Event, 2, 7);
-  write(writer, Kind::Row, 3, kMostPayload);
+  write(writer, Kind::Row, 3, kLarge);
   return bytesOf(writer);
 }
 
@@ -41,7 +41,7 @@ struct Outcome {
 };
 
 Outcome read(const Bytes& bytes, std::size_t chunk = SIZE_MAX) {
-  FrameReader reader(kEpoch, kMostPayload);
+  FrameReader reader(kEpoch);
   Outcome outcome;
   for (std::size_t done = 0; done < bytes.size();) {
     const auto space = reader.space();
@@ -77,10 +77,10 @@ TEST(FrameReader, DoesNotCareHowTheBytesArrive) {
 }
 
 TEST(FrameReader, GoesOnForEver) {
-  FrameWriter writer(kEpoch, kMostPayload);
-  FrameReader reader(kEpoch, kMostPayload);
+  FrameWriter writer(kEpoch);
+  FrameReader reader(kEpoch);
   for (std::uint32_t i = 1; i < 5000; ++i) {
-    write(writer, Kind::Event, static_cast<std::uint16_t>(i), i % kMostPayload);
+    write(writer, Kind::Event, static_cast<std::uint16_t>(i), i % kLarge);
     const auto unsent = writer.unsent();
     std::copy(unsent.begin(), unsent.end(), reader.space().begin());
     reader.arrived(unsent.size());
@@ -122,43 +122,21 @@ TEST(FrameReader, TakesNothingThatIsMissingDoubleOrOutOfOrder) {
 }
 
 TEST(FrameReader, TakesNothingOfAnotherEpoch) {
-  FrameWriter writer(kEpoch + 1, kMostPayload);
+  FrameWriter writer(kEpoch + 1);
   write(writer, Kind::Event, 1, 0);
   EXPECT_EQ(read(bytesOf(writer)).fault, Fault::Epoch);
 }
 
 TEST(FrameReader, TakesNothingLargerThanThereCanBe) {
-  FrameWriter writer(kEpoch, kMostPayload + 1);
+  FrameWriter writer(kEpoch);
   write(writer, Kind::Event, 1, kMostPayload + 1);
   EXPECT_EQ(read(bytesOf(writer)).fault, Fault::Size);
 }
 
 TEST(FrameReader, TakesNothingOfAnUnknownKind) {
-  FrameWriter writer(kEpoch, kMostPayload);
+  FrameWriter writer(kEpoch);
   write(writer, static_cast<Kind>(kKinds), 1, 0);
   EXPECT_EQ(read(bytesOf(writer)).fault, Fault::Kind);
-}
-
-TEST(FrameReader, MakesRoomForWhatItAllows) {
-  constexpr std::size_t kLarge = 3 * kLeastRoom;
-  FrameWriter writer(kEpoch, kMostPayload);
-  write(writer, Kind::Event, 1, 7);
-  write(writer, Kind::Event, 2, kLarge);
-  write(writer, Kind::Event, 3, kLarge + 1);
-  const Bytes bytes = bytesOf(writer);
-  FrameReader reader(kEpoch, kMostPayload);
-  reader.allow(kLarge);
-  std::vector<std::size_t> sizes;
-  for (std::size_t done = 0; done < bytes.size() && reader.fault() == Fault::None;) {
-    const auto space = reader.space();
-    const std::size_t count = std::min(space.size(), bytes.size() - done);
-    std::copy_n(bytes.begin() + static_cast<std::ptrdiff_t>(done), count, space.begin());
-    reader.arrived(count);
-    done += count;
-    while (reader.next() != nullptr) sizes.push_back(reader.payload().size());
-  }
-  EXPECT_EQ(sizes, (std::vector<std::size_t>{7, kLarge}));
-  EXPECT_EQ(reader.fault(), Fault::Size);
 }
 
 }  // namespace

@@ -13,8 +13,7 @@ constexpr std::size_t kSmallPayload = 64;
 struct Ends {
   Ends() : Ends(rpc::makeSocketPair()) {}
   explicit Ends(rpc::SocketPair pair)
-      : near(rpc::ByteStream(kj::mv(pair.ours)), 5, kSmallPayload),
-        far(rpc::ByteStream(kj::mv(pair.theirs)), 5, kSmallPayload) {}
+      : near(rpc::ByteStream(kj::mv(pair.ours)), 5), far(rpc::ByteStream(kj::mv(pair.theirs)), 5) {}
 
   FrameSocket near, far;
 };
@@ -60,30 +59,6 @@ TEST(FrameSocket, WhatItsPeerDoesNotTakeIsBounded) {
   }
   EXPECT_EQ(taken, sent);
   EXPECT_TRUE(ends.near.hasRoom());
-}
-
-TEST(FrameSocket, MakesRoomForLargerPayloads) {
-  Ends ends;
-  constexpr std::size_t kLarge = 5 * kLeastRoom;
-  send(ends.near, 3);
-  for (FrameSocket* const one : {&ends.near, &ends.far}) one->makeRoom(kLarge);
-  ASSERT_TRUE(ends.near.hasRoom());
-  ends.near.begin({.kind = Kind::Event}, kLarge)[kLarge - 1] = std::byte{9};
-  ends.near.finish();
-  unsigned small = 0;
-  std::byte last{};
-  while (last == std::byte{0}) {
-    ends.near.flush();
-    ends.far.arrived();
-    while (const Header* const header = ends.far.next()) {
-      if (header->size < kLarge) ++small;
-      if (header->size == kLarge) last = ends.far.payload()[kLarge - 1];
-    }
-    ends.far.receive();
-    ASSERT_EQ(ends.far.why(), "");
-  }
-  EXPECT_EQ(small, 3u);
-  EXPECT_EQ(last, std::byte{9});
 }
 
 TEST(FrameSocket, AllocatesNothingOnceItStands) {

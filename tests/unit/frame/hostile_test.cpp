@@ -50,7 +50,7 @@ class Peer {
 
  private:
   kj::AutoCloseFd socket_;
-  FrameWriter writer_{kHostileEpoch, std::size_t{1} << 14};
+  FrameWriter writer_{kHostileEpoch};
 };
 
 /// As a peer's own, then with a number or two that are any.

@@ -139,27 +139,29 @@ void ClientSide::giveCommands() {
     const rt::CommandRecord* const record = commands.next();
     if (record == nullptr) return;
     giveCommand(*record);
-    commands.pop();
   }
 }
 
 void ClientSide::giveCommand(const rt::CommandRecord& record) {
-  const CommandInfo& command = channel_->info.commands[record.command];
+  const std::uint16_t number = record.command;
+  const CommandInfo& command = channel_->info.commands[number];
   if (record.call != 0 && !channel_->claimCall(record.call)) {
     channel_->replyError(record.call, Errc::Cancelled);
     channel_->ends.client->ring(rt::RungFor::Arrival);
-    channel_->commands.returnCredit(record.command);
     rt::increment(channel_->commands.counters.cancelled);
-    return;
+    channel_->commands.pop();
+    return channel_->commands.returnCredit(number);
   }
-  send({.kind = Kind::Command,
-        .number = record.command,
-        .call = record.call,
-        .stamp = toNanoseconds(record.stamp)},
-       payloads_->pack({Kind::Command, record.command}, record.arguments()));
-  if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, record.command};
+  if (record.call != 0) calls_[record.call % calls_.size()] = {record.call, number};
   // A newest-wins command without an answer uses no credit.
-  if (!command.latest || record.call != 0) ++lent_[record.command];
+  if (!command.latest || record.call != 0) ++lent_[number];
+  sendValue({.kind = Kind::Command,
+             .number = number,
+             .call = record.call,
+             .stamp = toNanoseconds(record.stamp)},
+            payloads_->pack({Kind::Command, number}, record.arguments()));
 }
+
+void ClientSide::letGo(Kind) { channel_->commands.pop(); }
 
 }  // namespace suture::frame

@@ -22,6 +22,7 @@ class ClientSide final : public Connection {
   bool take(const Header& header, std::span<std::byte> payload) override;
   void taken() override;
   void give() override;
+  void letGo(Kind kind) override;
 
   bool takeReply(const Header& header, std::span<std::byte> payload);
   bool takeEvent(const Header& header, std::span<std::byte> payload);

@@ -9,13 +9,10 @@ namespace suture::frame {
 
 Connection::Connection(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
                        std::uint32_t number)
-    : channel_(std::move(channel)), payloads_(std::move(payloads)), number_(number) {}
-
-std::size_t Connection::mostPayload() const {
-  return std::max({sizeof(Subscription), sizeof(Tally), payloads_->most()});
-}
-
-std::size_t Connection::payloadLimit() const { return std::max(mostPayload(), payloads_->limit()); }
+    : channel_(std::move(channel)),
+      payloads_(std::move(payloads)),
+      number_(number),
+      pieces_(payloads_->limit()) {}
 
 bool Connection::over() const {
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
@@ -32,30 +29,45 @@ void Connection::breakOff(const std::string& why) {
 bool Connection::arrived(const Header& header, std::span<std::byte> payload) {
   rt::increment(channel_->bytesReceived, sizeof(header) + wordBytes(payload.size()));
   if (!window_.takes(header)) return false;
-  return header.kind == Kind::Acknowledge || take(header, payload);
+  if (header.kind == Kind::Acknowledge) return true;
+  if (header.kind == Kind::Piece) return pieces_.add(header, payload);
+  return pieces_.complete(payload) && take(header, payload);
 }
 
 bool Connection::send() {
+  if (!rest_.empty() && mayGoOn()) sendPiece();
   give();
   if (!socket_->hasRoom()) return window_.isOpen() || window_.owesAcknowledgement();
-  if (window_.owesAcknowledgement()) {
-    begin({.kind = Kind::Acknowledge}, 0);
-    finish();
-  }
-  return false;
+  if (window_.owesAcknowledgement()) send({.kind = Kind::Acknowledge});
+  return !rest_.empty() && window_.isOpen();
 }
 
-std::byte* Connection::begin(Header header, std::size_t size) {
+void Connection::send(Header header, std::span<const std::byte> payload) {
   header.connection = number_;
   window_.sends(header);
-  rt::increment(channel_->bytesSent, sizeof(header) + wordBytes(size));
-  return socket_->begin(header, size);
+  rt::increment(channel_->bytesSent, sizeof(header) + wordBytes(payload.size()));
+  std::byte* const memory = socket_->begin(header, payload.size());
+  if (!payload.empty()) std::memcpy(memory, payload.data(), payload.size());
+  socket_->finish();
 }
 
-void Connection::send(const Header& header, std::span<const std::byte> payload) {
-  std::byte* const memory = begin(header, payload.size());
-  if (!payload.empty()) std::memcpy(memory, payload.data(), payload.size());
-  finish();
+void Connection::sendValue(const Header& header, std::span<const std::byte> payload) {
+  if (payload.size() > kMostPayload) {
+    whole_ = header;
+    wholeSize_ = static_cast<std::uint32_t>(payload.size());
+    rest_ = payload;
+    return sendPiece();
+  }
+  send(header, payload);
+  letGo(header.kind);
+}
+
+void Connection::sendPiece() {
+  const auto piece = rest_.first(std::min(rest_.size(), kMostPayload));
+  rest_ = rest_.subspan(piece.size());
+  if (!rest_.empty()) return send({.kind = Kind::Piece, .call = wholeSize_}, piece);
+  send(whole_, piece);
+  letGo(whole_.kind);
 }
 
 Time Connection::here(std::int64_t stamp) const {

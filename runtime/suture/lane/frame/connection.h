@@ -2,6 +2,7 @@
 // One connection over frames, as either process sees it.
 
 #include <suture/component/channel/channel.h>
+#include <suture/lane/frame/codec/pieces.h>
 #include <suture/lane/frame/frame_socket.h>
 #include <suture/lane/frame/payloads.h>
 #include <suture/lane/frame/window.h>
@@ -23,18 +24,14 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
 
   std::uint32_t number() const { return number_; }
-  /// Returns the bytes of the largest payload, and of the largest that may come.
-  std::size_t mostPayload() const;
-  std::size_t payloadLimit() const;
-
   /// The socket of the link, for as long as this is turned.
   void use(FrameSocket& socket) { socket_ = &socket; }
   /// A frame of this connection has arrived; false if there can be no such.
   bool arrived(const Header& header, std::span<std::byte> payload);
   /// Called behind all frames that have arrived: wakes those whom they are for.
   virtual void taken() {}
-  /// Sends what the channel has, as far as there is room; true if it may have more, which the
-  /// socket had no room for.
+  /// Sends what the channel has, as far as there is room, but of a value that travels in pieces
+  /// only one; true if it may have more.
   bool send();
 
   /// There is nothing to carry any more.
@@ -54,24 +51,34 @@ class Connection {
 
   virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
   virtual void give() = 0;
+  /// All of the payload that sendValue() got has been sent, in a frame of this kind.
+  virtual void letGo(Kind kind) = 0;
 
   /// A stamp of the peer on this process's clock, but not later than now: what has not happened yet
   /// would have a negative age.
   Time here(std::int64_t stamp) const;
 
-  bool hasRoom() const { return window_.isOpen() && socket_->hasRoom(); }
-  /// Memory for the payload; finish() ends the frame. Only if hasRoom().
-  std::byte* begin(Header header, std::size_t size);
-  void finish() { socket_->finish(); }
-  void send(const Header& header, std::span<const std::byte> payload = {});
+  bool hasRoom() const { return rest_.empty() && mayGoOn(); }
+  /// Only if hasRoom(). No payload is larger than kMostPayload.
+  void send(Header header, std::span<const std::byte> payload = {});
+  /// Only if hasRoom(): sends a payload of any size, at more than one turn if it is large. Until
+  /// letGo() it stays valid.
+  void sendValue(const Header& header, std::span<const std::byte> payload);
 
   const std::shared_ptr<Channel> channel_;
   const std::unique_ptr<Payloads> payloads_;
 
  private:
+  bool mayGoOn() const { return window_.isOpen() && socket_->hasRoom(); }
+  void sendPiece();
+
   const std::uint32_t number_;
   FrameSocket* socket_ = nullptr;
   Window window_;
+  Pieces pieces_;                    // that have arrived
+  Header whole_;                     // of the value that is being sent
+  std::uint32_t wholeSize_ = 0;      // its bytes
+  std::span<const std::byte> rest_;  // of them what has not been sent
   std::string why_;
   std::atomic<bool> broken_{false};
 };

@@ -17,7 +17,6 @@ class EncodedPayloads final : public Payloads {
  public:
   explicit EncodedPayloads(const InterfaceInfo& contract);
 
-  std::size_t most() const override { return scratch_.size() * sizeof(capnp::word); }
   std::size_t limit() const override;
   std::span<const std::byte> pack(ValueName name, const std::byte* slot) override;
   std::span<const std::byte> packRow(const rt::StateTable::Row& row,

@@ -26,16 +26,8 @@ void tellReceived(std::uint32_t) {}
 
 }  // namespace
 
-FrameSocket::FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch, std::size_t mostPayload)
-    : epoch_(epoch),
-      bytes_(std::move(bytes)),
-      reader_(epoch, mostPayload),
-      writer_(epoch, mostPayload) {}
-
-void FrameSocket::makeRoom(std::size_t mostPayload) {
-  reader_.makeRoom(mostPayload);
-  writer_.makeRoom(mostPayload);
-}
+FrameSocket::FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch)
+    : epoch_(epoch), bytes_(std::move(bytes)), reader_(epoch), writer_(epoch) {}
 
 const Header* FrameSocket::next() {
   if (broken()) return nullptr;

@@ -14,13 +14,9 @@ namespace suture::frame {
 /// Sends and receives frames. Never blocks. Belongs to the lane thread.
 class FrameSocket {
  public:
-  FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch, std::size_t mostPayload);
+  FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch);
 
   int descriptor() const { return bytes_.socket(); }
-  /// From now on there may be larger payloads. Ends what next() returned.
-  void makeRoom(std::size_t mostPayload);
-  /// From now on there may be even larger ones, for which room is made as they come.
-  void allow(std::size_t limit) { reader_.allow(limit); }
 
   /// True if one more frame may be sent.
   bool hasRoom() const { return writer_.hasRoom(); }

@@ -27,8 +27,6 @@ void Link::takeJoined() {
       one->breakOff("another connection has its number");
       continue;
     }
-    socket_.makeRoom(one->mostPayload());
-    socket_.allow(one->payloadLimit());
     one->use(socket_);
     const auto place =
         std::lower_bound(connections_.begin(), connections_.end(), one->number(), isBefore);
@@ -45,13 +43,9 @@ Connection* Link::find(std::uint32_t number) const {
 
 void Link::turn() {
   receive();
-  // What did not fit goes when the socket has taken the rest; if it has not, it tells when it takes
-  // more.
-  bool more = false;
-  do {
-    more = send();
-    socket_.flush();
-  } while (more && !socket_.isFull() && !socket_.broken());
+  // What did not fit goes at the next turn, or when the socket tells that it takes more.
+  unsent_ = send();
+  socket_.flush();
   if (socket_.broken()) breakAll();
   std::erase_if(connections_, [](const auto& one) { return one->over(); });
 }

@@ -18,7 +18,7 @@ namespace suture::frame {
 class Link {
  public:
   /// `epoch`: in every frame, the same at the other end.
-  Link(rpc::ByteStream bytes, std::uint32_t epoch) : socket_(std::move(bytes), epoch, 0) {}
+  Link(rpc::ByteStream bytes, std::uint32_t epoch) : socket_(std::move(bytes), epoch) {}
   ~Link() { end(); }
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
@@ -36,8 +36,11 @@ class Link {
   void arrived() { socket_.arrived(); }
   /// Takes what has come from either side of each connection, and gives it to the other.
   void turn();
-  /// More has arrived than one turn takes: nobody tells that again.
-  bool hasMore() const { return socket_.mayHaveMore(); }
+  /// More has arrived than one turn takes, or is to be sent than one sends: nobody tells that
+  /// again.
+  bool hasMore() const {
+    return socket_.mayHaveMore() || (unsent_ && !socket_.isFull() && !socket_.broken());
+  }
   /// The socket has not taken all, and tells when it takes more.
   bool isFull() const { return socket_.isFull(); }
   /// Ends the socket, so that the other end is told.
@@ -54,6 +57,7 @@ class Link {
   FrameSocket socket_;
   std::vector<std::shared_ptr<Connection>> connections_;  // by number
   std::size_t first_ = 0;                                 // to send, in turns
+  bool unsent_ = false;  // a connection has more than its turn took
   std::atomic<bool> broken_{false}, anyJoined_{false};
   std::mutex mutex_;  // connections join rarely, and no control loop waits here
   std::vector<std::shared_ptr<Connection>> joined_;

@@ -34,9 +34,7 @@ class Payloads {
  public:
   virtual ~Payloads() noexcept(false) = default;
 
-  /// Returns the bytes of the largest payload of this process.
-  virtual std::size_t most() const = 0;
-  /// Returns the bytes of the largest that may come: a peer's values may be larger.
+  /// Returns the bytes of the largest that may come: a peer's values may be larger than ours.
   virtual std::size_t limit() const = 0;
 
   /// Returns what to send; it is valid until the next call.

@@ -142,12 +142,11 @@ void ProviderSide::giveReplies() {
     if (reply->error == Errc{}) {
       result = payloads_->pack({Kind::Reply, reply->command}, reply->result());
     }
-    send({.kind = Kind::Reply,
-          .error = static_cast<std::uint8_t>(reply->error),
-          .call = reply->call,
-          .stamp = toNanoseconds(reply->stamp)},
-         result);
-    channel_->popReply();
+    sendValue({.kind = Kind::Reply,
+               .error = static_cast<std::uint8_t>(reply->error),
+               .call = reply->call,
+               .stamp = toNanoseconds(reply->stamp)},
+              result);
   }
 }
 
@@ -181,14 +180,15 @@ void ProviderSide::giveEvents() {
   while (hasRoom()) {
     const rt::EventRecord* const record = channel_->events.next();
     if (record == nullptr) return;
-    if (wanted(*record)) {
-      send({.kind = Kind::Event,
-            .number = numberAt(channel_->info.wireEvents, record->event),
-            .call = subscription_,
-            .stamp = toNanoseconds(record->stamp)},
-           payloads_->pack({Kind::Event, record->event}, record->payload()));
+    if (!wanted(*record)) {
+      channel_->events.pop();
+      continue;
     }
-    channel_->events.pop();
+    sendValue({.kind = Kind::Event,
+               .number = numberAt(channel_->info.wireEvents, record->event),
+               .call = subscription_,
+               .stamp = toNanoseconds(record->stamp)},
+              payloads_->pack({Kind::Event, record->event}, record->payload()));
   }
 }
 
@@ -205,8 +205,13 @@ void ProviderSide::giveRow() {
   lastRow_ = row.sequence;
   row.keep(columns_);
   if (!row.any()) return;
-  send({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)},
-       payloads_->packRow(row, wantedSlots_));
+  sendValue({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)},
+            payloads_->packRow(row, wantedSlots_));
+}
+
+void ProviderSide::letGo(Kind kind) {
+  if (kind == Kind::Reply) channel_->popReply();
+  if (kind == Kind::Event) channel_->events.pop();
 }
 
 }  // namespace suture::frame

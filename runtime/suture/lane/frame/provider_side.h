@@ -28,6 +28,7 @@ class ProviderSide final : public Connection {
   bool take(const Header& header, std::span<std::byte> payload) override;
   void taken() override;
   void give() override;
+  void letGo(Kind kind) override;
 
   bool takeCommand(const Header& header, std::span<std::byte> payload);
   Errc whyNot(std::uint16_t command) const;

@@ -11,7 +11,6 @@ class SlotPayloads final : public Payloads {
  public:
   explicit SlotPayloads(const InterfaceInfo& contract);
 
-  std::size_t most() const override { return most_; }
   std::size_t limit() const override { return most_; }
   std::span<const std::byte> pack(ValueName name, const std::byte* slot) override;
   std::span<const std::byte> packRow(const rt::StateTable::Row& row,

@@ -22,8 +22,14 @@ enum class Kind : std::uint8_t {
   Tally,  ///< payload: suture::Tally, what has become of all commands so far
   // both
   Acknowledge,  ///< nothing but `acknowledged`
+  Piece,  ///< kMostPayload bytes of the payload of the connection's next frame of another kind,
+          ///< which brings the end of it; call: bytes of all of it
 };
-inline constexpr unsigned kKinds = 8;
+inline constexpr unsigned kKinds = 9;
+
+/// No frame has a larger payload: what is larger travels in pieces, by turns with what the link's
+/// other connections have.
+inline constexpr std::size_t kMostPayload = std::size_t{64} << 10;
 
 /// Little-endian, as every machine that this runs on.
 struct Header {
@@ -50,10 +56,11 @@ struct Subscription {
   std::uint64_t columns;  ///< of the state that the client reads
 };
 
-/// What one send or one receive may take of small frames, bytes.
-inline constexpr std::size_t kLeastRoom = std::size_t{64} << 10;
-
 constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
+
+/// Of the largest frame.
+inline constexpr std::size_t kMostFrame = sizeof(Header) + kMostPayload;
+static_assert(kMostPayload == wordBytes(kMostPayload));
 
 /// Why a peer is not listened to any more.
 enum class Fault : std::uint8_t { None, Checksum, Size, Epoch, Sequence, Kind };

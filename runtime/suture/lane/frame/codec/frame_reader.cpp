@@ -1,28 +1,13 @@
 #include <suture/lane/frame/codec/crc32c.h>
 #include <suture/lane/frame/codec/frame_reader.h>
 
-#include <algorithm>
 #include <cstring>
 #include <utility>
 
 namespace suture::frame {
 
-namespace {
-
-std::size_t wordsFor(std::size_t mostPayload) {
-  return std::max(kLeastRoom, 2 * (sizeof(Header) + wordBytes(mostPayload))) /
-         sizeof(std::uint64_t);
-}
-
-}  // namespace
-
-FrameReader::FrameReader(std::uint32_t epoch, std::size_t mostPayload)
-    : epoch_(epoch), mostPayload_(mostPayload), storage_(wordsFor(mostPayload)) {}
-
-void FrameReader::makeRoom(std::size_t mostPayload) {
-  mostPayload_ = std::max(mostPayload_, mostPayload);
-  storage_.resize(wordsFor(mostPayload_));
-}
+FrameReader::FrameReader(std::uint32_t epoch)
+    : epoch_(epoch), storage_(2 * kMostFrame / sizeof(std::uint64_t)) {}
 
 // A whole frame always fits behind what has been taken out.
 std::span<std::byte> FrameReader::space() {
@@ -39,11 +24,8 @@ std::span<std::byte> FrameReader::space() {
 const Header* FrameReader::next() {
   begin_ += std::exchange(taken_, 0);
   if (fault_ != Fault::None || end_ - begin_ < sizeof(Header)) return nullptr;
-  if (const std::size_t size = header().size; size > mostPayload_) {
-    if (size > limit_) return broken(Fault::Size);
-    makeRoom(size);
-  }
   const Header& next = header();
+  if (next.size > kMostPayload) return broken(Fault::Size);
   const std::size_t whole = sizeof(Header) + wordBytes(next.size);
   if (end_ - begin_ < whole) return nullptr;
   if (const Fault fault = judge(next); fault != Fault::None) return broken(fault);

@@ -3,7 +3,6 @@
 
 #include <suture/lane/frame/codec/frame.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -13,16 +12,10 @@ namespace suture::frame {
 
 /// One thread. Believes nothing: a frame is handed out only if its size, checksum, epoch, place in
 /// the order and kind are right, and after a wrong one there are no more. No allocation after
-/// construction, but for what allow() says.
+/// construction.
 class FrameReader {
  public:
-  /// `mostPayload`: no frame has more.
-  FrameReader(std::uint32_t epoch, std::size_t mostPayload);
-
-  /// From now on there may be larger ones. Ends what next() returned.
-  void makeRoom(std::size_t mostPayload);
-  /// From now on there may be even larger ones, for which room is made as they come.
-  void allow(std::size_t limit) { limit_ = std::max(limit_, limit); }
+  explicit FrameReader(std::uint32_t epoch);
 
   /// Where the next bytes go; never empty. Ends what next() returned.
   std::span<std::byte> space();
@@ -43,8 +36,6 @@ class FrameReader {
   const Header* broken(Fault fault);
 
   const std::uint32_t epoch_;
-  std::size_t mostPayload_;
-  std::size_t limit_ = 0;
   std::vector<std::uint64_t> storage_;  // words: frames lie at words
   std::size_t begin_ = 0, end_ = 0;     // bytes
   std::size_t taken_ = 0;               // of the frame that next() returned

@@ -1,22 +1,16 @@
 #include <suture/lane/frame/codec/crc32c.h>
 #include <suture/lane/frame/codec/frame_writer.h>
 
-#include <algorithm>
 #include <cstring>
 
 namespace suture::frame {
 
-FrameWriter::FrameWriter(std::uint32_t epoch, std::size_t mostPayload) : epoch_(epoch) {
-  makeRoom(mostPayload);
-}
-
-void FrameWriter::makeRoom(std::size_t mostPayload) {
-  frameBytes_ = std::max(frameBytes_, sizeof(Header) + wordBytes(mostPayload));
-  bytes_.reserve(std::max(kLeastRoom, 2 * frameBytes_) + sizeof(Header));
+FrameWriter::FrameWriter(std::uint32_t epoch) : epoch_(epoch) {
+  bytes_.reserve(2 * kMostFrame + sizeof(Header));
 }
 
 bool FrameWriter::hasRoom() const {
-  return bytes_.capacity() - bytes_.size() >= frameBytes_ + sizeof(Header);
+  return bytes_.capacity() - bytes_.size() >= kMostFrame + sizeof(Header);
 }
 
 std::byte* FrameWriter::begin(Header header, std::size_t size) {

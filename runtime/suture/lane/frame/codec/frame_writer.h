@@ -10,14 +10,11 @@
 
 namespace suture::frame {
 
-/// Collects frames until they are sent: many leave in one send. No allocation but for makeRoom() as
+/// Collects frames until they are sent: many leave in one send. No allocation after construction as
 /// long as hasRoom() is asked. One thread.
 class FrameWriter {
  public:
-  FrameWriter(std::uint32_t epoch, std::size_t mostPayload);
-
-  /// From now on there may be larger ones.
-  void makeRoom(std::size_t mostPayload);
+  explicit FrameWriter(std::uint32_t epoch);
 
   /// True if the largest frame, and an Acknowledge behind it, have room.
   bool hasRoom() const;
@@ -33,7 +30,6 @@ class FrameWriter {
 
  private:
   const std::uint32_t epoch_;
-  std::size_t frameBytes_ = 0;  // of the largest frame
   std::vector<std::byte> bytes_;
   std::size_t sent_ = 0, open_ = 0;
   std::uint32_t sequence_ = 0;

@@ -1,0 +1,34 @@
+#pragma once
+// Payloads that are larger than a frame's, as their pieces arrive.
+
+#include <suture/lane/frame/codec/frame.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace suture::frame {
+
+/// Joins the pieces of one connection. One thread. Room is made as they come, and kept: only a
+/// value that is larger than all before it allocates.
+class Pieces {
+ public:
+  /// `limit`: no payload is larger.
+  explicit Pieces(std::size_t limit) : limit_(limit) {}
+
+  /// A Piece has arrived; false if there can be no such.
+  bool add(const Header& header, std::span<const std::byte> piece);
+  /// Turns the payload of a frame of another kind into all of it, if pieces came before it: valid
+  /// until the next call, at a word. False if it is not the end of them.
+  bool complete(std::span<std::byte>& payload);
+
+ private:
+  std::byte* append(std::span<const std::byte> bytes);
+
+  const std::size_t limit_;
+  std::vector<std::uint64_t> storage_;
+  std::size_t gathered_ = 0, whole_ = 0;  // bytes
+};
+
+}  // namespace suture::frame
