@@ -1,8 +1,8 @@
 // The reader of frames on a stream of right ones that a fault has hit: what it hands out is what
 // was written, in its order, from the first on.
 
-#include <suture/lane/frame/codec/frame_reader.h>
-#include <suture/lane/frame/codec/frame_writer.h>
+#include <suture/lane/frame/bytes/frame_reader.h>
+#include <suture/lane/frame/bytes/frame_writer.h>
 
 #include <algorithm>
 #include <cstring>

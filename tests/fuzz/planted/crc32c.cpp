@@ -1,6 +1,6 @@
 // A checksum that is always right: the fuzzer of frames must say so.
 
-#include <suture/lane/frame/codec/crc32c.h>
+#include <suture/lane/frame/bytes/crc32c.h>
 
 namespace suture::frame {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <suture/frame.capnp.h>
 #include <suture/framing/preamble.h>
-#include <suture/lane/frame/codec/frame_writer.h>
+#include <suture/lane/frame/bytes/frame_writer.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>

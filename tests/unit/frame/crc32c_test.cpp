@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/lane/frame/codec/crc32c.h>
+#include <suture/lane/frame/bytes/crc32c.h>
 
 #include <random>
 #include <string_view>

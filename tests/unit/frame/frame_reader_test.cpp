@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
-#include <suture/lane/frame/codec/frame_reader.h>
-#include <suture/lane/frame/codec/frame_writer.h>
+#include <suture/lane/frame/bytes/frame_reader.h>
+#include <suture/lane/frame/bytes/frame_writer.h>
 
 #include <algorithm>
 #include <cstring>

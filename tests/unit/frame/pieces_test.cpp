@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <suture/lane/frame/codec/pieces.h>
+#include <suture/lane/frame/bytes/pieces.h>
 
 #include <numeric>
 #include <vector>

@@ -2,7 +2,7 @@
 // One connection over frames, as either process sees it.
 
 #include <suture/component/channel/channel.h>
-#include <suture/lane/frame/codec/pieces.h>
+#include <suture/lane/frame/bytes/pieces.h>
 #include <suture/lane/frame/frame_socket.h>
 #include <suture/lane/frame/payloads.h>
 #include <suture/lane/frame/window.h>

@@ -1,8 +1,8 @@
 #pragma once
 // A connected socket that carries frames.
 
-#include <suture/lane/frame/codec/frame_reader.h>
-#include <suture/lane/frame/codec/frame_writer.h>
+#include <suture/lane/frame/bytes/frame_reader.h>
+#include <suture/lane/frame/bytes/frame_writer.h>
 #include <suture/net/byte_stream.h>
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 // How the values of a connection lie in the payloads of its frames.
 
 #include <suture/component/contract/interface_info.h>
-#include <suture/lane/frame/codec/frame.h>
+#include <suture/lane/frame/bytes/frame.h>
 #include <suture/rt/state/state_table.h>
 
 #include <cstddef>

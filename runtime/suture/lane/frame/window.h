@@ -1,7 +1,7 @@
 #pragma once
 // How much one connection may have under way.
 
-#include <suture/lane/frame/codec/frame.h>
+#include <suture/lane/frame/bytes/frame.h>
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 #pragma once
 // From bytes as they arrive to whole, undamaged frames.
 
-#include <suture/lane/frame/codec/frame.h>
+#include <suture/lane/frame/bytes/frame.h>
 
 #include <cstddef>
 #include <cstdint>

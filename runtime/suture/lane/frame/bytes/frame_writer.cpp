@@ -1,5 +1,5 @@
-#include <suture/lane/frame/codec/crc32c.h>
-#include <suture/lane/frame/codec/frame_writer.h>
+#include <suture/lane/frame/bytes/crc32c.h>
+#include <suture/lane/frame/bytes/frame_writer.h>
 
 #include <cstring>
 

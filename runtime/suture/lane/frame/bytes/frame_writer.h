@@ -1,7 +1,7 @@
 #pragma once
 // Frames on their way to the socket.
 
-#include <suture/lane/frame/codec/frame.h>
+#include <suture/lane/frame/bytes/frame.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include <suture/lane/frame/codec/crc32c.h>
+#include <suture/lane/frame/bytes/crc32c.h>
 
 #include <array>
 #include <cstring>

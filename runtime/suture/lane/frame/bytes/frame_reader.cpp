@@ -1,5 +1,5 @@
-#include <suture/lane/frame/codec/crc32c.h>
-#include <suture/lane/frame/codec/frame_reader.h>
+#include <suture/lane/frame/bytes/crc32c.h>
+#include <suture/lane/frame/bytes/frame_reader.h>
 
 #include <cstring>
 #include <utility>

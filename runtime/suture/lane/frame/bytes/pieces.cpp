@@ -1,8 +1,6 @@
-#include <suture/lane/frame/codec/pieces.h>
+#include <suture/lane/frame/bytes/pieces.h>
 
-#include <algorithm>
 #include <cstring>
-#include <utility>
 
 namespace suture::frame {
 

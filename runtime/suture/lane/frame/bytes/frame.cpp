@@ -1,4 +1,4 @@
-#include <suture/lane/frame/codec/frame.h>
+#include <suture/lane/frame/bytes/frame.h>
 
 namespace suture::frame {
 

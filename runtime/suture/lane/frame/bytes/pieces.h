@@ -1,7 +1,7 @@
 #pragma once
 // Payloads that are larger than a frame's, as their pieces arrive.
 
-#include <suture/lane/frame/codec/frame.h>
+#include <suture/lane/frame/bytes/frame.h>
 
 #include <cstddef>
 #include <cstdint>
