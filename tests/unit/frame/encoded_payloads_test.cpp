@@ -1,8 +1,8 @@
 // Values between builds that differ: what is malformed has no value, what is not known is refused,
 // and nothing is allocated for messages no larger than earlier ones.
 #include <gtest/gtest.h>
-#include <suture/lane/frame/encoded_payloads.h>
 #include <suture/lane/frame/link.h>
+#include <suture/lane/frame/payloads/encoded_payloads.h>
 
 #include <array>
 #include <chrono>
@@ -74,10 +74,10 @@ TEST(EncodedPayloads, ThatAreMalformedHaveNoValue) {
   const ArrivedValue value = payloads.open({Kind::Command, kServoJpCommand}, bytes, Duration{0});
   EXPECT_NE(value.slot, nullptr);
   EXPECT_EQ(value.error, Errc::Invalid);
-  rt::RowColumns columns;
   const auto mirror = makeStateTable(armContract(), rt::StateTable::Readers::Here);
-  EXPECT_TRUE(payloads.openRow(bytes, Duration{0}, *mirror, columns));
-  EXPECT_FALSE(columns.any());
+  const auto row = payloads.openRow(bytes, Duration{0}, *mirror);
+  ASSERT_TRUE(row);
+  EXPECT_FALSE(row->columns.any());
 }
 
 TEST(EncodedPayloads, OfASenderThatSendsNothingAreDefaults) {

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <numeric>
 #include <thread>
+#include <vector>
 
 namespace suture::rt {
 namespace {
@@ -115,6 +117,44 @@ TEST(StateTable, KeepsAsManyRowsAsItIsAskedTo) {
   EXPECT_EQ(valueAt(table, 1).value(), 1u);
   publish(table, 129);
   EXPECT_EQ(valueAt(table, 1).error(), Errc::TooOld);
+}
+
+TEST(StateTable, PublishesValuesThatLieElsewhere) {
+  StateTable table(kSizes);
+  std::array<std::byte, 120> first, slot;
+  first.fill(std::byte{5});
+  const std::uint32_t second = 7;
+  const std::byte* const values[] = {first.data(), reinterpret_cast<const std::byte*>(&second),
+                                     nullptr};
+  table.publish(now(), {.valid = 0b011}, values);
+  EXPECT_TRUE(table.read(0, slot.data()));
+  EXPECT_EQ(slot, first);
+  std::uint32_t read = 0;
+  EXPECT_TRUE(table.read(1, reinterpret_cast<std::byte*>(&read)));
+  EXPECT_EQ(read, second);
+}
+
+TEST(StateTable, APartOfARowIsReadUntilItIsOverwritten) {
+  StateTable table(kSizes, 2);
+  std::iota(reinterpret_cast<char*>(table.draft(0)), reinterpret_cast<char*>(table.draft(0)) + 120,
+            char{0});
+  table.publish(now(), {.valid = 1});
+  const StateTable::Row row = table.readRow({});
+  std::array<std::byte, 24> part;
+  ASSERT_TRUE(table.readPart(row, 0, 96, part));
+  EXPECT_EQ(part.front(), std::byte{96});
+  EXPECT_EQ(part.back(), std::byte{119});
+  table.publish(now(), {.valid = 1});
+  EXPECT_TRUE(table.readPart(row, 0, 0, part));
+  table.publish(now(), {.valid = 1});
+  EXPECT_FALSE(table.readPart(row, 0, 0, part));
+}
+
+TEST(StateTable, KnowsWhichColumnsThereAre) {
+  EXPECT_EQ(StateTable(kSizes).existing(~ColumnSet{0}), 0b111u);
+  EXPECT_EQ(StateTable(kSizes).existing(0b1010), 0b010u);
+  EXPECT_EQ(StateTable({}).existing(~ColumnSet{0}), 0u);
+  EXPECT_EQ(StateTable(std::vector<std::uint32_t>(64, 1)).existing(~ColumnSet{0}), ~ColumnSet{0});
 }
 
 TEST(StateTable, RowsAreReadByNumber) {

@@ -78,11 +78,11 @@ bool ClientSide::takeEvent(const Header& header, std::span<std::byte> payload) {
 }
 
 bool ClientSide::takeRow(const Header& header, std::span<std::byte> payload) {
-  rt::RowColumns columns;
-  if (!payloads_->openRow(payload, channel_->clockShift(), *channel_->state, columns)) return false;
-  columns.keep(columns_);
-  if (!columns.any()) return true;
-  channel_->state->publish(here(header.stamp), columns);
+  auto row = payloads_->openRow(payload, channel_->clockShift(), *channel_->state);
+  if (!row) return false;
+  row->columns.keep(columns_);
+  if (!row->columns.any()) return true;
+  channel_->state->publish(here(header.stamp), row->columns, row->values);
   news_ = news_ || channel_->wantsRows.isUp(std::memory_order_relaxed);
   return true;
 }
@@ -104,9 +104,10 @@ bool ClientSide::takeTally(std::span<const std::byte> payload) {
 
 // ---- to the provider
 
-void ClientSide::give() {
+bool ClientSide::give() {
   giveSubscription();
   giveCommands();
+  return false;
 }
 
 void ClientSide::giveSubscription() {

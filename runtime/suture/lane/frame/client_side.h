@@ -21,7 +21,7 @@ class ClientSide final : public Connection {
  private:
   bool take(const Header& header, std::span<std::byte> payload) override;
   void taken() override;
-  void give() override;
+  bool give() override;
   void letGo(Kind kind) override;
 
   bool takeReply(const Header& header, std::span<std::byte> payload);

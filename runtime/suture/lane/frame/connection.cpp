@@ -36,10 +36,10 @@ bool Connection::arrived(const Header& header, std::span<std::byte> payload) {
 
 bool Connection::send() {
   if (!rest_.empty() && mayGoOn()) sendPiece();
-  give();
+  const bool more = give();
   if (!socket_->hasRoom()) return window_.isOpen() || window_.owesAcknowledgement();
   if (window_.owesAcknowledgement()) send({.kind = Kind::Acknowledge});
-  return !rest_.empty() && window_.isOpen();
+  return more || (!rest_.empty() && window_.isOpen());
 }
 
 void Connection::send(Header header, std::span<const std::byte> payload) {

@@ -4,7 +4,7 @@
 #include <suture/component/channel/channel.h>
 #include <suture/lane/frame/bytes/pieces.h>
 #include <suture/lane/frame/frame_socket.h>
-#include <suture/lane/frame/payloads.h>
+#include <suture/lane/frame/payloads/payloads.h>
 #include <suture/lane/frame/window.h>
 
 #include <atomic>
@@ -50,7 +50,8 @@ class Connection {
              std::uint32_t number);
 
   virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
-  virtual void give() = 0;
+  /// Sends what there is; true: it goes on at the next turn.
+  virtual bool give() = 0;
   /// All of the payload that sendValue() got has been sent, in a frame of this kind.
   virtual void letGo(Kind kind) = 0;
 

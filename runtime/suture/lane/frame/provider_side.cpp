@@ -22,12 +22,7 @@ ProviderSide::ProviderSide(std::shared_ptr<Channel> channel, std::unique_ptr<Pay
       commands_(commands.empty() ? sameNumbers(channel_->info) : std::move(commands)),
       waiting_(commands_.size()),
       since_(channel_->info.events.size(), now()),
-      slots_(channel_->state->columns()),
-      wantedSlots_(channel_->state->columns()) {
-  for (const CommandInfo& one : channel_->info.commands) {
-    if (one.column >= 0)
-      slots_[static_cast<unsigned>(one.column)].resize(wordBytes(one.resultSize) / 8);
-  }
+      row_(*channel_->state) {
   // This also tells when commands have been taken, if a provider publishes no rows.
   channel_->wantsRows.raise();
 }
@@ -110,13 +105,9 @@ bool ProviderSide::takeSubscription(const Header& header, std::span<const std::b
     if (joining >> i & 1) since_[i] = now();
   }
   channel_->subscribe(events, joining);
-  columns_ = 0;
+  columns_ = channel_->state->existing(columns);
   lastRow_ = 0;
-  for (unsigned i = 0; i < slots_.size(); ++i) {
-    const bool read = (columns >> i & 1) != 0 && !slots_[i].empty();
-    wantedSlots_[i] = read ? reinterpret_cast<std::byte*>(slots_[i].data()) : nullptr;
-    if (read) columns_ |= rt::ColumnSet{1} << i;
-  }
+  row_.giveUp();
   channel_->state->askAll(columns_);
   work_ = true;
   return true;
@@ -124,14 +115,14 @@ bool ProviderSide::takeSubscription(const Header& header, std::span<const std::b
 
 // ---- to the client
 
-void ProviderSide::give() {
-  if (!heard_) return;
+bool ProviderSide::give() {
+  if (!heard_) return false;
   giveReplies();
   giveRefusals();
   giveCredits();
   giveTally();
   giveEvents();
-  giveRow();
+  return giveRow();
 }
 
 void ProviderSide::giveReplies() {
@@ -198,15 +189,20 @@ bool ProviderSide::wanted(const rt::EventRecord& record) const {
   return record.stamp >= since_[record.event] || channel_->info.events[record.event].latched;
 }
 
-void ProviderSide::giveRow() {
-  rt::StateTable& state = *channel_->state;
-  if (columns_ == 0 || !hasRoom() || state.rows() == lastRow_) return;
-  rt::StateTable::Row row = state.readRow(wantedSlots_);
+// True: there is more of the row to copy.
+bool ProviderSide::giveRow() {
+  const rt::StateTable& state = *channel_->state;
+  if (columns_ == 0 || !hasRoom()) return false;
+  if (!row_.underWay()) {
+    if (state.rows() == lastRow_) return false;
+    row_.begin(payloads_->slotsOf(columns_), columns_);
+  }
+  if (!row_.go()) return true;
+  const rt::StateTable::Row& row = row_.row();
   lastRow_ = row.sequence;
-  row.keep(columns_);
-  if (!row.any()) return;
-  sendValue({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)},
-            payloads_->packRow(row, wantedSlots_));
+  if (!row.any()) return false;
+  sendValue({.kind = Kind::Row, .stamp = toNanoseconds(row.stamp)}, payloads_->packRow(row));
+  return false;
 }
 
 void ProviderSide::letGo(Kind kind) {

@@ -2,6 +2,7 @@
 // The provider's side of a frame connection: the client endpoint of a channel.
 
 #include <suture/lane/frame/connection.h>
+#include <suture/lane/frame/payloads/row_copy.h>
 
 #include <array>
 #include <cstdint>
@@ -27,7 +28,7 @@ class ProviderSide final : public Connection {
  private:
   bool take(const Header& header, std::span<std::byte> payload) override;
   void taken() override;
-  void give() override;
+  bool give() override;
   void letGo(Kind kind) override;
 
   bool takeCommand(const Header& header, std::span<std::byte> payload);
@@ -41,7 +42,7 @@ class ProviderSide final : public Connection {
   void giveTally();
   void giveCredits();
   void giveEvents();
-  void giveRow();
+  bool giveRow();
   bool wanted(const rt::EventRecord& record) const;
 
   bool readOnly_ = false;
@@ -61,8 +62,7 @@ class ProviderSide final : public Connection {
   std::vector<Time> since_;  // by event: when it was subscribed to
   rt::ColumnSet columns_ = 0;
   std::uint64_t lastRow_ = 0;
-  std::vector<std::vector<std::uint64_t>> slots_;  // by column
-  std::vector<std::byte*> wantedSlots_;            // null: not wanted
+  RowCopy row_;
 };
 
 }  // namespace suture::frame

@@ -125,16 +125,6 @@ std::byte* StateTable::draft(unsigned column) {
   return memory;
 }
 
-void StateTable::storeColumn(unsigned column, RowHeader& header) {
-  const auto [offset, size] = columns_[column];
-  std::byte* const draft = draft_.data() + offset;
-  if (isShared(column)) {
-    shared_.take(column, draft);
-  } else {
-    storeWords(payloadOf(header) + offset / 8, draft, size);
-  }
-}
-
 void StateTable::loadColumn(unsigned column, RowHeader& header, std::byte* slot) const {
   const auto [offset, size] = columns_[column];
   if (isShared(column)) {
@@ -144,11 +134,17 @@ void StateTable::loadColumn(unsigned column, RowHeader& header, std::byte* slot)
   }
 }
 
+ColumnSet StateTable::existing(ColumnSet columns) const {
+  return columns_.empty() ? 0 : columns & ~ColumnSet{0} >> (64 - columns_.size());
+}
+
 StateTable::RowHeader& StateTable::headerAt(std::uint64_t sequence) const {
   return *reinterpret_cast<RowHeader*>(rows_ + (sequence & rowMask_) * rowBytes_);
 }
 
-void StateTable::publish(Time stamp, const RowColumns& columns) {
+// `store(column, place)` fills the words of a column.
+template <class Store>
+void StateTable::publishBy(const Store& store, Time stamp, const RowColumns& columns) {
   const auto lock = shared_.lock();
   const std::uint64_t sequence = newest_->load(std::memory_order_relaxed) + 1;
   lastStamp_ = std::max(lastStamp_, stamp);
@@ -160,10 +156,28 @@ void StateTable::publish(Time stamp, const RowColumns& columns) {
   header.tooLarge.store(columns.tooLarge, std::memory_order_release);
   header.invalid.store(columns.invalid, std::memory_order_release);
   for (unsigned i = 0; i < columns_.size(); ++i) {
-    if (columns.hasValue(i)) storeColumn(i, header);
+    if (columns.hasValue(i)) store(i, payloadOf(header) + columns_[i].offset / 8);
   }
   header.sequence.store(sequence, std::memory_order_release);
   newest_->store(sequence, std::memory_order_release);
+}
+
+void StateTable::publish(Time stamp, const RowColumns& columns) {
+  const auto store = [this](unsigned column, Word* place) {
+    const auto [offset, size] = columns_[column];
+    std::byte* const draft = draft_.data() + offset;
+    if (isShared(column)) return shared_.take(column, draft);
+    storeWords(place, draft, size);
+  };
+  publishBy(store, stamp, columns);
+}
+
+void StateTable::publish(Time stamp, const RowColumns& columns,
+                         std::span<const std::byte* const> values) {
+  const auto store = [&](unsigned column, Word* place) {
+    storeWords(place, values[column], columns_[column].size);
+  };
+  publishBy(store, stamp, columns);
 }
 
 bool StateTable::askAll(ColumnSet columns) {
@@ -283,6 +297,13 @@ auto StateTable::copying(std::span<std::byte* const> slots) const {
 StateTable::Row StateTable::readRow(std::span<std::byte* const> slots) const {
   const auto lock = shared_.lock();
   return readNewest(copying(slots));
+}
+
+bool StateTable::readPart(const Row& row, unsigned column, std::size_t offset,
+                          std::span<std::byte> to) const {
+  RowHeader& header = headerAt(row.sequence);
+  loadWords(to.data(), payloadOf(header) + (columns_[column].offset + offset) / 8, to.size());
+  return header.sequence.load(std::memory_order_relaxed) == row.sequence;
 }
 
 StateTable::Row StateTable::readRowAt(Time at, std::span<std::byte* const> slots) const {

@@ -57,6 +57,8 @@ class StateTable {
   /// Publishes the draft as a new row: the values of the valid columns, and of the others why they
   /// have none. Stamps never go back: an earlier one counts as that of the row before.
   void publish(Time stamp, const RowColumns& columns);
+  /// The same of values that lie elsewhere, by column, if none is shared.
+  void publish(Time stamp, const RowColumns& columns, std::span<const std::byte* const> values);
   /// Columns that somebody has asked for. Never shrinks.
   ColumnSet demand() const { return demand_->load(std::memory_order_acquire); }
 
@@ -84,6 +86,9 @@ class StateTable {
     Errc missing(unsigned column) const;
   };
   Row readRow(std::span<std::byte* const> slots) const;
+  /// Copies bytes of a column that is not shared of a row that has been read; false: it has been
+  /// overwritten. `offset` is that of a word; the part ends at one, or with the column.
+  bool readPart(const Row& row, unsigned column, std::size_t offset, std::span<std::byte> to) const;
   /// The same of the last row at or before `at`.
   Row readRowAt(Time at, std::span<std::byte* const> slots) const;
   /// The same of row number `sequence`, from 1.
@@ -98,6 +103,8 @@ class StateTable {
 
   std::size_t rowBytes() const { return rowBytes_; }
   std::size_t columns() const { return columns_.size(); }
+  /// Those of `columns` that there are.
+  ColumnSet existing(ColumnSet columns) const;
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
   /// True if a copy of the column has to be released.
   bool isShared(unsigned column) const { return shared_.contains(column); }
@@ -119,7 +126,8 @@ class StateTable {
   static std::size_t bytesOfRow(std::span<const std::uint32_t> columnSizes);
   void addColumns(std::span<const std::uint32_t> sizes);
   void layOut(std::shared_ptr<MemoryBlock> memory);
-  void storeColumn(unsigned column, RowHeader& header);
+  template <class Store>
+  void publishBy(const Store& store, Time stamp, const RowColumns& columns);
   void loadColumn(unsigned column, RowHeader& header, std::byte* slot) const;
   RowHeader& headerAt(std::uint64_t sequence) const;
   Word* payloadOf(RowHeader& header) const { return reinterpret_cast<Word*>(&header + 1); }

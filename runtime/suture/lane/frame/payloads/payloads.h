@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace suture::frame {
@@ -28,6 +29,12 @@ struct ArrivedValue {
   Errc error{};                     ///< why the slot has no value; 0: it has one
 };
 
+/// A row that has arrived; its values are valid until the next call.
+struct ArrivedRow {
+  rt::RowColumns columns;
+  std::span<const std::byte* const> values;  ///< by column, if it has one
+};
+
 /// Converts between slots and bytes, in both directions, for one contract whose slots are bounded.
 /// Belongs to the lane thread.
 class Payloads {
@@ -39,21 +46,18 @@ class Payloads {
 
   /// Returns what to send; it is valid until the next call.
   virtual std::span<const std::byte> pack(ValueName name, const std::byte* slot) = 0;
-  /// Does so with the columns of `row` that have a value; `slots[i]` is the slot of column i.
-  virtual std::span<const std::byte> packRow(const rt::StateTable::Row& row,
-                                             std::span<const std::byte* const> slots) = 0;
+  /// Returns where packRow() wants the values of `columns`; null: it does not want that column.
+  virtual std::span<std::byte* const> slotsOf(rt::ColumnSet columns) = 0;
+  /// Does so with a row whose values have been put there.
+  virtual std::span<const std::byte> packRow(const rt::StateTable::Row& row) = 0;
 
   /// Reads what has come, and may change it. `shift` turns the peer's steady clock into this
   /// process's.
   virtual ArrivedValue open(ValueName name, std::span<std::byte> payload, Duration shift) = 0;
-  /// Fills the drafts of the columns that have come, and says which these are; false if the frame
-  /// makes no sense.
-  virtual bool openRow(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror,
-                       rt::RowColumns& columns) = 0;
+  /// Does so with a row; `mirror` is where it will be published. None if the frame makes no sense.
+  virtual std::optional<ArrivedRow> openRow(std::span<std::byte> payload, Duration shift,
+                                            rt::StateTable& mirror) = 0;
 };
-
-/// Returns the bytes of all columns of a contract, each filled up to words.
-std::size_t rowBytes(const InterfaceInfo& contract);
 
 std::unique_ptr<Payloads> makePayloads(const InterfaceInfo& contract, Form form);
 

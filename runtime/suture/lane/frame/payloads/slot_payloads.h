@@ -1,7 +1,8 @@
 #pragma once
 // Slots as they lie in memory, between processes of one memoryLayout().
 
-#include <suture/lane/frame/payloads.h>
+#include <suture/lane/frame/payloads/payloads.h>
+#include <suture/lane/frame/payloads/row_slots.h>
 
 #include <vector>
 
@@ -11,13 +12,13 @@ class SlotPayloads final : public Payloads {
  public:
   explicit SlotPayloads(const InterfaceInfo& contract);
 
-  std::size_t limit() const override { return most_; }
+  std::size_t limit() const override { return limit_; }
   std::span<const std::byte> pack(ValueName name, const std::byte* slot) override;
-  std::span<const std::byte> packRow(const rt::StateTable::Row& row,
-                                     std::span<const std::byte* const> slots) override;
+  std::span<std::byte* const> slotsOf(rt::ColumnSet columns) override { return row_.of(columns); }
+  std::span<const std::byte> packRow(const rt::StateTable::Row& row) override;
   ArrivedValue open(ValueName name, std::span<std::byte> payload, Duration shift) override;
-  bool openRow(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror,
-               rt::RowColumns& columns) override;
+  std::optional<ArrivedRow> openRow(std::span<std::byte> payload, Duration shift,
+                                    rt::StateTable& mirror) override;
 
  private:
   struct Form {
@@ -28,8 +29,9 @@ class SlotPayloads final : public Payloads {
 
   const InterfaceInfo& contract_;
   std::vector<const CommandInfo*> reads_;  // by column
-  std::vector<std::byte> row_;             // that is being sent
-  const std::size_t most_;
+  RowSlots row_;                           // that is being sent, behind its RowColumns
+  std::vector<const std::byte*> values_;   // of the row that arrives
+  const std::size_t limit_;
 };
 
 }  // namespace suture::frame

@@ -1,4 +1,4 @@
-#include <suture/lane/frame/slot_payloads.h>
+#include <suture/lane/frame/payloads/slot_payloads.h>
 
 #include <algorithm>
 #include <cstring>
@@ -14,8 +14,9 @@ void turn(StampShift stamps, std::byte* slot, Duration shift) {
 
 SlotPayloads::SlotPayloads(const InterfaceInfo& contract)
     : contract_(contract),
-      row_(sizeof(rt::RowColumns) + rowBytes(contract)),
-      most_(std::max<std::size_t>(row_.size(), largestSlot(contract))) {
+      row_(contract, sizeof(rt::RowColumns)),
+      values_(row_.columns()),
+      limit_(std::max<std::size_t>(row_.bytes(), largestSlot(contract))) {
   for (const CommandInfo& one : contract.commands) {
     if (one.column >= 0) reads_.push_back(&one);
   }
@@ -35,19 +36,19 @@ std::span<const std::byte> SlotPayloads::pack(ValueName name, const std::byte* s
   return {slot, formOf(name).size};
 }
 
-std::span<const std::byte> SlotPayloads::packRow(const rt::StateTable::Row& row,
-                                                 std::span<const std::byte* const> slots) {
-  std::byte* end = row_.data();
-  const auto put = [&end](const void* bytes, std::size_t count) {
-    std::memcpy(end, bytes, count);
-    end += count;
-  };
+// The values lie where they go, unless a column before them has none.
+std::span<const std::byte> SlotPayloads::packRow(const rt::StateTable::Row& row) {
   const rt::RowColumns& columns = row;
-  put(&columns, sizeof(columns));
-  for (unsigned i = 0; i < slots.size(); ++i) {
-    if (row.hasValue(i)) put(slots[i], wordBytes(reads_[i]->resultSize));
+  std::byte* end = row_.memory().data();
+  std::memcpy(end, &columns, sizeof(columns));
+  end += sizeof(columns);
+  for (unsigned i = 0; i < row_.columns(); ++i) {
+    if (!row.hasValue(i)) continue;
+    const std::size_t size = wordBytes(row_.sizeOf(i));
+    if (row_.slots()[i] != end) std::memmove(end, row_.slots()[i], size);
+    end += size;
   }
-  return {row_.data(), end};
+  return {row_.memory().data(), end};
 }
 
 ArrivedValue SlotPayloads::open(ValueName name, std::span<std::byte> payload, Duration shift) {
@@ -57,20 +58,22 @@ ArrivedValue SlotPayloads::open(ValueName name, std::span<std::byte> payload, Du
   return {payload.data()};
 }
 
-bool SlotPayloads::openRow(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror,
-                           rt::RowColumns& columns) {
-  if (payload.size() < sizeof(columns)) return false;
+std::optional<ArrivedRow> SlotPayloads::openRow(std::span<std::byte> payload, Duration shift,
+                                                rt::StateTable&) {
+  rt::RowColumns columns;
+  if (payload.size() < sizeof(columns)) return std::nullopt;
   std::memcpy(&columns, payload.data(), sizeof(columns));
   payload = payload.subspan(sizeof(columns));
-  for (unsigned i = 0; i < mirror.columns(); ++i) {
+  for (unsigned i = 0; i < values_.size(); ++i) {
     if (!columns.hasValue(i)) continue;
-    const std::size_t size = mirror.columnSize(i);
-    if (payload.size() < wordBytes(size)) return false;
+    const std::size_t size = wordBytes(row_.sizeOf(i));
+    if (payload.size() < size) return std::nullopt;
     turn(reads_[i]->shiftResult, payload.data(), shift);
-    std::memcpy(mirror.draft(i), payload.data(), size);
-    payload = payload.subspan(wordBytes(size));
+    values_[i] = payload.data();
+    payload = payload.subspan(size);
   }
-  return payload.empty();
+  if (!payload.empty()) return std::nullopt;
+  return ArrivedRow{columns, values_};
 }
 
 }  // namespace suture::frame

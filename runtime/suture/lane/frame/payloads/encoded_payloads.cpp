@@ -1,4 +1,4 @@
-#include <suture/lane/frame/encoded_payloads.h>
+#include <suture/lane/frame/payloads/encoded_payloads.h>
 
 #include <capnp/serialize.h>
 #include <kj/exception.h>
@@ -36,9 +36,10 @@ void readMessage(std::span<const std::byte> payload, const Read& read) {
 
 EncodedPayloads::EncodedPayloads(const InterfaceInfo& contract)
     : contract_(contract),
-      scratch_(kHeadWords +
-               2 * words(std::max<std::size_t>(largestSlot(contract), rowBytes(contract)))),
-      slot_(words(largestSlot(contract))) {}
+      row_(contract),
+      scratch_(kHeadWords + 2 * words(std::max<std::size_t>(largestSlot(contract), row_.bytes()))),
+      slot_(words(largestSlot(contract))),
+      values_(row_.columns()) {}
 
 std::size_t EncodedPayloads::limit() const { return kLimit; }
 
@@ -71,10 +72,9 @@ std::span<const std::byte> EncodedPayloads::pack(ValueName name, const std::byte
   return packed([&](capnp::AnyPointer::Builder out) { codecOf(name).encode(slot, out); });
 }
 
-std::span<const std::byte> EncodedPayloads::packRow(const rt::StateTable::Row& row,
-                                                    std::span<const std::byte* const> slots) {
+std::span<const std::byte> EncodedPayloads::packRow(const rt::StateTable::Row& row) {
   return packed([&](capnp::AnyPointer::Builder out) {
-    contract_.codec().row.encode(row, slots, contract_.wireColumns, out);
+    contract_.codec().row.encode(row, row_.slots(), contract_.wireColumns, out);
   });
 }
 
@@ -87,12 +87,14 @@ ArrivedValue EncodedPayloads::open(ValueName name, std::span<std::byte> payload,
   return value;
 }
 
-bool EncodedPayloads::openRow(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror,
-                              rt::RowColumns& columns) {
+std::optional<ArrivedRow> EncodedPayloads::openRow(std::span<std::byte> payload, Duration shift,
+                                                   rt::StateTable& mirror) {
+  ArrivedRow row{.columns = {}, .values = values_};
   readMessage(payload, [&](capnp::AnyPointer::Reader in) {
-    columns = contract_.codec().row.decode(in, contract_.wireColumns, shift, mirror);
+    row.columns = contract_.codec().row.decode(in, contract_.wireColumns, shift, mirror);
   });
-  return true;
+  for (unsigned i = 0; i < values_.size(); ++i) values_[i] = mirror.draft(i);
+  return row;
 }
 
 }  // namespace suture::frame

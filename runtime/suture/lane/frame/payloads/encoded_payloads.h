@@ -1,7 +1,8 @@
 #pragma once
 // Values as Cap'n Proto messages, between processes whose builds differ.
 
-#include <suture/lane/frame/payloads.h>
+#include <suture/lane/frame/payloads/payloads.h>
+#include <suture/lane/frame/payloads/row_slots.h>
 #include <suture/wire/codec.h>
 
 #include <capnp/message.h>
@@ -19,11 +20,11 @@ class EncodedPayloads final : public Payloads {
 
   std::size_t limit() const override;
   std::span<const std::byte> pack(ValueName name, const std::byte* slot) override;
-  std::span<const std::byte> packRow(const rt::StateTable::Row& row,
-                                     std::span<const std::byte* const> slots) override;
+  std::span<std::byte* const> slotsOf(rt::ColumnSet columns) override { return row_.of(columns); }
+  std::span<const std::byte> packRow(const rt::StateTable::Row& row) override;
   ArrivedValue open(ValueName name, std::span<std::byte> payload, Duration shift) override;
-  bool openRow(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror,
-               rt::RowColumns& columns) override;
+  std::optional<ArrivedRow> openRow(std::span<std::byte> payload, Duration shift,
+                                    rt::StateTable& mirror) override;
 
  private:
   const rpc::MessageCodec& codecOf(ValueName name) const;
@@ -31,9 +32,11 @@ class EncodedPayloads final : public Payloads {
   std::span<const std::byte> packed(const Encode& encode);
 
   const InterfaceInfo& contract_;
+  RowSlots row_;                                        // that is being sent
   std::vector<capnp::word> scratch_;                    // of the message that is being sent; zero
   std::optional<capnp::MallocMessageBuilder> message_;  // in scratch_
   std::vector<std::uint64_t> slot_;                     // of the value that arrives
+  std::vector<const std::byte*> values_;                // of the row that arrives
 };
 
 }  // namespace suture::frame

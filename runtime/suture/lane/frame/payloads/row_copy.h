@@ -1,0 +1,40 @@
+#pragma once
+// A copy of the newest row of a state table, made a part at a time.
+
+#include <suture/rt/state/state_table.h>
+
+#include <cstddef>
+#include <span>
+
+namespace suture::frame {
+
+/// Copies the columns of one row to their slots, so much at a time that the lane thread's other
+/// connections have their turns meanwhile. Belongs to the lane thread.
+class RowCopy {
+ public:
+  explicit RowCopy(const rt::StateTable& table) : table_(table) {}
+
+  /// Begins with the newest row, of which `columns` are copied.
+  void begin(std::span<std::byte* const> slots, rt::ColumnSet columns);
+  /// Leaves it as it is.
+  void giveUp() { underWay_ = false; }
+  bool underWay() const { return underWay_; }
+  /// Copies some more; true: that was all.
+  bool go();
+  /// What has been copied.
+  const rt::StateTable::Row& row() const { return row_; }
+
+ private:
+  bool copyPart(std::size_t& most);
+  void copyNewest();
+
+  const rt::StateTable& table_;
+  std::span<std::byte* const> slots_;
+  rt::ColumnSet columns_ = 0;
+  rt::StateTable::Row row_;
+  unsigned column_ = 0;     // that is being copied
+  std::size_t copied_ = 0;  // of it, bytes
+  bool underWay_ = false;
+};
+
+}  // namespace suture::frame

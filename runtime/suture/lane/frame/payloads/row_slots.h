@@ -1,0 +1,42 @@
+#pragma once
+// Room for the values of a row.
+
+#include <suture/component/contract/interface_info.h>
+#include <suture/rt/state/row_columns.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace suture::frame {
+
+/// The slots of a contract's columns, one behind the other, each at a word. There is none before
+/// they are asked for. One thread.
+class RowSlots {
+ public:
+  /// `head`: so many bytes are free in front of them, whole words.
+  explicit RowSlots(const InterfaceInfo& contract, std::size_t head = 0);
+
+  /// Where the values of `columns` go, without room for those of others; null for these.
+  std::span<std::byte* const> of(rt::ColumnSet columns);
+  /// Where the slots of of() are.
+  std::span<std::byte* const> slots() const { return slots_; }
+  /// With the head.
+  std::size_t bytes() const { return bytes_; }
+  std::size_t sizeOf(std::size_t column) const { return sizes_[column]; }
+  std::size_t columns() const { return sizes_.size(); }
+  /// All of it, the head first.
+  std::span<std::byte> memory() {
+    return {reinterpret_cast<std::byte*>(memory_.data()), memory_.size() * sizeof(std::uint64_t)};
+  }
+
+ private:
+  const std::size_t head_;
+  std::size_t bytes_;
+  std::vector<std::uint32_t> sizes_;  // by column
+  std::vector<std::uint64_t> memory_;
+  std::vector<std::byte*> slots_;
+};
+
+}  // namespace suture::frame
