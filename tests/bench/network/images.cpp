@@ -69,6 +69,7 @@ AloneAndBeside measureLane(suture::Lane lane, std::size_t count) {
   AgedServer arm;
   ImageViewer viewer;
   suture::Manager manager("arm", names.address());
+  manager.scheduleService(urgent(kLanePriority));
   manager.add("Arm", arm);
   manager.add("Viewer", viewer);
   manager.start();

@@ -64,6 +64,7 @@ void serve(const std::string& managerAddress, suture::Lane lane) {
   Commander commander;
   Camera camera;
   suture::Manager manager{"guide", managerAddress};
+  manager.scheduleService(urgent(kLanePriority));
   manager.add("Commander", commander);
   manager.add("Camera", camera);
   manager.start();

@@ -9,6 +9,10 @@
 
 namespace bench {
 
+/// Of the threads of connections: a thread that computes on an image for milliseconds would else
+/// keep a goal waiting.
+inline constexpr int kLanePriority = 60;
+
 /// Adds the hidden subcommand that the process runs.
 void addImageProcess(CLI::App& program);
 
