@@ -156,14 +156,16 @@ TEST_F(LargeValues, OfEventsArriveWholeAndInOrder) {
 TEST_F(LargeValues, OfAReadArriveWhole) {
   easel.near->state->ask(0);
   exchange();
-  const auto value = makeValue(6);
-  std::copy(value.begin(), value.end(), easel.far->state->draft(0));
-  easel.far->state->publish(now(), {.valid = 1});
-  exchange();
-  std::vector<std::byte> slot(kSize);
-  std::byte* const slots[] = {slot.data()};
-  EXPECT_TRUE(easel.near->state->readRow(slots).hasValue(0));
-  EXPECT_TRUE(isValue(6, slot.data()));
+  for (const unsigned seed : {6u, 7u, 8u}) {
+    const auto value = makeValue(seed);
+    std::copy(value.begin(), value.end(), easel.far->state->draft(0));
+    easel.far->state->publish(now(), {.valid = 1});
+    exchange();
+    std::vector<std::byte> slot(kSize);
+    std::byte* const slots[] = {slot.data()};
+    EXPECT_TRUE(easel.near->state->readRow(slots).hasValue(0));
+    EXPECT_TRUE(isValue(seed, slot.data()));
+  }
 }
 
 // Whatever another connection has goes between the pieces.

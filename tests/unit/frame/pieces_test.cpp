@@ -29,7 +29,9 @@ struct Value {
   std::vector<std::byte> bytes;
 };
 
-constexpr Header kPiece{.kind = Kind::Piece, .call = kWhole};
+constexpr Header kEnd{.kind = Kind::Event};
+constexpr Header kPiece{
+    .kind = Kind::Piece, .number = static_cast<std::uint16_t>(kEnd.kind), .call = kWhole};
 
 TEST(Pieces, AreJoined) {
   const Value value;
@@ -39,7 +41,7 @@ TEST(Pieces, AreJoined) {
     ASSERT_TRUE(pieces.add(kPiece, value.piece(1)));
     std::vector<std::byte> end = value.end();
     std::span<std::byte> payload(end);
-    ASSERT_TRUE(pieces.complete(payload));
+    ASSERT_TRUE(pieces.complete(kEnd, payload));
     EXPECT_TRUE(value.is(payload));
   }
 }
@@ -48,7 +50,7 @@ TEST(Pieces, APayloadWithoutThemStaysWhereItIs) {
   Pieces pieces(kLimit);
   std::vector<std::byte> small(10);
   std::span<std::byte> payload(small);
-  EXPECT_TRUE(pieces.complete(payload));
+  EXPECT_TRUE(pieces.complete(kEnd, payload));
   EXPECT_EQ(payload.data(), small.data());
   EXPECT_EQ(payload.size(), small.size());
 }
@@ -62,7 +64,7 @@ TEST(Pieces, AllocateOnlyForWhatIsLargerThanAllBefore) {
     pieces.add(kPiece, value.piece(0));
     pieces.add(kPiece, value.piece(1));
     std::span<std::byte> payload(end);
-    pieces.complete(payload);
+    pieces.complete(kEnd, payload);
     if (lap == 0) before = allocations();
   }
   EXPECT_EQ(allocations(), before);
@@ -94,7 +96,19 @@ TEST(Pieces, OfAnotherValueDoNotMix) {
   const Value value;
   Pieces pieces(kLimit);
   ASSERT_TRUE(pieces.add(kPiece, value.piece(0)));
-  EXPECT_FALSE(pieces.add({.kind = Kind::Piece, .call = kWhole + 8}, value.piece(1)));
+  EXPECT_FALSE(pieces.add({.kind = Kind::Piece, .number = kPiece.number, .call = kWhole + 8},
+                          value.piece(1)));
+  EXPECT_FALSE(pieces.add({.kind = Kind::Piece, .number = 0, .call = kWhole}, value.piece(1)));
+}
+
+TEST(Pieces, OfOneKindDoNotEndInAnother) {
+  const Value value;
+  Pieces pieces(kLimit);
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(0)));
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(1)));
+  std::vector<std::byte> end = value.end();
+  std::span<std::byte> payload(end);
+  EXPECT_FALSE(pieces.complete({.kind = Kind::Row}, payload));
 }
 
 TEST(Pieces, AnEndOfAnotherSizeIsNotTheirs) {
@@ -105,7 +119,7 @@ TEST(Pieces, AnEndOfAnotherSizeIsNotTheirs) {
     pieces.add(kPiece, value.piece(1));
     std::vector<std::byte> end(size);
     std::span<std::byte> payload(end);
-    EXPECT_FALSE(pieces.complete(payload)) << size;
+    EXPECT_FALSE(pieces.complete(kEnd, payload)) << size;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,13 @@ constexpr rt::ColumnSet kAll = 0b111;
 const InterfaceInfo& album() {
   static const std::vector<CommandInfo> commands{
       {.name = "title", .kind = CommandKind::Read, .resultSize = kTitle, .depth = 1, .column = 0},
-      {.name = "photo", .kind = CommandKind::Read, .resultSize = kPhoto, .depth = 1, .column = 1},
+      {.name = "photo",
+       .kind = CommandKind::Read,
+       .resultSize = kPhoto,
+       .depth = 1,
+       .column = 1,
+       .shiftResult = [](std::byte* photo,
+                         Duration shift) { photo[0] = static_cast<std::byte>(shift.count()); }},
       {.name = "place", .kind = CommandKind::Read, .resultSize = kTitle, .depth = 1, .column = 2}};
   static const InterfaceInfo info{.name = "Album",
                                   .hash = "",
@@ -45,13 +52,9 @@ class Rows : public testing::Test {
     while (!copy.go()) ++parts;
     return parts;
   }
-  /// What a reader gets; "" for no value, "?" for one that is torn.
+  /// What a reader gets of each column; "-" for no value, "?" for one that is torn.
   std::string arrived() {
-    const auto packed = payloads->packRow(copy.row());
-    std::vector<std::uint64_t> words(packed.size() / 8);
-    std::copy(packed.begin(), packed.end(), reinterpret_cast<std::byte*>(words.data()));
-    const auto row = there->openRow({reinterpret_cast<std::byte*>(words.data()), packed.size()},
-                                    Duration{0}, *table);
+    const auto row = there->openRow(sent(), Duration{0}, mirror);
     if (!row) return "no row";
     std::string text;
     for (unsigned i = 0; i < table->columns(); ++i) {
@@ -61,10 +64,35 @@ class Rows : public testing::Test {
   }
   std::string textOf(const ArrivedRow& row, unsigned i) const {
     if (!row.columns.hasValue(i)) return "-";
-    const std::byte* const value = row.values[i];
+    const std::byte* const value = row.values[i].bytes;
     const bool whole = std::all_of(value, value + table->columnSize(i),
                                    [&](std::byte one) { return one == *value; });
     return whole ? std::to_string(static_cast<int>(*value)) : "?";
+  }
+
+  /// The row that has been copied, as its bytes arrive.
+  std::span<std::byte> sent() {
+    const auto packed = payloads->packRow(copy.row());
+    words.resize(packed.size() / 8);
+    auto* const bytes = reinterpret_cast<std::byte*>(words.data());
+    std::copy(packed.begin(), packed.end(), bytes);
+    return {bytes, packed.size()};
+  }
+  std::optional<ArrivedRow> sendInParts(unsigned char value, Duration shift) {
+    publish(value);
+    begin();
+    goToTheEnd();
+    const auto bytes = sent();
+    for (std::size_t end = kMostPayload; end < bytes.size(); end += kMostPayload) {
+      there->openRowPart(bytes.first(end), shift, mirror);
+    }
+    return there->openRow(bytes, shift, mirror);
+  }
+  std::vector<std::byte> published(const ArrivedRow& row) {
+    mirror.publish(now(), row.columns, row.values);
+    std::vector<std::byte> photo(kPhoto);
+    EXPECT_TRUE(mirror.read(1, photo.data()));
+    return photo;
   }
 
   const std::shared_ptr<rt::StateTable> table =
@@ -72,6 +100,8 @@ class Rows : public testing::Test {
   const std::unique_ptr<Payloads> payloads = makePayloads(album(), Form::Slots),
                                   there = makePayloads(album(), Form::Slots);
   RowCopy copy{*table};
+  std::vector<std::uint64_t> words;  // that have been sent
+  rt::StateTable mirror{std::vector<std::uint32_t>{kTitle, kPhoto, kTitle}, 2};
 };
 
 TEST_F(Rows, AreCopiedAPartAtATime) {
@@ -127,16 +157,37 @@ TEST_F(Rows, ThatAreOverwrittenMeanwhileGiveWayToTheNewest) {
   EXPECT_EQ(copy.row().sequence, 3u);
 }
 
+// The mirror has most of a large row before it is published.
+TEST_F(Rows, AreStoredAsTheyCome) {
+  for (const unsigned char value : {10, 20, 30}) {
+    const auto row = sendInParts(value, Duration{0});
+    ASSERT_TRUE(row);
+    EXPECT_EQ(row->values[0].stored, kTitle);
+    EXPECT_GE(row->values[1].stored, kMostPayload);
+    const auto photo = published(*row);
+    EXPECT_TRUE(std::all_of(photo.begin(), photo.end(), [&](std::byte one) {
+      return one == static_cast<std::byte>(value + 1);
+    }));
+  }
+}
+
+// A stamp becomes the reader's when it is there whole, and what was stored of it before is not.
+TEST_F(Rows, WithStampsOfAnotherClockAreStoredWhenTheyAreWhole) {
+  const auto row = sendInParts(10, Duration{99});
+  ASSERT_TRUE(row);
+  EXPECT_EQ(row->values[1].stored, 0u);
+  const auto photo = published(*row);
+  EXPECT_EQ(photo.front(), std::byte{99});
+  EXPECT_EQ(photo.back(), std::byte{11});
+}
+
 TEST_F(Rows, OfWhichTheEndIsMissingAreNone) {
   publish(10);
   begin();
   goToTheEnd();
-  const auto packed = payloads->packRow(copy.row());
-  std::vector<std::uint64_t> words(packed.size() / 8);
-  std::copy(packed.begin(), packed.end(), reinterpret_cast<std::byte*>(words.data()));
-  for (const std::size_t cut : {std::size_t{8}, packed.size() - 16}) {
-    EXPECT_FALSE(there->openRow({reinterpret_cast<std::byte*>(words.data()), packed.size() - cut},
-                                Duration{0}, *table));
+  const auto bytes = sent();
+  for (const std::size_t end : {bytes.size() - 8, std::size_t{16}}) {
+    EXPECT_FALSE(there->openRow(bytes.first(end), Duration{0}, mirror));
   }
 }
 

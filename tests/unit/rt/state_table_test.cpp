@@ -124,14 +124,46 @@ TEST(StateTable, PublishesValuesThatLieElsewhere) {
   std::array<std::byte, 120> first, slot;
   first.fill(std::byte{5});
   const std::uint32_t second = 7;
-  const std::byte* const values[] = {first.data(), reinterpret_cast<const std::byte*>(&second),
-                                     nullptr};
+  const StateTable::Value values[] = {
+      {first.data()}, {reinterpret_cast<const std::byte*>(&second)}, {}};
   table.publish(now(), {.valid = 0b011}, values);
   EXPECT_TRUE(table.read(0, slot.data()));
   EXPECT_EQ(slot, first);
   std::uint32_t read = 0;
   EXPECT_TRUE(table.read(1, reinterpret_cast<std::byte*>(&read)));
   EXPECT_EQ(read, second);
+}
+
+TEST(StateTable, StoresAheadOfARowThatNobodySeesYet) {
+  StateTable table(kSizes, 2);
+  std::array<std::byte, 120> value, slot;
+  for (const unsigned char one : {5, 6, 7}) {
+    value.fill(std::byte{one});
+    StateTable::Value values[] = {{value.data()}, {}, {}};
+    table.storeAhead(0, values[0], 64);
+    EXPECT_EQ(values[0].stored, 64u);
+    value.fill(std::byte{0});  // which is not stored again
+    std::fill(value.begin() + 64, value.end(), std::byte{one});
+    table.storeAhead(0, values[0], 200);
+    EXPECT_EQ(values[0].stored, 120u);
+    EXPECT_EQ(table.rows(), one - 5u);
+    table.publish(now(), {.valid = 1}, values);
+    ASSERT_TRUE(table.read(0, slot.data()));
+    EXPECT_EQ(slot.front(), std::byte{one});
+    EXPECT_EQ(slot.back(), std::byte{one});
+  }
+}
+
+TEST(StateTable, ARowThatIsBeingStoredIsNotReadAnyMore) {
+  StateTable table(kSizes, 2);
+  for (int i = 0; i < 2; ++i) table.publish(now(), {.valid = 1});
+  std::array<std::byte, 120> value{}, slot;
+  std::byte* const slots[] = {slot.data(), nullptr, nullptr};
+  EXPECT_TRUE(table.readRowNumber(1, slots).hasValue(0));
+  StateTable::Value ahead{value.data()};
+  table.storeAhead(0, ahead, 8);
+  EXPECT_TRUE(table.readRowNumber(1, slots).tooOld);
+  EXPECT_TRUE(table.readRowNumber(2, slots).hasValue(0));
 }
 
 TEST(StateTable, APartOfARowIsReadUntilItIsOverwritten) {

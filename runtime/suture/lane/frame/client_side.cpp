@@ -28,6 +28,10 @@ bool ClientSide::take(const Header& header, std::span<std::byte> payload) {
   }
 }
 
+void ClientSide::takePart(Kind kind, std::span<const std::byte> payload) {
+  if (kind == Kind::Row) payloads_->openRowPart(payload, channel_->clockShift(), *channel_->state);
+}
+
 void ClientSide::taken() {
   if (news_) {
     channel_->ends.client->ring();

@@ -20,6 +20,7 @@ class ClientSide final : public Connection {
 
  private:
   bool take(const Header& header, std::span<std::byte> payload) override;
+  void takePart(Kind kind, std::span<const std::byte> payload) override;
   void taken() override;
   bool give() override;
   void letGo(Kind kind) override;

@@ -30,8 +30,10 @@ bool Connection::arrived(const Header& header, std::span<std::byte> payload) {
   rt::increment(channel_->bytesReceived, sizeof(header) + wordBytes(payload.size()));
   if (!window_.takes(header)) return false;
   if (header.kind == Kind::Acknowledge) return true;
-  if (header.kind == Kind::Piece) return pieces_.add(header, payload);
-  return pieces_.complete(payload) && take(header, payload);
+  if (header.kind != Kind::Piece) return pieces_.complete(header, payload) && take(header, payload);
+  if (!pieces_.add(header, payload)) return false;
+  takePart(static_cast<Kind>(header.number), pieces_.gathered());
+  return true;
 }
 
 bool Connection::send() {
@@ -65,7 +67,12 @@ void Connection::sendValue(const Header& header, std::span<const std::byte> payl
 void Connection::sendPiece() {
   const auto piece = rest_.first(std::min(rest_.size(), kMostPayload));
   rest_ = rest_.subspan(piece.size());
-  if (!rest_.empty()) return send({.kind = Kind::Piece, .call = wholeSize_}, piece);
+  if (!rest_.empty()) {
+    return send({.kind = Kind::Piece,
+                 .number = static_cast<std::uint16_t>(whole_.kind),
+                 .call = wholeSize_},
+                piece);
+  }
   send(whole_, piece);
   letGo(whole_.kind);
 }

@@ -172,12 +172,23 @@ void StateTable::publish(Time stamp, const RowColumns& columns) {
   publishBy(store, stamp, columns);
 }
 
-void StateTable::publish(Time stamp, const RowColumns& columns,
-                         std::span<const std::byte* const> values) {
+void StateTable::publish(Time stamp, const RowColumns& columns, std::span<const Value> values) {
   const auto store = [&](unsigned column, Word* place) {
-    storeWords(place, values[column], columns_[column].size);
+    const auto [bytes, stored] = values[column];
+    const std::size_t size = columns_[column].size;
+    if (stored < size) storeWords(place + stored / 8, bytes + stored, size - stored);
   };
   publishBy(store, stamp, columns);
+}
+
+void StateTable::storeAhead(unsigned column, Value& value, std::size_t bytes) {
+  const auto [offset, size] = columns_[column];
+  RowHeader& header = headerAt(newest_->load(std::memory_order_relaxed) + 1);
+  header.sequence.store(0, std::memory_order_relaxed);
+  const std::size_t stored = value.stored, end = std::min<std::size_t>(bytes, size);
+  if (end <= stored) return;
+  storeWords(payloadOf(header) + (offset + stored) / 8, value.bytes + stored, end - stored);
+  value.stored = end;
 }
 
 bool StateTable::askAll(ColumnSet columns) {

@@ -57,8 +57,16 @@ class StateTable {
   /// Publishes the draft as a new row: the values of the valid columns, and of the others why they
   /// have none. Stamps never go back: an earlier one counts as that of the row before.
   void publish(Time stamp, const RowColumns& columns);
-  /// The same of values that lie elsewhere, by column, if none is shared.
-  void publish(Time stamp, const RowColumns& columns, std::span<const std::byte* const> values);
+  /// A value that lies elsewhere, of a column that is not shared.
+  struct Value {
+    const std::byte* bytes = nullptr;
+    std::size_t stored = 0;  ///< so many of them storeAhead() has stored
+  };
+  /// Publishes values, by column.
+  void publish(Time stamp, const RowColumns& columns, std::span<const Value> values);
+  /// Stores the first `bytes` of a value of the next row, all or whole words: a large value then
+  /// keeps nobody for as long as all of it takes.
+  void storeAhead(unsigned column, Value& value, std::size_t bytes);
   /// Columns that somebody has asked for. Never shrinks.
   ColumnSet demand() const { return demand_->load(std::memory_order_acquire); }
 

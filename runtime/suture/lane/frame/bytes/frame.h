@@ -23,7 +23,7 @@ enum class Kind : std::uint8_t {
   // both
   Acknowledge,  ///< nothing but `acknowledged`
   Piece,  ///< kMostPayload bytes of the payload of the connection's next frame of another kind,
-          ///< which brings the end of it; call: bytes of all of it
+          ///< which brings the end of it; number: that kind; call: bytes of all of it
 };
 inline constexpr unsigned kKinds = 9;
 

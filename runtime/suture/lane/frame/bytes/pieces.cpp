@@ -5,29 +5,32 @@
 namespace suture::frame {
 
 bool Pieces::add(const Header& header, std::span<const std::byte> piece) {
-  if (gathered_ == 0) whole_ = header.call;
-  if (piece.size() != kMostPayload || header.call != whole_ || whole_ > limit_) return false;
+  if (gathered_ == 0) {
+    whole_ = header.call;
+    kind_ = header.number;
+  }
+  if (header.call != whole_ || header.number != kind_ || whole_ > limit_) return false;
+  if (piece.size() != kMostPayload) return false;
   if (gathered_ + piece.size() >= whole_) return false;  // its end comes in another frame
   append(piece);
   return true;
 }
 
-bool Pieces::complete(std::span<std::byte>& payload) {
+bool Pieces::complete(const Header& header, std::span<std::byte>& payload) {
   if (gathered_ == 0) return true;
+  if (static_cast<std::uint16_t>(header.kind) != kind_) return false;
   if (gathered_ + payload.size() != whole_) return false;
-  payload = {append(payload), whole_};
+  append(payload);
+  payload = gathered();
   gathered_ = 0;
   return true;
 }
 
-/// Returns where all of them begin.
-std::byte* Pieces::append(std::span<const std::byte> bytes) {
-  const std::size_t words = wordBytes(gathered_ + bytes.size()) / sizeof(std::uint64_t);
+void Pieces::append(std::span<const std::byte> more) {
+  const std::size_t words = wordBytes(gathered_ + more.size()) / sizeof(std::uint64_t);
   if (storage_.size() < words) storage_.resize(words);
-  auto* const begin = reinterpret_cast<std::byte*>(storage_.data());
-  std::memcpy(begin + gathered_, bytes.data(), bytes.size());
-  gathered_ += bytes.size();
-  return begin;
+  std::memcpy(bytes() + gathered_, more.data(), more.size());
+  gathered_ += more.size();
 }
 
 }  // namespace suture::frame

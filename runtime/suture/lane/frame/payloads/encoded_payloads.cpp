@@ -93,7 +93,7 @@ std::optional<ArrivedRow> EncodedPayloads::openRow(std::span<std::byte> payload,
   readMessage(payload, [&](capnp::AnyPointer::Reader in) {
     row.columns = contract_.codec().row.decode(in, contract_.wireColumns, shift, mirror);
   });
-  for (unsigned i = 0; i < values_.size(); ++i) values_[i] = mirror.draft(i);
+  for (unsigned i = 0; i < values_.size(); ++i) values_[i] = {mirror.draft(i)};
   return row;
 }
 

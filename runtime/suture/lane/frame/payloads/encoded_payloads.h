@@ -36,7 +36,7 @@ class EncodedPayloads final : public Payloads {
   std::vector<capnp::word> scratch_;                    // of the message that is being sent; zero
   std::optional<capnp::MallocMessageBuilder> message_;  // in scratch_
   std::vector<std::uint64_t> slot_;                     // of the value that arrives
-  std::vector<const std::byte*> values_;                // of the row that arrives
+  std::vector<rt::StateTable::Value> values_;           // of the row that arrives
 };
 
 }  // namespace suture::frame

@@ -32,7 +32,7 @@ struct ArrivedValue {
 /// A row that has arrived; its values are valid until the next call.
 struct ArrivedRow {
   rt::RowColumns columns;
-  std::span<const std::byte* const> values;  ///< by column, if it has one
+  std::span<const rt::StateTable::Value> values;  ///< by column, if it has one
 };
 
 /// Converts between slots and bytes, in both directions, for one contract whose slots are bounded.
@@ -54,6 +54,8 @@ class Payloads {
   /// Reads what has come, and may change it. `shift` turns the peer's steady clock into this
   /// process's.
   virtual ArrivedValue open(ValueName name, std::span<std::byte> payload, Duration shift) = 0;
+  /// So much has come of a row: what can be is stored in `mirror` already.
+  virtual void openRowPart(std::span<const std::byte>, Duration, rt::StateTable&) {}
   /// Does so with a row; `mirror` is where it will be published. None if the frame makes no sense.
   virtual std::optional<ArrivedRow> openRow(std::span<std::byte> payload, Duration shift,
                                             rt::StateTable& mirror) = 0;

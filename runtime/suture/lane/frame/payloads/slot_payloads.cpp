@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace suture::frame {
 namespace {
@@ -58,18 +59,40 @@ ArrivedValue SlotPayloads::open(ValueName name, std::span<std::byte> payload, Du
   return {payload.data()};
 }
 
+/// The stamps of the column are another clock's, so it is stored when it is there whole.
+bool SlotPayloads::turns(unsigned column, Duration shift) const {
+  return reads_[column]->shiftResult != nullptr && shift != Duration{0};
+}
+
+void SlotPayloads::openRowPart(std::span<const std::byte> payload, Duration shift,
+                               rt::StateTable& mirror) {
+  rt::RowColumns columns;
+  std::memcpy(&columns, payload.data(), sizeof(columns));
+  payload = payload.subspan(sizeof(columns));
+  if (!std::exchange(parted_, true)) std::ranges::fill(values_, rt::StateTable::Value{});
+  for (unsigned i = 0; i < values_.size(); ++i) {
+    if (!columns.hasValue(i)) continue;
+    const std::size_t size = wordBytes(row_.sizeOf(i)), come = std::min(size, payload.size());
+    values_[i].bytes = payload.data();
+    if (!turns(i, shift)) mirror.storeAhead(i, values_[i], come);
+    payload = payload.subspan(come);
+  }
+}
+
 std::optional<ArrivedRow> SlotPayloads::openRow(std::span<std::byte> payload, Duration shift,
                                                 rt::StateTable&) {
   rt::RowColumns columns;
   if (payload.size() < sizeof(columns)) return std::nullopt;
   std::memcpy(&columns, payload.data(), sizeof(columns));
   payload = payload.subspan(sizeof(columns));
+  const bool parted = std::exchange(parted_, false);
   for (unsigned i = 0; i < values_.size(); ++i) {
     if (!columns.hasValue(i)) continue;
     const std::size_t size = wordBytes(row_.sizeOf(i));
     if (payload.size() < size) return std::nullopt;
-    turn(reads_[i]->shiftResult, payload.data(), shift);
-    values_[i] = payload.data();
+    const bool turned = turns(i, shift);
+    if (turned) reads_[i]->shiftResult(payload.data(), shift);
+    values_[i] = {payload.data(), parted && !turned ? values_[i].stored : 0};
     payload = payload.subspan(size);
   }
   if (!payload.empty()) return std::nullopt;

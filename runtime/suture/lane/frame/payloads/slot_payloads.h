@@ -17,6 +17,8 @@ class SlotPayloads final : public Payloads {
   std::span<std::byte* const> slotsOf(rt::ColumnSet columns) override { return row_.of(columns); }
   std::span<const std::byte> packRow(const rt::StateTable::Row& row) override;
   ArrivedValue open(ValueName name, std::span<std::byte> payload, Duration shift) override;
+  void openRowPart(std::span<const std::byte> payload, Duration shift,
+                   rt::StateTable& mirror) override;
   std::optional<ArrivedRow> openRow(std::span<std::byte> payload, Duration shift,
                                     rt::StateTable& mirror) override;
 
@@ -26,11 +28,13 @@ class SlotPayloads final : public Payloads {
     StampShift shift;  ///< null: it has no stamps
   };
   Form formOf(ValueName name) const;
+  bool turns(unsigned column, Duration shift) const;
 
   const InterfaceInfo& contract_;
-  std::vector<const CommandInfo*> reads_;  // by column
-  RowSlots row_;                           // that is being sent, behind its RowColumns
-  std::vector<const std::byte*> values_;   // of the row that arrives
+  std::vector<const CommandInfo*> reads_;      // by column
+  RowSlots row_;                               // that is being sent, behind its RowColumns
+  std::vector<rt::StateTable::Value> values_;  // of the row that arrives
+  bool parted_ = false;                        // parts of it have been stored
   const std::size_t limit_;
 };
 
