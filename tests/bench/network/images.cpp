@@ -62,6 +62,7 @@ class AgedServer final : public suture::EventTask, public SampleServer {
 struct AloneAndBeside {
   Statistics alone, beside;
   std::uint64_t images = 0;
+  std::size_t lost = 0;
 };
 
 AloneAndBeside measureLane(suture::Lane lane, std::size_t count) {
@@ -77,11 +78,12 @@ AloneAndBeside measureLane(suture::Lane lane, std::size_t count) {
   AloneAndBeside result;
   arm.measure(count / 10);  // until it runs evenly
   result.alone = statisticsOf(inUnits(arm.measure(count), kMicrosecond));
-  connectBy(lane, manager, "Viewer/Images", "guide:Camera/Images");
+  connectBy(lane, manager, "Viewer/Images", "guide:Camera/Images", {.silence = 100ms});
   arm.measure(count / 10);
   const std::uint64_t before = viewer.images();
   result.beside = statisticsOf(inUnits(arm.measure(count), kMicrosecond));
   result.images = viewer.images() - before;
+  result.lost = manager.whyLost().size();
   manager.stop();
   guide.finish();
   return result;
@@ -101,6 +103,7 @@ std::string imageRows(const NetworkOptions& options, Report& report) {
     report.add(figure + ".growth.p50", "us", result.beside.p50 - result.alone.p50);
     report.add(figure + ".growth.p99", "us", result.beside.p99 - result.alone.p99);
     report.add(figure + ".seen", "images", static_cast<double>(result.images));
+    report.add(figure + ".lost", "connections", static_cast<double>(result.lost));
     table.row(joined({"alone", toString(lane)}, cellsOf(result.alone, 1)));
     table.row(joined({"beside pairs of images, 15 a second", ""}, cellsOf(result.beside, 1)));
   }

@@ -31,7 +31,8 @@ std::string networkFanOutRows(const NetworkOptions& options, Report& report);
 
 /// "images.shm.alone", "images.shm.beside", ...: how old goals at 1 kHz are when they are executed,
 /// without and with pairs of images of 2 x 921,600 bytes, 15 a second, on the same lane between the
-/// same processes; ".growth.p50", ".growth.p99": the difference; ".seen": how many pairs came.
+/// same processes; ".growth.p50", ".growth.p99": the difference; ".seen": how many pairs came;
+/// ".lost": whether their connection, which bears 100 ms of silence, was lost meanwhile.
 std::string imageRows(const NetworkOptions& options, Report& report);
 
 /// "idle.shm.load.ratio", "idle.frame.wake_ups.ratio", "idle.rpc.bytes.ratio", ...: what 256
