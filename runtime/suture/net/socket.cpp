@@ -22,6 +22,10 @@ void sendWithoutDelay(int socket) {
   setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
 }
 
+void keepUnsentShort(int socket) {
+  setsockopt(socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT, &kMostUnsent, sizeof(kMostUnsent));
+}
+
 void breakWhenUnanswered(int socket, Duration limit) {
   using std::chrono::ceil, std::chrono::milliseconds, std::chrono::seconds;
   const int on = 1;

@@ -3,6 +3,12 @@
 #include <netinet/tcp.h>
 #include <suture/net/socket.h>
 
+#include <linux/sockios.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+
+#include <vector>
+
 namespace suture::rpc {
 namespace {
 
@@ -21,6 +27,41 @@ TEST(Socket, BreaksWhenTheOtherMachineIsSilent) {
   EXPECT_EQ(optionOf(socket, IPPROTO_TCP, TCP_USER_TIMEOUT), 1500);
   EXPECT_EQ(optionOf(socket, SOL_SOCKET, SO_KEEPALIVE), 1);
   EXPECT_EQ(optionOf(socket, IPPROTO_TCP, TCP_KEEPIDLE), 2) << "in whole seconds";
+}
+
+/// Two ends of a TCP connection, of which the far one takes nothing.
+struct Connected {
+  Connected() {
+    const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{
+        .sin_family = AF_INET, .sin_port = 0, .sin_addr = {htonl(INADDR_LOOPBACK)}, .sin_zero = {}};
+    socklen_t length = sizeof(address);
+    auto* const generic = reinterpret_cast<sockaddr*>(&address);
+    EXPECT_EQ(bind(listener, generic, length), 0);
+    EXPECT_EQ(listen(listener, 1), 0);
+    EXPECT_EQ(getsockname(listener, generic, &length), 0);
+    near = kj::AutoCloseFd(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    EXPECT_EQ(connect(near, generic, length), 0);
+    far = kj::AutoCloseFd(accept4(listener, nullptr, nullptr, SOCK_CLOEXEC));
+    close(listener);
+  }
+  /// Sends what the kernel takes; returns what of it waits to be sent for the first time.
+  int unsentWhenFull() const {
+    const std::vector<std::byte> bytes(16 << 10);
+    while (send(near, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL) > 0) continue;
+    int unsent = 0;
+    EXPECT_EQ(ioctl(near, SIOCOUTQNSD, &unsent), 0);
+    return unsent;
+  }
+
+  kj::AutoCloseFd near, far;
+};
+
+TEST(Socket, KeepsWhatWaitsInTheKernelShort) {
+  EXPECT_GT(Connected().unsentWhenFull(), 4 * kMostUnsent) << "else there is nothing to keep short";
+  const Connected ends;
+  keepUnsentShort(ends.near);
+  EXPECT_LE(ends.unsentWhenFull(), 2 * kMostUnsent);
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ constexpr unsigned kMostCommands = 4096;
 struct SessionLink {
   SessionLink(LaneSocket socket, LaneThread& thread)
       : number(socket.number), link(std::make_shared<Link>(kj::mv(socket.bytes), number)) {
+    rpc::keepUnsentShort(link->descriptor());
     thread.add(link);
   }
   bool broken() const { return link->broken(); }
