@@ -35,36 +35,39 @@ constexpr Header kPiece{
 
 TEST(Pieces, AreJoined) {
   const Value value;
-  Pieces pieces(kLimit);
+  Pieces pieces(kLimit, kLimit);
+  Surplus surplus;
   for (int lap = 0; lap < 3; ++lap) {
-    ASSERT_TRUE(pieces.add(kPiece, value.piece(0)));
-    ASSERT_TRUE(pieces.add(kPiece, value.piece(1)));
+    ASSERT_TRUE(pieces.add(kPiece, value.piece(0), surplus));
+    ASSERT_TRUE(pieces.add(kPiece, value.piece(1), surplus));
     std::vector<std::byte> end = value.end();
     std::span<std::byte> payload(end);
-    ASSERT_TRUE(pieces.complete(kEnd, payload));
+    ASSERT_TRUE(pieces.complete(kEnd, payload, surplus));
     EXPECT_TRUE(value.is(payload));
   }
 }
 
 TEST(Pieces, APayloadWithoutThemStaysWhereItIs) {
-  Pieces pieces(kLimit);
+  Pieces pieces(kLimit, kLimit);
+  Surplus surplus;
   std::vector<std::byte> small(10);
   std::span<std::byte> payload(small);
-  EXPECT_TRUE(pieces.complete(kEnd, payload));
+  EXPECT_TRUE(pieces.complete(kEnd, payload, surplus));
   EXPECT_EQ(payload.data(), small.data());
   EXPECT_EQ(payload.size(), small.size());
 }
 
 TEST(Pieces, AllocateOnlyForWhatIsLargerThanAllBefore) {
   const Value value;
-  Pieces pieces(kLimit);
+  Pieces pieces(kLimit, kLimit);
+  Surplus surplus;
   std::vector<std::byte> end = value.end();
   std::uint64_t before = 0;
   for (int lap = 0; lap < 10; ++lap) {
-    pieces.add(kPiece, value.piece(0));
-    pieces.add(kPiece, value.piece(1));
+    pieces.add(kPiece, value.piece(0), surplus);
+    pieces.add(kPiece, value.piece(1), surplus);
     std::span<std::byte> payload(end);
-    pieces.complete(kEnd, payload);
+    pieces.complete(kEnd, payload, surplus);
     if (lap == 0) before = allocations();
   }
   EXPECT_EQ(allocations(), before);
@@ -72,55 +75,81 @@ TEST(Pieces, AllocateOnlyForWhatIsLargerThanAllBefore) {
 
 TEST(Pieces, OfAValueThatIsTooLargeAreNotTaken) {
   const Value value;
-  Pieces pieces(kWhole - 1);
-  EXPECT_FALSE(pieces.add(kPiece, value.piece(0)));
+  Pieces pieces(kWhole - 1, kWhole - 1);
+  Surplus surplus;
+  EXPECT_FALSE(pieces.add(kPiece, value.piece(0), surplus));
 }
 
 TEST(Pieces, ThatAreNotAsLargeAsAllArePartsOfNothing) {
   const Value value;
-  Pieces pieces(kLimit);
-  EXPECT_FALSE(pieces.add(kPiece, value.piece(0).first(8)));
-  EXPECT_FALSE(pieces.add(kPiece, {}));
+  Pieces pieces(kLimit, kLimit);
+  Surplus surplus;
+  EXPECT_FALSE(pieces.add(kPiece, value.piece(0).first(8), surplus));
+  EXPECT_FALSE(pieces.add(kPiece, {}, surplus));
 }
 
 TEST(Pieces, ThatLeaveNothingForTheLastFrameAreTooMany) {
   const Value value;
-  Pieces pieces(kLimit);
-  EXPECT_FALSE(pieces.add({.kind = Kind::Piece, .call = kMostPayload}, value.piece(0)));
-  ASSERT_TRUE(pieces.add(kPiece, value.piece(0)));
-  ASSERT_TRUE(pieces.add(kPiece, value.piece(1)));
-  EXPECT_FALSE(pieces.add(kPiece, value.piece(1)));
+  Pieces pieces(kLimit, kLimit);
+  Surplus surplus;
+  EXPECT_FALSE(pieces.add({.kind = Kind::Piece, .call = kMostPayload}, value.piece(0), surplus));
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(0), surplus));
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(1), surplus));
+  EXPECT_FALSE(pieces.add(kPiece, value.piece(1), surplus));
 }
 
 TEST(Pieces, OfAnotherValueDoNotMix) {
   const Value value;
-  Pieces pieces(kLimit);
-  ASSERT_TRUE(pieces.add(kPiece, value.piece(0)));
+  Pieces pieces(kLimit, kLimit);
+  Surplus surplus;
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(0), surplus));
   EXPECT_FALSE(pieces.add({.kind = Kind::Piece, .number = kPiece.number, .call = kWhole + 8},
-                          value.piece(1)));
-  EXPECT_FALSE(pieces.add({.kind = Kind::Piece, .number = 0, .call = kWhole}, value.piece(1)));
+                          value.piece(1), surplus));
+  EXPECT_FALSE(
+      pieces.add({.kind = Kind::Piece, .number = 0, .call = kWhole}, value.piece(1), surplus));
 }
 
 TEST(Pieces, OfOneKindDoNotEndInAnother) {
   const Value value;
-  Pieces pieces(kLimit);
-  ASSERT_TRUE(pieces.add(kPiece, value.piece(0)));
-  ASSERT_TRUE(pieces.add(kPiece, value.piece(1)));
+  Pieces pieces(kLimit, kLimit);
+  Surplus surplus;
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(0), surplus));
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(1), surplus));
   std::vector<std::byte> end = value.end();
   std::span<std::byte> payload(end);
-  EXPECT_FALSE(pieces.complete({.kind = Kind::Row}, payload));
+  EXPECT_FALSE(pieces.complete({.kind = Kind::Row}, payload, surplus));
 }
 
 TEST(Pieces, AnEndOfAnotherSizeIsNotTheirs) {
   const Value value;
   for (const std::size_t size : {std::size_t{0}, std::size_t{999}, std::size_t{1001}}) {
-    Pieces pieces(kLimit);
-    pieces.add(kPiece, value.piece(0));
-    pieces.add(kPiece, value.piece(1));
+    Pieces pieces(kLimit, kLimit);
+    Surplus surplus;
+    pieces.add(kPiece, value.piece(0), surplus);
+    pieces.add(kPiece, value.piece(1), surplus);
     std::vector<std::byte> end(size);
     std::span<std::byte> payload(end);
-    EXPECT_FALSE(pieces.complete(kEnd, payload)) << size;
+    EXPECT_FALSE(pieces.complete(kEnd, payload, surplus)) << size;
   }
+}
+
+// What a contract has here, its connection has memory for; the rest is bounded for all of a link.
+TEST(Pieces, MayTakeSoMuchMoreThanTheirContractSays) {
+  const Value value;
+  Surplus surplus;
+  Pieces pieces(kMostPayload, kLimit);
+  EXPECT_EQ(pieces.surplus(), 0u);
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(0), surplus));
+  EXPECT_EQ(pieces.surplus(), 0u);
+  ASSERT_TRUE(pieces.add(kPiece, value.piece(1), surplus));
+  EXPECT_EQ(pieces.surplus(), kMostPayload);
+  ASSERT_TRUE(surplus.take(Surplus::kMost - kMostPayload));
+  std::vector<std::byte> end = value.end();
+  std::span<std::byte> payload(end);
+  EXPECT_FALSE(pieces.complete(kEnd, payload, surplus));
+  surplus.giveBack(kMostPayload);
+  EXPECT_TRUE(pieces.complete(kEnd, payload, surplus));
+  EXPECT_EQ(pieces.surplus(), kWhole - kMostPayload);
 }
 
 }  // namespace

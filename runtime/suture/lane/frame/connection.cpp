@@ -12,7 +12,7 @@ Connection::Connection(std::shared_ptr<Channel> channel, std::unique_ptr<Payload
     : channel_(std::move(channel)),
       payloads_(std::move(payloads)),
       number_(number),
-      pieces_(payloads_->limit()) {}
+      pieces_(payloads_->own(), payloads_->limit()) {}
 
 bool Connection::over() const {
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
@@ -30,8 +30,10 @@ bool Connection::arrived(const Header& header, std::span<std::byte> payload) {
   rt::increment(channel_->bytesReceived, sizeof(header) + wordBytes(payload.size()));
   if (!window_.takes(header)) return false;
   if (header.kind == Kind::Acknowledge) return true;
-  if (header.kind != Kind::Piece) return pieces_.complete(header, payload) && take(header, payload);
-  if (!pieces_.add(header, payload)) return false;
+  if (header.kind != Kind::Piece) {
+    return pieces_.complete(header, payload, *surplus_) && take(header, payload);
+  }
+  if (!pieces_.add(header, payload, *surplus_)) return false;
   takePart(static_cast<Kind>(header.number), pieces_.gathered());
   return true;
 }

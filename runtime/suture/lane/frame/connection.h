@@ -24,8 +24,13 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
 
   std::uint32_t number() const { return number_; }
-  /// The socket of the link, for as long as this is turned.
-  void use(FrameSocket& socket) { socket_ = &socket; }
+  /// What this has from its link, for as long as this is turned.
+  void use(FrameSocket& socket, Surplus& surplus) {
+    socket_ = &socket;
+    surplus_ = &surplus;
+  }
+  /// What it has taken of the surplus.
+  std::size_t surplus() const { return pieces_.surplus(); }
   /// A frame of this connection has arrived; false if there can be no such.
   bool arrived(const Header& header, std::span<std::byte> payload);
   /// Called behind all frames that have arrived: wakes those whom they are for.
@@ -77,6 +82,7 @@ class Connection {
 
   const std::uint32_t number_;
   FrameSocket* socket_ = nullptr;
+  Surplus* surplus_ = nullptr;
   Window window_;
   Pieces pieces_;                    // that have arrived
   Header whole_;                     // of the value that is being sent

@@ -27,7 +27,7 @@ void Link::takeJoined() {
       one->breakOff("another connection has its number");
       continue;
     }
-    one->use(socket_);
+    one->use(socket_, surplus_);
     const auto place =
         std::lower_bound(connections_.begin(), connections_.end(), one->number(), isBefore);
     connections_.insert(place, std::move(one));
@@ -47,7 +47,10 @@ void Link::turn() {
   unsent_ = send();
   socket_.flush();
   if (socket_.broken()) breakAll();
-  std::erase_if(connections_, [](const auto& one) { return one->over(); });
+  std::erase_if(connections_, [this](const auto& one) {
+    if (one->over()) surplus_.giveBack(one->surplus());
+    return one->over();
+  });
 }
 
 // A connection joins before its peer sends, so it is there at the latest behind a receipt. There

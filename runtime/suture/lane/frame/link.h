@@ -55,6 +55,7 @@ class Link {
   Connection* find(std::uint32_t number) const;
 
   FrameSocket socket_;
+  Surplus surplus_;
   std::vector<std::shared_ptr<Connection>> connections_;  // by number
   std::size_t first_ = 0;                                 // to send, in turns
   bool unsent_ = false;  // a connection has more than its turn took

@@ -18,6 +18,7 @@ class EncodedPayloads final : public Payloads {
  public:
   explicit EncodedPayloads(const InterfaceInfo& contract);
 
+  std::size_t own() const override { return scratch_.size() * sizeof(capnp::word); }
   std::size_t limit() const override;
   std::span<const std::byte> pack(ValueName name, const std::byte* slot) override;
   std::span<std::byte* const> slotsOf(rt::ColumnSet columns) override { return row_.of(columns); }

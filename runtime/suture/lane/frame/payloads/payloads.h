@@ -41,7 +41,9 @@ class Payloads {
  public:
   virtual ~Payloads() noexcept(false) = default;
 
-  /// Returns the bytes of the largest that may come: a peer's values may be larger than ours.
+  /// Returns the bytes of the largest payload of this process.
+  virtual std::size_t own() const = 0;
+  /// Returns the bytes of the largest that may come: a peer's values may be larger.
   virtual std::size_t limit() const = 0;
 
   /// Returns what to send; it is valid until the next call.

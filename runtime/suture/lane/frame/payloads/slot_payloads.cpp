@@ -17,7 +17,7 @@ SlotPayloads::SlotPayloads(const InterfaceInfo& contract)
     : contract_(contract),
       row_(contract, sizeof(rt::RowColumns)),
       values_(row_.columns()),
-      limit_(std::max<std::size_t>(row_.bytes(), largestSlot(contract))) {
+      own_(std::max<std::size_t>(row_.bytes(), largestSlot(contract))) {
   for (const CommandInfo& one : contract.commands) {
     if (one.column >= 0) reads_.push_back(&one);
   }

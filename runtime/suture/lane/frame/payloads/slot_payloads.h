@@ -12,7 +12,8 @@ class SlotPayloads final : public Payloads {
  public:
   explicit SlotPayloads(const InterfaceInfo& contract);
 
-  std::size_t limit() const override { return limit_; }
+  std::size_t own() const override { return own_; }
+  std::size_t limit() const override { return own_; }
   std::span<const std::byte> pack(ValueName name, const std::byte* slot) override;
   std::span<std::byte* const> slotsOf(rt::ColumnSet columns) override { return row_.of(columns); }
   std::span<const std::byte> packRow(const rt::StateTable::Row& row) override;
@@ -35,7 +36,7 @@ class SlotPayloads final : public Payloads {
   RowSlots row_;                               // that is being sent, behind its RowColumns
   std::vector<rt::StateTable::Value> values_;  // of the row that arrives
   bool parted_ = false;                        // parts of it have been stored
-  const std::size_t limit_;
+  const std::size_t own_;
 };
 
 }  // namespace suture::frame
