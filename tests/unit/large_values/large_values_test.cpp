@@ -7,10 +7,8 @@
 #include <pthread.h>
 #include <suture/base/slots/scratch.h>
 #include <suture/component/channel/call_limit.h>
-#include <suture/component/device.h>
 #include <suture/component/read_together.h>
 #include <suture/component/task/callback_task.h>
-#include <suture/component/task/periodic_task.h>
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
 #include <suture/names/global_manager.h>
@@ -28,8 +26,8 @@
 #include "support/eventually.h"
 #include "support/process_address.h"
 #include "support/temporary_directory.h"
+#include "unit/large_values/museum.h"
 #include "unit/large_values/picture.capnp.h"
-#include "unit/large_values/picture.suture.h"
 
 namespace large_values {
 namespace {
@@ -37,7 +35,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::eventually;
 
-constexpr std::size_t kPixels = 1 << 20, kStack = 64 << 10;
+constexpr std::size_t kStack = 64 << 10;
 
 /// Runs `work` in a thread with a stack of kStack.
 void withSmallStack(const std::function<void()>& work) {
@@ -54,49 +52,6 @@ void withSmallStack(const std::function<void()>& work) {
   pthread_attr_destroy(&attributes);
   pthread_join(thread, nullptr);
 }
-
-Picture grey(std::uint8_t value) { return {std::vector<std::uint8_t>(kPixels, value)}; }
-
-/// What both kinds of provider have in common.
-struct Wall : Gallery {
-  const Picture& newest() const override { return newest_; }
-  const Picture& oldest() const override { return oldest_; }
-  Picture dimmed(const Picture& picture) const override {
-    return grey(static_cast<std::uint8_t>(picture.pixels.front() / 2));
-  }
-  void hang(const Picture& picture) override { newest_ = picture; }
-
-  Picture newest_ = grey(9), oldest_ = grey(3);
-};
-
-struct WallDevice final : suture::Device, Wall {
-  suture::Provided<Gallery> gallery{*this, "Gallery", *this};
-};
-
-struct WallTask : suture::PeriodicTask, Wall {
-  WallTask() : PeriodicTask({.period = 1ms}) {}
-  ~WallTask() override { stop(); }
-  /// Counts what the first emission takes from the heap.
-  void run() override {
-    if (firstEmission) return;
-    const auto before = suture::allocations();
-    const auto emitted = gallery.emit().hung(oldest_);
-    firstEmission = emitted ? suture::allocations() - before : ~std::uint64_t{0};
-    emittedOnce.store(true, std::memory_order_release);
-  }
-
-  std::optional<std::uint64_t> firstEmission;
-  std::atomic<bool> emittedOnce{false};
-  suture::Provided<Gallery> gallery{*this, "Gallery", *this};
-};
-
-struct Visitor final : suture::Device {
-  Visitor() {
-    gallery.on().hung([this](const Picture& picture) { heard = picture.pixels.front(); });
-  }
-  suture::Required<Gallery> gallery{*this, "Gallery"};
-  int heard = 0;
-};
 
 /// A visitor of a device and one of a task, both in this process.
 class LargeValues : public testing::Test {
