@@ -7,9 +7,8 @@
 namespace suture::frame {
 namespace {
 
-void turn(StampShift stamps, std::byte* slot, Duration shift) {
-  if (stamps != nullptr && shift != Duration{0}) stamps(slot, shift);
-}
+/// True if the slot has stamps, and they are another clock's.
+bool turns(StampShift stamps, Duration shift) { return stamps != nullptr && shift != Duration{0}; }
 
 }  // namespace
 
@@ -55,15 +54,11 @@ std::span<const std::byte> SlotPayloads::packRow(const rt::StateTable::Row& row)
 ArrivedValue SlotPayloads::open(ValueName name, std::span<std::byte> payload, Duration shift) {
   const Form form = formOf(name);
   if (payload.size() != form.size) return {};
-  turn(form.shift, payload.data(), shift);
+  if (turns(form.shift, shift)) form.shift(payload.data(), shift);
   return {payload.data()};
 }
 
-/// The stamps of the column are another clock's, so it is stored when it is there whole.
-bool SlotPayloads::turns(unsigned column, Duration shift) const {
-  return reads_[column]->shiftResult != nullptr && shift != Duration{0};
-}
-
+// A column whose stamps have to be turned is stored when it is there whole.
 void SlotPayloads::openRowPart(std::span<const std::byte> payload, Duration shift,
                                rt::StateTable& mirror) {
   rt::RowColumns columns;
@@ -74,7 +69,7 @@ void SlotPayloads::openRowPart(std::span<const std::byte> payload, Duration shif
     if (!columns.hasValue(i)) continue;
     const std::size_t size = wordBytes(row_.sizeOf(i)), come = std::min(size, payload.size());
     values_[i].bytes = payload.data();
-    if (!turns(i, shift)) mirror.storeAhead(i, values_[i], come);
+    if (!turns(reads_[i]->shiftResult, shift)) mirror.storeAhead(i, values_[i], come);
     payload = payload.subspan(come);
   }
 }
@@ -90,9 +85,9 @@ std::optional<ArrivedRow> SlotPayloads::openRow(std::span<std::byte> payload, Du
     if (!columns.hasValue(i)) continue;
     const std::size_t size = wordBytes(row_.sizeOf(i));
     if (payload.size() < size) return std::nullopt;
-    const bool turned = turns(i, shift);
-    if (turned) reads_[i]->shiftResult(payload.data(), shift);
-    values_[i] = {payload.data(), parted && !turned ? values_[i].stored : 0};
+    const StampShift stamps = reads_[i]->shiftResult;
+    values_[i] = {payload.data(), parted && !turns(stamps, shift) ? values_[i].stored : 0};
+    if (turns(stamps, shift)) stamps(payload.data(), shift);
     payload = payload.subspan(size);
   }
   if (!payload.empty()) return std::nullopt;

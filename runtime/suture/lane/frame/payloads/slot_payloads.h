@@ -29,7 +29,6 @@ class SlotPayloads final : public Payloads {
     StampShift shift;  ///< null: it has no stamps
   };
   Form formOf(ValueName name) const;
-  bool turns(unsigned column, Duration shift) const;
 
   const InterfaceInfo& contract_;
   std::vector<const CommandInfo*> reads_;      // by column
