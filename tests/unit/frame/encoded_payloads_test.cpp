@@ -1,7 +1,6 @@
 // Values between builds that differ: what is malformed has no value, what is not known is refused,
 // and nothing is allocated for messages no larger than earlier ones.
 #include <gtest/gtest.h>
-#include <suture/lane/frame/link.h>
 #include <suture/lane/frame/payloads/encoded_payloads.h>
 
 #include <array>
@@ -9,10 +8,10 @@
 #include <cstring>
 #include <vector>
 
-#include "reference/arm_channel.h"
+#include "reference/played_channel.h"
 #include "support/allocations.h"
+#include "unit/frame/joined_links.h"
 #include "unit/frame/sides.h"
-#include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
 namespace {
@@ -102,14 +101,11 @@ TEST(EncodedPayloads, AllocateOnlyForWhatIsLargerThanAllBefore) {
 
 /// A client that knows a command more than its provider, which has another number there.
 struct Strangers {
-  Strangers() : Strangers(rpc::makeSocketPair()) {}
-  explicit Strangers(rpc::SocketPair pair)
-      : client(rpc::ByteStream(kj::mv(pair.ours)), 1),
-        provider(rpc::ByteStream(kj::mv(pair.theirs)), 1) {
+  Strangers() {
     std::vector<std::uint16_t> numbers(armContract().commands.size(), ProviderSide::kUnknown);
     numbers[kResetCommand] = kHoldCommand;
-    provider.join(makeSide<ProviderSide>(far, 1, Form::Encoded, numbers));
-    client.join(makeSide<ClientSide>(near, 1, Form::Encoded));
+    links.far->join(makeSide<ProviderSide>(far, 1, Form::Encoded, numbers));
+    links.near->join(makeSide<ClientSide>(near, 1, Form::Encoded));
   }
   static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
     return reference::armChannel({.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
@@ -117,21 +113,13 @@ struct Strangers {
   bool send(std::uint16_t command, std::uint32_t call) {
     if (!near->commands.claim(command, now(), call)) return false;
     near->commands.commit();
-    exchange();
+    links.exchange();
     return true;
-  }
-  void exchange() {
-    for (int lap = 0; lap < 3; ++lap) {
-      for (Link* const one : {&client, &provider}) {
-        one->arrived();
-        one->turn();
-      }
-    }
   }
 
   rt::Doorbell bell;
   const std::shared_ptr<Channel> near = makeChannel(bell), far = makeChannel(bell);
-  Link client, provider;
+  JoinedLinks links;
 };
 
 TEST(EncodedPayloads, OfACommandThatIsNotKnownAreRefusedAndCostNoCredit) {
@@ -139,7 +127,7 @@ TEST(EncodedPayloads, OfACommandThatIsNotKnownAreRefusedAndCostNoCredit) {
   for (unsigned i = 0; i < 2 * armContract().commands[kHoldCommand].depth; ++i) {
     EXPECT_TRUE(strangers.send(kHoldCommand, 0));
   }
-  EXPECT_FALSE(strangers.client.broken());
+  EXPECT_FALSE(strangers.links.near->broken());
   EXPECT_EQ(strangers.far->counts->turnedAway.load(),
             2 * armContract().commands[kHoldCommand].depth);
   ASSERT_TRUE(strangers.send(kHoldCommand, 1));

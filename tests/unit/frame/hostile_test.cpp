@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/arm_channel.h"
+#include "reference/played_channel.h"
 #include "unit/frame/sides.h"
 #include "unit/rpc/socket_pair.h"
 

@@ -1,14 +1,13 @@
 // Values that are larger than a frame.
 #include <gtest/gtest.h>
-#include <suture/component/channel/peer_state.h>
-#include <suture/lane/frame/link.h>
 
 #include <algorithm>
 #include <memory>
 #include <vector>
 
+#include "reference/played_channel.h"
+#include "unit/frame/joined_links.h"
 #include "unit/frame/sides.h"
-#include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
 namespace {
@@ -52,10 +51,8 @@ struct Easel {
       : client(makeSide<ClientSide>(near, number)), provider(makeSide<ProviderSide>(far, number)) {}
 
   static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
-    return std::make_shared<Channel>(
-        easelContract(), "client -> provider", "frame",
-        Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell},
-        makeStateTable(easelContract(), rt::StateTable::Readers::Here), ~EventSet{0});
+    return reference::playedChannel(
+        easelContract(), {.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
   }
   bool command(std::uint16_t command, std::uint32_t call, unsigned seed) {
     const auto memory = near->commands.claim(command, now(), call);
@@ -76,25 +73,17 @@ struct Easel {
   const std::shared_ptr<ProviderSide> provider;
 };
 
-class LargeValues : public testing::Test {
+class LargeValues : public testing::Test, protected JoinedLinks {
  protected:
-  LargeValues() : LargeValues(rpc::makeSocketPair()) {}
-  explicit LargeValues(rpc::SocketPair pair)
-      : near(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.ours)), 1)),
-        far(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.theirs)), 1)) {
+  LargeValues() {
     for (Easel* const one : {&easel, &other}) {
       far->join(one->provider);
       near->join(one->client);
     }
-    exchange();
+    carryAll();
   }
-  void turn() {
-    for (Link* const one : {far.get(), near.get()}) {
-      one->arrived();
-      one->turn();
-    }
-  }
-  void exchange() {
+  /// Turns them until nothing is left to send or to take.
+  void carryAll() {
     do {
       turn();
     } while (near->hasMore() || far->hasMore() || near->isFull() || far->isFull());
@@ -103,13 +92,12 @@ class LargeValues : public testing::Test {
   void TearDown() override { EXPECT_FALSE(near->broken() || far->broken()); }
 
   Easel easel{1}, other{2};
-  std::unique_ptr<Link> near, far;
 };
 
 TEST_F(LargeValues, OfACommandArriveWhole) {
   ASSERT_TRUE(easel.command(kDraw, 0, 1));
   ASSERT_TRUE(easel.command(kDraw, 0, 2));
-  exchange();
+  carryAll();
   for (const unsigned seed : {1u, 2u}) {
     const rt::CommandRecord* const record = easel.nextCommand();
     ASSERT_NE(record, nullptr);
@@ -117,13 +105,13 @@ TEST_F(LargeValues, OfACommandArriveWhole) {
     easel.far->commands.pop();
     easel.far->commands.returnCredit(kDraw);
   }
-  exchange();
+  carryAll();
   EXPECT_EQ(easel.near->commands.waiting(kDraw), 0u);
 }
 
 TEST_F(LargeValues, OfAnAnswerArriveWhole) {
   ASSERT_TRUE(easel.command(kScan, 1, 0));
-  exchange();
+  carryAll();
   ASSERT_NE(easel.nextCommand(), nullptr);
   const auto fill = [](std::byte* result) {
     const auto value = makeValue(3);
@@ -132,7 +120,7 @@ TEST_F(LargeValues, OfAnAnswerArriveWhole) {
   };
   easel.far->reply(1, {.size = kSize, .command = kScan}, fill);
   easel.far->commands.pop();
-  exchange();
+  carryAll();
   const ReplyRecord* const reply = easel.near->nextReply();
   ASSERT_NE(reply, nullptr);
   EXPECT_TRUE(isValue(3, reply->result()));
@@ -143,7 +131,7 @@ TEST_F(LargeValues, OfEventsArriveWholeAndInOrder) {
   ASSERT_TRUE(easel.far->events.push(kScene, now(), first));
   ASSERT_TRUE(easel.far->events.push(kTick, now(), {}));
   ASSERT_TRUE(easel.far->events.push(kScene, now(), second));
-  exchange();
+  carryAll();
   for (const unsigned seed : {4u, 0u, 5u}) {
     const rt::EventRecord* const event = easel.near->events.next();
     ASSERT_NE(event, nullptr);
@@ -155,12 +143,12 @@ TEST_F(LargeValues, OfEventsArriveWholeAndInOrder) {
 
 TEST_F(LargeValues, OfAReadArriveWhole) {
   easel.near->state->ask(0);
-  exchange();
+  carryAll();
   for (const unsigned seed : {6u, 7u, 8u}) {
     const auto value = makeValue(seed);
     std::copy(value.begin(), value.end(), easel.far->state->draft(0));
     easel.far->state->publish(now(), {.valid = 1});
-    exchange();
+    carryAll();
     std::vector<std::byte> slot(kSize);
     std::byte* const slots[] = {slot.data()};
     EXPECT_TRUE(easel.near->state->readRow(slots).hasValue(0));
@@ -187,9 +175,9 @@ TEST_F(LargeValues, OfAConnectionThatEndsAreDropped) {
   ASSERT_TRUE(easel.far->events.push(kScene, now(), makeValue(8)));
   turn();
   easel.far->status = ChannelStatus::Closed;
-  exchange();
+  carryAll();
   ASSERT_TRUE(other.far->events.push(kScene, now(), makeValue(9)));
-  exchange();
+  carryAll();
   EXPECT_EQ(easel.near->events.next(), nullptr);
   const rt::EventRecord* const event = other.near->events.next();
   ASSERT_NE(event, nullptr);

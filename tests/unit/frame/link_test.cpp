@@ -10,12 +10,13 @@
 #include <thread>
 #include <vector>
 
-#include "reference/arm_channel.h"
+#include "reference/played_channel.h"
 #include "support/eventually.h"
 #include "support/pass.h"
 #include "support/repetitions.h"
 #include "support/stepped.h"
 #include "support/test_thread.h"
+#include "unit/frame/joined_links.h"
 #include "unit/frame/sides.h"
 #include "unit/rpc/socket_pair.h"
 
@@ -58,30 +59,16 @@ struct Pair {
   const std::shared_ptr<ProviderSide> provider;
 };
 
-class LinkTest : public testing::Test {
+class LinkTest : public testing::Test, protected JoinedLinks {
  protected:
-  LinkTest() : LinkTest(rpc::makeSocketPair()) {}
-  explicit LinkTest(rpc::SocketPair pair)
-      : near(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.ours)), 1)),
-        far(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.theirs)), 1)) {}
-
   Pair& add(std::uint32_t number) {
     pairs.push_back(std::make_unique<Pair>(number));
     far->join(pairs.back()->provider);
     near->join(pairs.back()->client);
     return *pairs.back();
   }
-  void exchange() {
-    for (int lap = 0; lap < 3; ++lap) {
-      for (Link* const one : {near.get(), far.get()}) {
-        one->arrived();
-        one->turn();
-      }
-    }
-  }
 
   std::vector<std::unique_ptr<Pair>> pairs;
-  std::unique_ptr<Link> near, far;
 };
 
 TEST_F(LinkTest, CarriesEachConnectionsOwn) {
@@ -105,10 +92,8 @@ TEST_F(LinkTest, TellsWhatHasBecomeOfTheCommandsOfATinyContract) {
   contract.commands = commands;
   rt::Doorbell bell;
   const auto makeEnd = [&] {
-    return std::make_shared<Channel>(
-        contract, "client -> provider", "frame",
-        Channel::Ends{.client = &bell, .provider = &bell, .watcher = &bell},
-        makeStateTable(contract, rt::StateTable::Readers::Here), EventSet{0});
+    return reference::playedChannel(
+        contract, {.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
   };
   const auto client = makeEnd(), provider = makeEnd();
   far->join(makeSide<ProviderSide>(provider, 1));

@@ -1,10 +1,9 @@
 // Where clocks differ, a stamp is on the reader's.
 #include <gtest/gtest.h>
-#include <suture/lane/frame/link.h>
 
-#include "reference/arm_channel.h"
+#include "reference/played_channel.h"
+#include "unit/frame/joined_links.h"
 #include "unit/frame/sides.h"
-#include "unit/rpc/socket_pair.h"
 
 namespace suture::frame {
 namespace {
@@ -23,25 +22,14 @@ std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell, Duration shift) {
 }
 
 struct StampedEnds {
-  explicit StampedEnds(Form form) : StampedEnds(form, rpc::makeSocketPair()) {}
-  StampedEnds(Form form, rpc::SocketPair pair)
-      : client(rpc::ByteStream(kj::mv(pair.ours)), 1),
-        provider(rpc::ByteStream(kj::mv(pair.theirs)), 1) {
-    provider.join(makeSide<ProviderSide>(far, 1, form));
-    client.join(makeSide<ClientSide>(near, 1, form));
-  }
-  void exchange() {
-    for (int lap = 0; lap < 3; ++lap) {
-      for (Link* const one : {&client, &provider}) {
-        one->arrived();
-        one->turn();
-      }
-    }
+  explicit StampedEnds(Form form) {
+    links.far->join(makeSide<ProviderSide>(far, 1, form));
+    links.near->join(makeSide<ClientSide>(near, 1, form));
   }
 
   rt::Doorbell bell;
   const std::shared_ptr<Channel> near = makeChannel(bell, -7s), far = makeChannel(bell, -5s);
-  Link client, provider;
+  JoinedLinks links;
 };
 
 class FrameStamps : public testing::TestWithParam<Form> {};
@@ -55,7 +43,7 @@ TEST_P(FrameStamps, OfCommandsAreTheProviders) {
   const Time sent = now();
   ASSERT_TRUE(ends.near->commands.claim(kHoldMethod, sent, 0));
   ends.near->commands.commit();
-  ends.exchange();
+  ends.links.exchange();
   ends.far->commands.fixCut();
   const rt::CommandRecord* const record = ends.far->commands.next();
   ASSERT_NE(record, nullptr);
@@ -65,11 +53,11 @@ TEST_P(FrameStamps, OfCommandsAreTheProviders) {
 TEST_P(FrameStamps, OfEventsAndRowsAreTheClients) {
   StampedEnds ends(GetParam());
   ends.near->state->ask(0);
-  ends.exchange();
+  ends.links.exchange();
   const Time produced = now();
   ASSERT_TRUE(ends.far->events.push(kStoppedMethod, produced, {}));
   ends.far->state->publish(produced, {.valid = 1});
-  ends.exchange();
+  ends.links.exchange();
   const rt::EventRecord* const event = ends.near->events.next();
   ASSERT_NE(event, nullptr);
   EXPECT_EQ(event->stamp, produced - 7s);
@@ -79,7 +67,7 @@ TEST_P(FrameStamps, OfEventsAndRowsAreTheClients) {
 TEST_P(FrameStamps, NothingComesFromTheFuture) {
   StampedEnds ends(GetParam());
   ASSERT_TRUE(ends.far->events.push(kStoppedMethod, now() + 1h, {}));
-  ends.exchange();
+  ends.links.exchange();
   const rt::EventRecord* const event = ends.near->events.next();
   ASSERT_NE(event, nullptr);
   EXPECT_LE(event->stamp, now());

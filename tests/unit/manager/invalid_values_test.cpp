@@ -14,8 +14,8 @@
 #include <memory>
 #include <string>
 
-#include "reference/arm_channel.h"
 #include "reference/arm_like.capnp.h"
+#include "reference/played_channel.h"
 #include "support/eventually.h"
 #include "support/patience.h"
 #include "unit/component/arm_client.h"

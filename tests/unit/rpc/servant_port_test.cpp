@@ -8,8 +8,8 @@
 
 #include <memory>
 
-#include "reference/arm_channel.h"
 #include "reference/arm_like.capnp.h"
+#include "reference/played_channel.h"
 #include "support/patience.h"
 
 namespace suture::rpc {

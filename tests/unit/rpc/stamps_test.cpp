@@ -10,7 +10,7 @@
 #include <chrono>
 #include <memory>
 
-#include "reference/arm_channel.h"
+#include "reference/played_channel.h"
 #include "support/eventually.h"
 #include "support/patience.h"
 #include "unit/rpc/socket_pair.h"

@@ -1,5 +1,5 @@
 #pragma once
-// A channel of an arm whose ends a test plays.
+// Tests play the ends of a channel with this.
 
 #include <suture/component/channel/channel.h>
 #include <suture/component/channel/peer_state.h>
@@ -11,18 +11,24 @@
 
 namespace reference {
 
-/// `lane`: its name, for people. The client wants the events `subscribed`.
-inline std::shared_ptr<suture::Channel> armChannel(const suture::Channel::Ends& ends,
-                                                   const char* lane,
-                                                   suture::EventSet subscribed = ~suture::EventSet{
-                                                       0}) {
-  const suture::InterfaceInfo& contract = suture::interfaceInfo<ArmLike>();
+/// Makes one. `lane`: its name, for people. The client wants the events `subscribed`.
+inline std::shared_ptr<suture::Channel> playedChannel(
+    const suture::InterfaceInfo& contract, const suture::Channel::Ends& ends, const char* lane,
+    suture::EventSet subscribed = ~suture::EventSet{0}) {
   return std::make_shared<suture::Channel>(
       contract, "client -> provider", lane, ends,
       suture::makeStateTable(contract, suture::rt::StateTable::Readers::Here), subscribed);
 }
 
-/// What a session knows of a process whose clock stands so to this one's.
+/// Makes one of an arm.
+inline std::shared_ptr<suture::Channel> armChannel(const suture::Channel::Ends& ends,
+                                                   const char* lane,
+                                                   suture::EventSet subscribed = ~suture::EventSet{
+                                                       0}) {
+  return playedChannel(suture::interfaceInfo<ArmLike>(), ends, lane, subscribed);
+}
+
+/// Returns what a session knows of a process whose clock stands so to this one's.
 inline std::shared_ptr<const suture::PeerState> peerWithClock(suture::Duration shift) {
   const auto peer = std::make_shared<suture::PeerState>();
   peer->clockShift = shift;
