@@ -58,7 +58,7 @@ struct Subscription {
 
 constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
 
-/// Of the largest frame.
+/// The largest frame has so many bytes.
 inline constexpr std::size_t kMostFrame = sizeof(Header) + kMostPayload;
 static_assert(kMostPayload == wordBytes(kMostPayload));
 

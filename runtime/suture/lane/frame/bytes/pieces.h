@@ -1,7 +1,8 @@
 #pragma once
-// Payloads that are larger than a frame's, as their pieces arrive.
+// This joins the pieces in which payloads arrive that are larger than a frame's.
 
 #include <suture/lane/frame/bytes/frame.h>
+#include <suture/lane/frame/bytes/surplus.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -10,24 +11,6 @@
 #include <vector>
 
 namespace suture::frame {
-
-/// What values in pieces of all connections of a link may take beyond what their contracts say
-/// here: those of a newer peer may be larger, but not without end. One thread.
-class Surplus {
- public:
-  static constexpr std::size_t kMost = std::size_t{64} << 20;
-
-  /// False if there is not so much left.
-  bool take(std::size_t bytes) {
-    if (bytes > left_) return false;
-    left_ -= bytes;
-    return true;
-  }
-  void giveBack(std::size_t bytes) { left_ += bytes; }
-
- private:
-  std::size_t left_ = kMost;
-};
 
 /// Joins the pieces of one connection. One thread. Room is made as they come, and kept: only a
 /// value that is larger than all before it allocates.
@@ -39,12 +22,12 @@ class Pieces {
 
   /// A Piece has arrived; false if there can be no such, or `surplus` has nothing left for it.
   bool add(const Header& header, std::span<const std::byte> piece, Surplus& surplus);
-  /// All that has come of the payload; valid until the next call, at a word.
+  /// Returns all that has come of the payload; it is valid until the next call, and lies at a word.
   std::span<std::byte> gathered() { return {bytes(), gathered_}; }
   /// Turns the payload of a frame of another kind into all of it, if pieces came before it: valid
   /// until the next call, at a word. False if it is not the end of them.
   bool complete(const Header& header, std::span<std::byte>& payload, Surplus& surplus);
-  /// What it has taken from the link's.
+  /// Returns how much of the link's surplus this has taken.
   std::size_t surplus() const { return surplusOf(storage_.size()); }
 
  private:
