@@ -52,7 +52,7 @@ class PlayedClient {
       return hello.send().ignoreResult();
     });
   }
-  /// Where the process listens.
+  /// Returns where the process listens.
   const suture::rpc::Address& provider() const { return provider_; }
 
  protected:

@@ -136,7 +136,7 @@ void Crew::watch(Duration length, const Progress& progress) {
   showNewReports(suture::now() + kLastReport);
 }
 
-/// What follows a break lasts as long as was asked, however late a busy machine lets the break be.
+/// The run goes on behind a break for as long as was asked, even if a busy machine made it late.
 Time Crew::endOfRun(Time began, Duration length) const {
   if (!cutOff_) return began + length;
   const auto [at, brokenFor] = cutOff_->moment;

@@ -1,4 +1,4 @@
-// Rows on their way: copied a part at a time, packed, and opened.
+// These test how a row is copied a part at a time, packed and opened.
 #include <gtest/gtest.h>
 #include <suture/component/channel/peer_state.h>
 #include <suture/lane/frame/payloads/payloads.h>

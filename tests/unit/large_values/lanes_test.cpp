@@ -1,4 +1,4 @@
-// Large values between two processes, by each lane.
+// These pass large values between two processes, by each lane.
 
 #include <gtest/gtest.h>
 #include <suture/lane/frame/frame_lane.h>
@@ -20,7 +20,7 @@ namespace {
 
 using suture::eventually, suture::Lane;
 
-/// `frame` as between builds that differ.
+/// This is `frame` as between builds that differ.
 constexpr Lane kEncoded{"frame-encoded"};
 
 /// Emits the picture that was hung last once more in each cycle.

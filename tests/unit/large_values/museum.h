@@ -1,5 +1,5 @@
 #pragma once
-// Who provides large values, and who requires them.
+// These provide large values, and require them.
 
 #include <suture/component/device.h>
 #include <suture/component/task/periodic_task.h>
@@ -20,7 +20,7 @@ inline constexpr std::size_t kPixels = 1 << 20;
 
 inline Picture grey(std::uint8_t value) { return {std::vector<std::uint8_t>(kPixels, value)}; }
 
-/// What both kinds of provider have in common.
+/// Both kinds of provider have this in common.
 struct Wall : Gallery {
   const Picture& newest() const override { return newest_; }
   const Picture& oldest() const override { return oldest_; }

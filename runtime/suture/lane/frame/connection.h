@@ -24,12 +24,12 @@ class Connection {
   Connection& operator=(const Connection&) = delete;
 
   std::uint32_t number() const { return number_; }
-  /// What this has from its link, for as long as this is turned.
+  /// This uses them for as long as it is turned: they are its link's.
   void use(FrameSocket& socket, Surplus& surplus) {
     socket_ = &socket;
     surplus_ = &surplus;
   }
-  /// What it has taken of the surplus.
+  /// Returns how much of the surplus this has taken.
   std::size_t surplus() const { return pieces_.surplus(); }
   /// A frame of this connection has arrived; false if there can be no such.
   bool arrived(const Header& header, std::span<std::byte> payload);

@@ -21,7 +21,7 @@ class CallsLink {
   /// Resolves with the reason, in words.
   kj::Promise<std::string> whenBroken() { return whenBroken_.addBranch(); }
   std::shared_ptr<const LinkCounters> counters() const { return link_.counters(); }
-  /// The capability of a connection's contract.
+  /// Returns the capability of a connection's contract.
   capnp::Capability::Client contract(std::uint32_t connection);
   /// How long the kernel waits for an answer to what was sent.
   void bear(Duration silence) const;

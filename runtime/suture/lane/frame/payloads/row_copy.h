@@ -1,5 +1,5 @@
 #pragma once
-// A copy of the newest row of a state table, made a part at a time.
+// This copies the newest row of a state table, a part at a time.
 
 #include <suture/rt/state/state_table.h>
 
@@ -21,7 +21,7 @@ class RowCopy {
   bool underWay() const { return underWay_; }
   /// Copies some more; true: that was all.
   bool go();
-  /// What has been copied.
+  /// Returns what has been copied.
   const rt::StateTable::Row& row() const { return row_; }
 
  private:

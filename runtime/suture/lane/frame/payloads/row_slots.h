@@ -1,5 +1,5 @@
 #pragma once
-// Room for the values of a row.
+// This has room for the values of a row.
 
 #include <suture/component/contract/interface_info.h>
 #include <suture/rt/state/row_columns.h>
@@ -18,15 +18,15 @@ class RowSlots {
   /// `head`: so many bytes are free in front of them, whole words.
   explicit RowSlots(const InterfaceInfo& contract, std::size_t head = 0);
 
-  /// Where the values of `columns` go, without room for those of others; null for these.
+  /// Returns where the values of `columns` go, without room for those of others; null for these.
   std::span<std::byte* const> of(rt::ColumnSet columns);
-  /// Where the slots of of() are.
+  /// Returns what the last of() did.
   std::span<std::byte* const> slots() const { return slots_; }
-  /// With the head.
+  /// Counts the head in.
   std::size_t bytes() const { return bytes_; }
   std::size_t sizeOf(std::size_t column) const { return sizes_[column]; }
   std::size_t columns() const { return sizes_.size(); }
-  /// All of it, the head first.
+  /// Returns all of it, which begins with the head.
   std::span<std::byte> memory() {
     return {reinterpret_cast<std::byte*>(memory_.data()), memory_.size() * sizeof(std::uint64_t)};
   }

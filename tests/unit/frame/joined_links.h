@@ -1,0 +1,34 @@
+#pragma once
+// Tests turn both links of a socket by hand with this.
+
+#include <suture/lane/frame/link.h>
+
+#include <memory>
+
+#include "unit/rpc/socket_pair.h"
+
+namespace suture::frame {
+
+/// The client's link and the provider's.
+struct JoinedLinks {
+  JoinedLinks() : JoinedLinks(rpc::makeSocketPair()) {}
+  explicit JoinedLinks(rpc::SocketPair pair)
+      : near(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.ours)), 1)),
+        far(std::make_unique<Link>(rpc::ByteStream(kj::mv(pair.theirs)), 1)) {}
+
+  /// Gives each of them one turn, the provider's first: the client has what it sends.
+  void turn() {
+    for (Link* const one : {far.get(), near.get()}) {
+      one->arrived();
+      one->turn();
+    }
+  }
+  /// Gives them as many as a question and its answer take.
+  void exchange() {
+    for (int lap = 0; lap < 3; ++lap) turn();
+  }
+
+  std::unique_ptr<Link> near, far;
+};
+
+}  // namespace suture::frame
