@@ -3,7 +3,7 @@
 
 #include <suture/base/sample.h>
 #include <suture/base/slots/shared_slot.h>
-#include <suture/component/required.h>
+#include <suture/component/required/calls.h>
 
 #include <new>
 #include <type_traits>
@@ -38,25 +38,23 @@ struct AnswerTraits<Result<T>> {
 /// The part of Call that does not depend on what is called.
 class CallBase {
  protected:
-  using PendingCall = RequiredBase::PendingCall;
-
   CallBase() = default;
-  CallBase(RequiredBase& required, PendingCall& pending, Duration limit)
-      : required_(&required), pending_(&pending), limit_(limit) {}
+  CallBase(Calls& calls, PendingCall& pending, Duration limit)
+      : calls_(&calls), pending_(&pending), limit_(limit) {}
   CallBase(CallBase&& other) noexcept;
   CallBase& operator=(CallBase&& other) noexcept;
   ~CallBase() { close(); }
 
   bool done();
-  void waitUntilDone(Duration limit) { required_->waitFor(*pending_, limit); }
+  void waitUntilDone(Duration limit) { calls_->waitFor(*pending_, limit); }
   /// True if the provider will not execute it; then it is closed.
   bool takeBack();
   /// `follower` is called when the answer is here.
-  void passOnTo(RequiredBase::Follower follower);
+  void passOnTo(PendingCall::Follower follower);
   /// Ends the call: its answer has been looked at, or is no longer wanted.
   void close();
 
-  RequiredBase* required_ = nullptr;
+  Calls* calls_ = nullptr;
   PendingCall* pending_ = nullptr;
   Duration limit_ = kDefaultDeadline;
 };
@@ -70,8 +68,8 @@ class [[nodiscard]] Call : CallBase {
   Call(Errc error) : answer_(Traits::error(error)), ended_(true) {}  // NOLINT: converts on purpose
   Call(Answer answer) : answer_(std::move(answer)), ended_(true) {}  // NOLINT: as well
   /// `limit`: how long within() waits when it is not told.
-  Call(RequiredBase& required, RequiredBase::PendingCall& pending, Duration limit, Errc sent)
-      : CallBase(required, pending, limit) {
+  Call(Calls& calls, PendingCall& pending, Duration limit, Errc sent)
+      : CallBase(calls, pending, limit) {
     if (sent == Errc{}) return;
     pending.done = true;  // nothing will come
     close();
@@ -115,7 +113,7 @@ class [[nodiscard]] Call : CallBase {
   ///   slave_.move.start(goal, 1, "").then([this](const Result<bool>& reached) { ... });
   template <class Handler>
   void then(Handler handler) && {
-    static_assert(sizeof(Handler) <= RequiredBase::kHandlerSize, "capture a pointer to it instead");
+    static_assert(sizeof(Handler) <= PendingCall::kHandlerSize, "capture a pointer to it instead");
     static_assert(
         std::is_trivially_copyable_v<Handler> && std::is_trivially_destructible_v<Handler>,
         "capture pointers and numbers only: the handler is copied as bytes");
@@ -128,10 +126,10 @@ class [[nodiscard]] Call : CallBase {
   using Traits = AnswerTraits<Answer>;
 
   template <class Handler>
-  static void finish(RequiredBase& required, RequiredBase::PendingCall& pending) {
+  static void finish(Calls& calls, PendingCall& pending) {
     // Copy the handler: if it starts another call, that may get this place.
     const Handler handler = *std::launder(reinterpret_cast<Handler*>(pending.handler));
-    Call call(required, pending, kDefaultDeadline, Errc{});
+    Call call(calls, pending, kDefaultDeadline, Errc{});
     handler(*call.poll());
   }
 

@@ -6,6 +6,7 @@
 #include <suture/base/slots/shared_slot.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/call.h>
+#include <suture/component/provided.h>
 #include <suture/component/required.h>
 
 #include <tuple>
@@ -14,24 +15,15 @@
 
 namespace suture {
 
-template <class Slot, class... Arguments>
-Errc RequiredBase::judgeHere(std::uint16_t command, Arguments&... arguments) {
-  if constexpr (sizeof...(Arguments) != 0) {
-    if (info_.commands[command].accepts == nullptr) return Errc{};
-    LooseSlot<Slot> slot;
-    const bool fits = store(arguments..., slot.value());
-    return judge(command, slot.memory(), fits);
-  }
-  return Errc{};
-}
-
-template <class Slot, class Value>
-Errc RequiredBase::judgeResultHere(std::uint16_t command, const Value& value) const {
-  const CommandInfo& info = info_.commands[command];
-  if (info.acceptsResult == nullptr) return Errc{};
-  LooseSlot<Slot> slot;
-  if (!store(value, slot.value())) return Errc::TooLarge;
-  return admitsResult(command, slot.memory()) ? Errc{} : Errc::Invalid;
+/// Runs `body(Contract&)` on `callee`, in this thread. A throw parks the provider's component, not
+/// the caller.
+template <class Contract, class Body>
+Errc runHere(ProvidedBase& callee, const Body& body) {
+  const bool returned = callee.owner().parkSoonOnThrow([&] {
+    const InterfaceInfo& contract = interfaceInfo<std::remove_const_t<Contract>>();
+    body(*static_cast<Contract*>(callee.implementation(contract)));
+  });
+  return returned ? Errc{} : Errc::Faulted;
 }
 
 /// A void or write command: queued at the provider, executed in its thread. A direct() one, and any
@@ -46,7 +38,7 @@ template <class Contract, class Nothing, class... Arguments,
           Nothing (Contract::*Method)(Arguments...), class ArgumentsSlot>
 class Command<Method, ArgumentsSlot> {
  public:
-  Command(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+  Command(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
 
   /// Never blocks; never allocates in a task's thread, and in another only for its first arguments
   /// of more than 4 KiB. Success means that the command waits at the provider (local), or is on its
@@ -58,27 +50,28 @@ class Command<Method, ArgumentsSlot> {
 
   /// As above, and the answer comes when the command has been executed.
   [[nodiscard]] Call<Result<Nothing>, NoSlot> start(Arguments... arguments) {
-    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (ProvidedBase* const callee = required_.callee(id_)) {
+    if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
+    if (ProvidedBase* const callee = required_.sender.callee(id_)) {
       return resultOf<Nothing>(callHere(*callee, arguments...));
     }
-    auto* pending = required_.openCall(id_);
+    auto* pending = required_.calls.open(id_);
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending, required_.deadlineOf(id_), send(pending->number, arguments...)};
+    return {required_.calls, *pending, required_.sender.deadlineOf(id_),
+            send(pending->number, arguments...)};
   }
 
  private:
   Errc callHere(ProvidedBase& callee, Arguments... arguments) {
-    const Errc error = required_.judgeHere<ArgumentsSlot>(id_, arguments...);
+    const Errc error = required_.sender.judgeHere<ArgumentsSlot>(id_, arguments...);
     if (error != Errc{}) return error;
-    return RequiredBase::callHere<Contract>(
-        callee, [&](Contract& contract) { (contract.*Method)(arguments...); });
+    return runHere<Contract>(callee, [&](Contract& contract) { (contract.*Method)(arguments...); });
   }
 
   Errc send(std::uint32_t call, Arguments... arguments) {
-    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (ProvidedBase* const callee = required_.callee(id_)) return callHere(*callee, arguments...);
-    return required_.send(id_, call, [&]([[maybe_unused]] std::byte* memory) {
+    if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
+    if (ProvidedBase* const callee = required_.sender.callee(id_))
+      return callHere(*callee, arguments...);
+    return required_.sender.send(id_, call, [&]([[maybe_unused]] std::byte* memory) {
       if constexpr (sizeof...(Arguments) == 0) {
         return true;
       } else {
@@ -87,7 +80,7 @@ class Command<Method, ArgumentsSlot> {
     });
   }
 
-  RequiredBase& required_;
+  RequiredParts& required_;
   std::uint16_t id_;
 };
 
@@ -107,7 +100,7 @@ class ReadCommand<Method, ResultSlot> {
  public:
   using Value = std::remove_cvref_t<ReturnType>;
 
-  ReadCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+  ReadCommand(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
 
   /// The newest value. Errc::NotYet until the provider has produced it for the first time; asking
   /// makes it do so from now on. Errc::Invalid while the contract does not admit what the provider
@@ -123,9 +116,9 @@ class ReadCommand<Method, ResultSlot> {
   Sample<void> operator()(Value& value) {
     LooseSlot<ResultSlot> slot;
     bool device = false;
-    const Sample<void> read = required_.read(id_, slot.memory(), device);
+    const Sample<void> read = required_.reads.read(id_, slot.memory(), device);
     if (device) return readDevice(value);
-    if (required_.zeroes(read)) {
+    if (required_.reads.zeroes(read)) {
       load(slot.zero(), value);  // not Value{}: Eigen leaves that uninitialised
     } else if (read.carriesValue()) {
       load(slot.value(), value);
@@ -152,7 +145,7 @@ class ReadCommand<Method, ResultSlot> {
   Sample<void> at(Time time, Value& value) {
     LooseSlot<ResultSlot> slot;
     bool device = false;
-    const Sample<void> read = required_.readAt(time, id_, slot.memory(), device);
+    const Sample<void> read = required_.reads.readAt(time, id_, slot.memory(), device);
     if (device) return readDevice(value);
     if (read) load(slot.value(), value);
     return read;
@@ -164,12 +157,12 @@ class ReadCommand<Method, ResultSlot> {
 
   /// Has the provider evaluate the value now, in its own thread.
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
-    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (required_.callee(id_) != nullptr) return (*this)();
-    auto* pending = required_.openCall(id_);
+    if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
+    if (required_.sender.callee(id_) != nullptr) return (*this)();
+    auto* pending = required_.calls.open(id_);
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending, required_.deadlineOf(id_),
-            required_.send(id_, pending->number, [](std::byte*) { return true; })};
+    return {required_.calls, *pending, required_.sender.deadlineOf(id_),
+            required_.sender.send(id_, pending->number, [](std::byte*) { return true; })};
   }
 
  private:
@@ -177,8 +170,8 @@ class ReadCommand<Method, ResultSlot> {
   using Slot = ResultSlot;
 
   Sample<void> readDevice(Value& value) {
-    const Errc error = RequiredBase::callHere<const Contract>(
-        *required_.callee(id_),
+    const Errc error = runHere<const Contract>(
+        *required_.sender.callee(id_),
         [&](const Contract& contract) { copy((contract.*Method)(), value); });
     if (error != Errc{}) return error;
     return Sample<void>(now());
@@ -194,7 +187,7 @@ class ReadCommand<Method, ResultSlot> {
     }
   }
 
-  RequiredBase& required_;
+  RequiredParts& required_;
   std::uint16_t id_;
 };
 
@@ -208,15 +201,16 @@ class AnsweredCommand {
  public:
   using Value = std::remove_cvref_t<ReturnType>;
 
-  AnsweredCommand(RequiredBase& required, std::uint16_t id) : required_(required), id_(id) {}
+  AnsweredCommand(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
 
   [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
-    if (const Errc error = required_.unusable(id_); error != Errc{}) return error;
-    if (ProvidedBase* const callee = required_.callee(id_)) return askHere(*callee, arguments...);
-    auto* pending = required_.openCall(id_);
+    if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
+    if (ProvidedBase* const callee = required_.sender.callee(id_))
+      return askHere(*callee, arguments...);
+    auto* pending = required_.calls.open(id_);
     if (pending == nullptr) return Errc::TooManyCalls;
-    return {required_, *pending, required_.deadlineOf(id_),
-            required_.send(id_, pending->number, [&]([[maybe_unused]] std::byte* memory) {
+    return {required_.calls, *pending, required_.sender.deadlineOf(id_),
+            required_.sender.send(id_, pending->number, [&]([[maybe_unused]] std::byte* memory) {
               if constexpr (sizeof...(Arguments) == 0) {
                 return true;
               } else {
@@ -228,16 +222,16 @@ class AnsweredCommand {
  private:
   Result<Value> askHere(ProvidedBase& callee, Arguments... arguments) {
     Value value{};
-    Errc error = required_.judgeHere<ArgumentsSlot>(id_, arguments...);
+    Errc error = required_.sender.judgeHere<ArgumentsSlot>(id_, arguments...);
     if (error == Errc{}) {
-      error = RequiredBase::callHere<Contract>(
+      error = runHere<Contract>(
           callee, [&](Contract& contract) { value = (contract.*Method)(arguments...); });
     }
-    if (error == Errc{}) error = required_.judgeResultHere<ResultSlot>(id_, value);
+    if (error == Errc{}) error = required_.sender.judgeResultHere<ResultSlot>(id_, value);
     return error == Errc{} ? Result<Value>(std::move(value)) : Result<Value>(tl::unexpect, error);
   }
 
-  RequiredBase& required_;
+  RequiredParts& required_;
   std::uint16_t id_;
 };
 

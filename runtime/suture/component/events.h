@@ -64,10 +64,10 @@ class SubscriptionBase {
   Result<void> reset();
 
  protected:
-  SubscriptionBase(RequiredBase& required, std::uint16_t event)
-      : required_(required), event_(event) {}
+  SubscriptionBase(RequiredParts& required, std::uint16_t event)
+      : subscriptions_(required.subscriptions), event_(event) {}
 
-  RequiredBase& required_;
+  Subscriptions& subscriptions_;
   std::uint16_t event_;
 };
 
@@ -82,7 +82,7 @@ class Subscription;
 template <>
 class Subscription<void> : public SubscriptionBase {
  public:
-  Subscription(RequiredBase& required, std::uint16_t event) : SubscriptionBase(required, event) {}
+  Subscription(RequiredParts& required, std::uint16_t event) : SubscriptionBase(required, event) {}
   /// See the other Subscription.
   Result<void> operator()(std::function<void()> handler);
   Result<void> direct(std::function<void()> handler);
@@ -140,7 +140,7 @@ std::function<void(const std::byte*)> slotHandler(std::function<void(const Paylo
 template <class Slot, class... Payload>
 class Subscription : public SubscriptionBase {
  public:
-  Subscription(RequiredBase& required, std::uint16_t event) : SubscriptionBase(required, event) {}
+  Subscription(RequiredParts& required, std::uint16_t event) : SubscriptionBase(required, event) {}
 
   /// From now on `handler` gets what is emitted once the provider knows: a task does before it
   /// executes any command sent later, on every lane, and begins with the last value of a latched()
@@ -148,7 +148,7 @@ class Subscription : public SubscriptionBase {
   /// `handler`, so a control loop subscribes rarely.
   Result<std::void_t<Slot>> operator()(std::function<void(const Payload&...)> handler) {
     return resultOf<std::void_t<Slot>>(
-        required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler))));
+        subscriptions_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler))));
   }
 
   /// The same, and where both ends are in one process and no delay lies between them, `handler`
@@ -159,11 +159,11 @@ class Subscription : public SubscriptionBase {
   /// is queued as every other and `handler` runs in this component's thread.
   Result<std::void_t<Slot>> direct(std::function<void(const Payload&...)> handler) {
     return resultOf<std::void_t<Slot>>(
-        required_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)), true));
+        subscriptions_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)), true));
   }
 
   /// The next such event, to wait for or to look for: NextEvent.
-  [[nodiscard]] NextEvent<Slot, Payload...> next() { return {required_, event_}; }
+  [[nodiscard]] NextEvent<Slot, Payload...> next() { return {subscriptions_, event_}; }
 };
 
 }  // namespace suture

@@ -4,7 +4,7 @@
 #include <suture/base/errors.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/base/time.h>
-#include <suture/component/required.h>
+#include <suture/component/required/subscriptions.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -13,42 +13,6 @@
 #include <utility>
 
 namespace suture {
-
-/// A NextEvent without its payload.
-class AwaitedEvent {
- public:
-  AwaitedEvent(const AwaitedEvent&) = delete;
-  AwaitedEvent& operator=(const AwaitedEvent&) = delete;
-
- protected:
-  /// Armed from now on.
-  AwaitedEvent(RequiredBase& required, std::uint16_t event);
-  /// Takes the place of `other`, which must not be used any more.
-  AwaitedEvent(AwaitedEvent&& other) noexcept;
-  ~AwaitedEvent();
-
-  /// True if the event has come or cannot come any more.
-  bool over();
-  /// Handles what arrives until it is over, at most for `limit`; then that is its end.
-  void wait(Duration limit);
-  /// Why it has not come; 0: it has.
-  Errc error() const { return error_; }
-
-  virtual void take(const std::byte* payload) = 0;
-
- private:
-  friend class RequiredBase;
-
-  void end(Errc error);
-  void unlink();
-
-  RequiredBase& required_;
-  std::uint16_t event_;
-  Time armed_;
-  bool over_ = false;
-  Errc error_{};
-  AwaitedEvent* next_ = nullptr;  // of the same required interface
-};
 
 /// The first event of its kind that is emitted after this was made, so that it can be made before
 /// the command that leads to the event, and nothing is missed:
@@ -70,7 +34,8 @@ class [[nodiscard]] NextEvent final : private AwaitedEvent {
                                    std::tuple<Payload...>>;
   using Answer = Result<std::conditional_t<sizeof...(Payload) == 0, void, Value>>;
 
-  NextEvent(RequiredBase& required, std::uint16_t event) : AwaitedEvent(required, event) {}
+  NextEvent(Subscriptions& subscriptions, std::uint16_t event)
+      : AwaitedEvent(subscriptions, event) {}
   NextEvent(NextEvent&& other) noexcept = default;
 
   /// The answer if it is here, else null: looked for where handlers run, before run() or in a

@@ -113,7 +113,7 @@ class ProvidedBase {
   void noteInvalid(const FieldPath& path, Channel* asker);
   template <class, class...>
   friend class Emitter;
-  friend class RequiredBase;
+  friend class Subscriptions;
 
   Errc emit(std::uint16_t event, const std::byte* slot, bool fits);
   /// True if the component may be told of its clients now.

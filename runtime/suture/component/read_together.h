@@ -32,16 +32,16 @@ class RowReader {
   template <std::size_t... I, class Into, class First, class... Others>
   static Sample<void> readEach(std::index_sequence<I...>, const Time* at, Into& into, First& first,
                                Others&... others) {
-    RequiredBase& required = first.required_;
+    RequiredParts& required = first.required_;
     if (((&others.required_ != &required) || ...)) return Errc::Invalid;
     std::tuple<LooseSlot<typename First::Slot>, LooseSlot<typename Others::Slot>...> slots;
     const std::array<std::uint16_t, sizeof...(I)> commands{first.id_, others.id_...};
     const std::array<std::byte*, sizeof...(I)> memory{std::get<I>(slots).memory()...};
     bool device = false;
-    Sample<void> row = required.readRow(at, commands, memory, device);
+    Sample<void> row = required.reads.readRow(at, commands, memory, device);
     if (device)
       return readDevice(at, into, std::tie(first, others...), std::index_sequence<I...>{});
-    if (required.zeroes(row)) {
+    if (required.reads.zeroes(row)) {
       (load(std::get<I>(slots).zero(), std::get<I>(into)), ...);
     } else if (row.carriesValue()) {
       (load(std::get<I>(slots).value(), std::get<I>(into)), ...);

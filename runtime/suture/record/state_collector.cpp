@@ -16,10 +16,10 @@ class StateCollector::Source final : public RequiredBase {
   std::shared_ptr<rt::StateTable> state() {
     return unusable() == Errc{} ? channel()->state : nullptr;
   }
-  /// With a connection: its rows from now on hold `reads`.
-  void ask(const std::vector<std::uint16_t>& reads) {
+  /// With a connection: its rows from now on hold the reads `wanted`.
+  void ask(const std::vector<std::uint16_t>& wanted) {
     rt::ColumnSet columns = 0;
-    for (const std::uint16_t read : reads) {
+    for (const std::uint16_t read : wanted) {
       if (unusable(read) != Errc{}) continue;
       columns |= rt::ColumnSet{1} << info().commands[read].column;
     }

@@ -92,6 +92,14 @@ bool Channel::admitsResult(const CommandInfo& command, const std::byte* result) 
   return lastInvalid.note(path), false;
 }
 
+// A provider in this process was judged when it produced the value; the build
+// of another process may admit more than this one, and no thread before the
+// reader's looks at what it sent.
+bool Channel::admitsCopy(const CommandInfo& command, const std::byte* result) {
+  if (ends.here != nullptr || command.admitsResult(result)) return true;
+  return admitsResult(command, result);  // once more, to note where
+}
+
 bool Channel::admits(const EventInfo& event, const std::byte* payload) {
   FieldPath path;
   if (event.admits(payload, &path)) return true;
@@ -151,7 +159,8 @@ void Channel::replyError(std::uint32_t call, Errc error) {
   reply(call, {}, [error](std::byte*) { return error; });
 }
 
-// Releases the answers that nobody took; in foreign memory, no result owns memory.
+// Releases the answers that nobody took; in foreign memory, no result owns
+// memory.
 Channel::~Channel() {
   while (!foreign && nextReply() != nullptr) popReply();
 }
@@ -165,7 +174,8 @@ ReplyRecord* Channel::nextReply() {
   }
 }
 
-// The peer controls this memory: never release a pointer that it chose, and clamp its stamp.
+// The peer controls this memory: never release a pointer that it chose, and
+// clamp its stamp.
 ReplyRecord* Channel::makePossible(std::byte* memory) {
   memory[offsetof(ReplyRecord, shared)] = std::byte{0};
   auto* const reply = reinterpret_cast<ReplyRecord*>(memory);

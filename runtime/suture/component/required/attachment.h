@@ -1,0 +1,97 @@
+#pragma once
+// What a required interface is attached to, and what it makes of a loss.
+
+#include <suture/base/errors.h>
+#include <suture/component/contract/connection_contract.h>
+#include <suture/component/contract/interface_info.h>
+#include <suture/standard/lifecycle.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace suture {
+
+class Channel;
+class Component;
+class ProvidedBase;
+
+/// Whose a required interface is, and the connection that it has in this cycle. Belongs to the
+/// thread of its component, but for what says otherwise.
+class Attachment {
+ public:
+  /// Keeps something that holds for one connection only.
+  class User {
+   public:
+    /// The present connection is about to be given up.
+    virtual void leave() = 0;
+    /// Another one has taken its place, or none has.
+    virtual void join() = 0;
+
+   protected:
+    ~User() = default;
+  };
+
+  Attachment(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : name_(name), owner_(owner), info_(info) {}
+  Attachment(const Attachment&) = delete;
+  Attachment& operator=(const Attachment&) = delete;
+
+  /// In a constructor: `user` hears of each change, behind those who asked before. It lives as
+  /// long.
+  void inform(User& user) { users_.push_back(&user); }
+  /// In a constructor: looks at the state table of `own` from now on.
+  void watch(ProvidedBase& own);
+
+  /// Any thread.
+  const std::string& name() const { return name_; }
+  const InterfaceInfo& info() const { return info_; }
+  Component& owner() const { return owner_; }
+
+  /// The connection; nullptr if there is none.
+  const std::shared_ptr<Channel>& channel() const { return channel_; }
+  /// Why calls cannot reach the provider now; 0 if they can.
+  Errc unusable();
+  /// The same for one command.
+  Errc unusable(std::uint16_t command);
+
+  /// Any thread: the next connection, or nullptr to take it away; adopt() does the rest.
+  void attach(std::shared_ptr<Channel> channel);
+  /// True if adopt() has something to do.
+  bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
+  /// Takes over what attach() left.
+  void adopt();
+  /// Acts on each loss of the provider, once.
+  void noticeLoss();
+  /// Does both.
+  void lookAt();
+  /// Lets commands through again that await their operator.
+  ResumeOutcome resume();
+  /// Before anything that uses it ends: gives up the connection, and what attach() left. Returns
+  /// when no direct handler of an event is running.
+  void close();
+  /// Returns when no direct handler of an event is running.
+  void awaitDirectHandlers() const;
+
+ private:
+  /// What has been lost so far: equal if nothing has been since.
+  std::pair<const void*, std::uint64_t> losses() const;
+  bool awaitsOperator(std::uint16_t command) const;
+
+  const std::string name_;
+  Component& owner_;
+  const InterfaceInfo& info_;
+  std::vector<User*> users_;
+  std::shared_ptr<Channel> channel_;
+  std::atomic<std::shared_ptr<Channel>*> incoming_{nullptr};
+  // True once noticeLoss() has dealt with the loss of channel_.
+  bool lossNoticed_ = false;
+  std::uint32_t faultsNoticed_ = 0;
+  std::atomic<bool> resumeAsked_{false};  // of a device
+};
+
+}  // namespace suture

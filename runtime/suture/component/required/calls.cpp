@@ -1,0 +1,160 @@
+#include <suture/component/channel/call_limit.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/required/calls.h>
+#include <suture/component/sleep.h>
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace suture {
+
+Calls::Calls(Attachment& attachment)
+    : attachment_(attachment), calls_(callLimitOf(attachment.info()).calls) {
+  const std::size_t words = (callLimitOf(attachment.info()).largestResult + 7) / 8;
+  results_.resize(words * calls_.size());
+  for (std::size_t i = 0; i < calls_.size(); ++i) {
+    calls_[i].result = std::as_writable_bytes(std::span(results_).subspan(i * words, words));
+  }
+  attachment.inform(*this);
+}
+
+Calls::~Calls() {
+  for (PendingCall& call : calls_) discard(call);
+}
+
+PendingCall* Calls::open(std::uint16_t command) {
+  collectReplies();
+  const auto free = std::find_if(calls_.begin(), calls_.end(),
+                                 [](const PendingCall& call) { return call.number == 0; });
+  if (free == calls_.end()) return nullptr;
+  const auto index = static_cast<std::uint32_t>(free - calls_.begin());
+  ++opened_;
+  free->number = opened_ % (1u << 27) * Channel::kMaxCalls + index + Channel::kMaxCalls;
+  free->command = command;
+  free->done = free->abandoned = false;
+  free->error = Errc{};
+  return &*free;
+}
+
+void Calls::close(PendingCall& call) {
+  // The answer may still come; until then the place is taken.
+  if (call.done || attachment_.channel() == nullptr) {
+    discard(call);
+  } else {
+    call.abandoned = true;
+  }
+}
+
+// Calls under way went to the old connection; nobody will answer them on the next.
+void Calls::leave() {
+  collectReplies();
+  for (PendingCall& call : calls_) {
+    if (call.number == 0 || call.done) continue;
+    call.error = Errc::OutcomeUnknown;
+    call.done = true;
+    if (call.abandoned) discard(call);
+  }
+}
+
+void Calls::collectReplies() {
+  Channel* const channel = attachment_.channel().get();
+  if (channel == nullptr) return;
+  channel->lowerUntaken();
+  // Take no more than there may be calls: a foreign provider may write without end.
+  for (std::size_t i = 0; i < calls_.size(); ++i) {
+    ReplyRecord* const reply = channel->nextReply();
+    if (reply == nullptr) return;
+    collect(*reply, channel->replies.frontSize() - sizeof(ReplyRecord));
+    channel->popReply();
+  }
+}
+
+void Calls::collect(ReplyRecord& reply, std::size_t size) {
+  Channel& channel = *attachment_.channel();
+  channel.countReceived(rt::SpscRing::recordSize(sizeof(reply) + size));
+  const std::size_t index = reply.call % Channel::kMaxCalls;
+  if (index >= calls_.size()) return;  // no call of ours: the provider made it up
+  PendingCall& call = calls_[index];
+  if (call.number != reply.call) return;
+  call.done = true;
+  if (!std::exchange(call.fresh, true)) ++fresh_;
+  call.error = reply.error;
+  call.stamp = reply.stamp;
+  std::memcpy(call.result.data(), reply.result(), std::min(size, call.result.size()));
+  call.shared = reply.shared;
+  if (reply.shared) putSharedSlot(reply.result(), nullptr);  // it is the call's now
+  const CommandInfo& command = attachment_.info().commands[call.command];
+  if (call.error == Errc{} && !channel.admitsCopy(command, call.result.data())) {
+    call.error = Errc::Invalid;
+  }
+  if (call.abandoned) discard(call);
+}
+
+void Calls::discard(PendingCall& call) {
+  if (std::exchange(call.fresh, false)) --fresh_;
+  if (call.shared) releaseSharedSlot(call.result.data());
+  call.shared = false;
+  call.number = 0;
+  call.follower = nullptr;
+}
+
+bool Calls::isDone(PendingCall& call) {
+  collectReplies();
+  if (call.done) return true;
+  const Errc reason = end();
+  if (reason == Errc{}) return false;
+  collectReplies();  // an answer may have come just before the end
+  if (call.done) return true;
+  call.done = true;
+  call.error = reason;
+  return true;
+}
+
+Errc Calls::end() const {
+  const Channel* const channel = attachment_.channel().get();
+  if (channel == nullptr) return Errc::OutcomeUnknown;
+  return endOfCalls(channel->status.load(std::memory_order_acquire));
+}
+
+bool Calls::cancel(PendingCall& call) {
+  return !isDone(call) && attachment_.channel()->claimCall(call.number);
+}
+
+void Calls::waitFor(PendingCall& call, Duration limit) {
+  sleepUntil(attachment_.owner(), now() + limit, [&] { return isDone(call); });
+}
+
+void Calls::follow(PendingCall& call, PendingCall::Follower follower) {
+  call.follower = follower;
+  ++followed_;
+}
+
+bool Calls::followedMayBeDone() const {
+  if (followed_ == 0) return false;
+  return end() != Errc{} || attachment_.channel()->nextReply() != nullptr ||
+         std::any_of(calls_.begin(), calls_.end(),
+                     [](const PendingCall& call) { return call.follower != nullptr && call.done; });
+}
+
+void Calls::finishFollowed() {
+  if (followed_ == 0) return;
+  for (PendingCall& call : calls_) {
+    if (call.follower == nullptr || !isDone(call)) continue;
+    --followed_;
+    std::exchange(call.follower, nullptr)(*this, call);
+  }
+}
+
+bool Calls::unseen() {
+  collectReplies();
+  return fresh_ != 0;
+}
+
+void Calls::offerNews() {
+  if (!unseen()) return;
+  for (PendingCall& call : calls_) call.fresh = false;
+  fresh_ = 0;
+}
+
+}  // namespace suture

@@ -1,0 +1,83 @@
+#pragma once
+// The calls of a required interface that have an answer.
+
+#include <suture/base/time.h>
+#include <suture/component/required/attachment.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace suture {
+
+class Calls;
+struct ReplyRecord;
+
+/// A place for one call under way, and for its answer.
+struct PendingCall {
+  /// How large a handler of Call::then() may be.
+  static constexpr std::size_t kHandlerSize = 48;
+  /// Called in the owner's thread as soon as the call is done.
+  using Follower = void (*)(Calls&, PendingCall&);
+
+  std::uint32_t number = 0;  ///< 0: free
+  std::uint16_t command = 0;
+  bool done = false;
+  bool abandoned = false;
+  bool fresh = false;  ///< answered since the last offerNews()
+  Errc error{};
+  Time stamp{};
+  bool shared = false;  ///< the result holds a counted pointer
+  std::span<std::byte> result;
+  Follower follower = nullptr;  ///< null: whoever started it looks at the answer himself
+  alignas(std::max_align_t) std::byte handler[kHandlerSize];  ///< the follower's
+};
+
+/// Belongs to the thread of the component.
+class Calls final : private Attachment::User {
+ public:
+  explicit Calls(Attachment& attachment);
+  ~Calls();
+  Calls(const Calls&) = delete;
+  Calls& operator=(const Calls&) = delete;
+
+  /// Takes a place; nullptr if none is free.
+  PendingCall* open(std::uint16_t command);
+  /// Frees the place, as soon as no answer can come any more.
+  void close(PendingCall& call);
+  bool isDone(PendingCall& call);
+  void waitFor(PendingCall& call, Duration limit);
+  /// True if the provider will not execute it, and answers so.
+  bool cancel(PendingCall& call);
+  void follow(PendingCall& call, PendingCall::Follower follower);
+
+  /// True if finishFollowed() may have something to do.
+  bool followedMayBeDone() const;
+  /// Has the followers of those that are done called.
+  void finishFollowed();
+  /// True if an answer has come since offerNews() that nobody has taken.
+  bool unseen();
+  /// Leaves the answers that have come by now to run().
+  void offerNews();
+
+ private:
+  void leave() override;
+  void join() override {}
+
+  void collectReplies();
+  void collect(ReplyRecord& reply, std::size_t size);
+  /// Frees the place of a call that is over.
+  void discard(PendingCall& call);
+  /// What ends the calls under way; 0: nothing.
+  Errc end() const;
+
+  Attachment& attachment_;
+  std::vector<PendingCall> calls_;
+  std::vector<std::uint64_t> results_;  // the memory of the calls'
+  std::uint32_t opened_ = 0;
+  unsigned fresh_ = 0;     // calls that are
+  unsigned followed_ = 0;  // calls that have a follower
+};
+
+}  // namespace suture

@@ -1,0 +1,58 @@
+#include <suture/base/virtual_time.h>
+#include <suture/component/channel/channel.h>
+#include <suture/component/component.h>
+#include <suture/component/required/command_sender.h>
+
+namespace suture {
+
+ProvidedBase* CommandSender::callee(std::uint16_t command) const {
+  const Channel::Ends& ends = attachment_.channel()->ends;
+  return infoOf(command).inCallersThread ? ends.here : ends.device;
+}
+
+Errc CommandSender::claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments) {
+  rt::Mailbox& mailbox = attachment_.channel()->commands;
+  const Result<std::byte*> claimed = mailbox.claim(command, now(), call);
+  if (!claimed) return claimed.error();
+  if (VirtualTime* const time = virtualTime(); time != nullptr) {
+    time->note(VirtualTime::Kind::Send, attachment_.name().c_str(), infoOf(command).name,
+               mailbox.nextSequence());
+  }
+  arguments = *claimed;
+  return Errc{};
+}
+
+Errc CommandSender::judge(std::uint16_t command, const std::byte* arguments, bool fits) {
+  Channel& channel = *attachment_.channel();
+  rt::MailboxCounters& counters = channel.commands.counters;
+  if (!fits) {
+    counters.tooLarge.fetch_add(1, std::memory_order_relaxed);
+    return Errc::TooLarge;
+  }
+  if (channel.admits(infoOf(command), arguments)) return Errc{};
+  counters.invalid.fetch_add(1, std::memory_order_relaxed);
+  return Errc::Invalid;
+}
+
+Errc CommandSender::commit(std::uint16_t command, const std::byte* arguments, bool fits) {
+  Channel& channel = *attachment_.channel();
+  if (const Errc error = judge(command, arguments, fits); error != Errc{}) {
+    channel.commands.abandon();
+    return error;
+  }
+  channel.countSent(channel.commands.commit());
+  attachment_.owner().ringLater(*channel.ends.provider);
+  return Errc{};
+}
+
+bool CommandSender::admitsResult(std::uint16_t command, const std::byte* result) const {
+  return attachment_.channel()->admitsResult(infoOf(command), result);
+}
+
+Duration CommandSender::deadlineOf(std::uint16_t command) const {
+  const ConnectionWatch* const watch = attachment_.channel()->watch.get();
+  const bool agreed = watch != nullptr && watch->contract.deadline > Duration{0};
+  return agreed ? watch->contract.deadline : infoOf(command).deadline;
+}
+
+}  // namespace suture

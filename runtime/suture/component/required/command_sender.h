@@ -1,0 +1,78 @@
+#pragma once
+// How a required interface has a command executed: in a queue, or here.
+
+#include <suture/base/slots/shared_slot.h>
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/required/attachment.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace suture {
+
+/// Belongs to the thread of the component, and needs a connection that is usable.
+class CommandSender {
+ public:
+  explicit CommandSender(Attachment& attachment) : attachment_(attachment) {}
+
+  /// The provider if `command` runs in the caller's thread; else nullptr.
+  ProvidedBase* callee(std::uint16_t command) const;
+
+  /// Queues a command whose arguments `fill(std::byte*)` stores; it returns false if they do not
+  /// fit. `call`: the number of the call that awaits the answer; 0: nobody does.
+  template <class Fill>
+  Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
+  /// Answers an error for arguments that go to a handler as they are, if their slot would not fit
+  /// or the contract does not admit them.
+  template <class Slot, class... Arguments>
+  Errc judgeHere(std::uint16_t command, Arguments&... arguments);
+  /// Does the same for the result of a call in this thread.
+  template <class Slot, class Value>
+  Errc judgeResultHere(std::uint16_t command, const Value& value) const;
+  /// How long within() waits for the answer of `command`.
+  Duration deadlineOf(std::uint16_t command) const;
+
+ private:
+  const CommandInfo& infoOf(std::uint16_t command) const {
+    return attachment_.info().commands[command];
+  }
+  /// `arguments`: where they go.
+  Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
+  /// Publishes what claim() gave, or gives it up if no provider is to see such arguments.
+  Errc commit(std::uint16_t command, const std::byte* arguments, bool fits);
+  /// Answers an error, and counts it, if the arguments in a slot did not fit or the contract does
+  /// not admit them.
+  Errc judge(std::uint16_t command, const std::byte* arguments, bool fits);
+  /// False, and noted, for a result that the contract does not admit.
+  bool admitsResult(std::uint16_t command, const std::byte* result) const;
+
+  Attachment& attachment_;
+};
+
+template <class Fill>
+Errc CommandSender::send(std::uint16_t command, std::uint32_t call, const Fill& fill) {
+  std::byte* arguments = nullptr;
+  const Errc error = claim(command, call, arguments);
+  return error == Errc{} ? commit(command, arguments, fill(arguments)) : error;
+}
+
+template <class Slot, class... Arguments>
+Errc CommandSender::judgeHere(std::uint16_t command, Arguments&... arguments) {
+  if constexpr (sizeof...(Arguments) != 0) {
+    if (infoOf(command).accepts == nullptr) return Errc{};
+    LooseSlot<Slot> slot;
+    const bool fits = store(arguments..., slot.value());
+    return judge(command, slot.memory(), fits);
+  }
+  return Errc{};
+}
+
+template <class Slot, class Value>
+Errc CommandSender::judgeResultHere(std::uint16_t command, const Value& value) const {
+  if (infoOf(command).acceptsResult == nullptr) return Errc{};
+  LooseSlot<Slot> slot;
+  if (!store(value, slot.value())) return Errc::TooLarge;
+  return admitsResult(command, slot.memory()) ? Errc{} : Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,50 @@
+#pragma once
+// What the read commands of a required interface answer: the rows that have come, judged by the
+// connection's contract.
+
+#include <suture/base/sample.h>
+#include <suture/component/required/attachment.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace suture {
+
+/// Belongs to the thread of the component. Sets `device` if the provider is one in this process, to
+/// be called directly instead; then there is no answer here.
+class Reads {
+ public:
+  explicit Reads(Attachment& attachment) : attachment_(attachment) {}
+
+  /// Copies the newest result of `command` into `slot`.
+  Sample<void> read(std::uint16_t command, std::byte* slot, bool& device);
+  /// Copies that which was the newest at `at`; a device has no past.
+  Sample<void> readAt(Time at, std::uint16_t command, std::byte* slot, bool& device);
+  /// The reads `commands` of one row, each into its slot: of the newest row, or of that at `at`.
+  Sample<void> readRow(const Time* at, std::span<const std::uint16_t> commands,
+                       std::span<std::byte* const> slots, bool& device);
+  /// True if `answer` stands for a value that is zero by contract.
+  bool zeroes(const Sample<void>& answer) const;
+
+ private:
+  Errc ask(std::uint16_t command, bool& device);
+  unsigned columnOf(std::uint16_t command) const;
+  /// False for a copy that the contract does not admit.
+  bool admits(std::uint16_t command, const std::byte* copy) const;
+  /// Keeps the age of a value that has just been read from the row of `stamp`.
+  void noteRead(Time stamp);
+  /// The answer of a read whose newest value is of `stamp`, under the connection's contract.
+  Sample<void> judgeAge(Time stamp);
+  /// The same where `error` stands in the way: if the provider is lost, as the contract says.
+  Sample<void> judgeLoss(Errc error, std::uint16_t command, std::byte* slot);
+  /// True if the connection's contract says what a read answers that meets `error`.
+  bool ruledByContract(Errc error) const;
+  Sample<void> fallBack(Fallback fallback, Errc error, Time stamp);
+
+  Attachment& attachment_;
+  Time lastRead_{};
+  std::uint32_t repeatedReads_ = 0;
+};
+
+}  // namespace suture
