@@ -40,7 +40,7 @@ std::string nameOfCase(const testing::TestParamInfo<Lane>& info) { return nameOf
 
 void expectLane(const Manager& manager, Lane lane) {
   for (const auto& channel : manager.channels()) {
-    EXPECT_EQ(channel->lane, nameOf(lane)) << channel->name;
+    EXPECT_EQ(channel->lane, nameOf(lane)) << channel->name();
   }
 }
 

@@ -85,7 +85,7 @@ TEST_P(Restarts, OfAPeerOverAndOverCostNothing) {
     ASSERT_TRUE(hearsAgain(client)) << "it is subscribed again, round " << round;
     ASSERT_EQ(here.channels().size(), 1u);
   }
-  EXPECT_EQ(here.channels()[0]->watch->losses, static_cast<std::uint64_t>(all));
+  EXPECT_EQ(here.channels()[0]->terms.watch->losses, static_cast<std::uint64_t>(all));
   // The latest restart may have left something that is on its way.
   EXPECT_TRUE(eventually([&] { return openDescriptors() == before.descriptors; }))
       << openDescriptors() << " descriptors after " << before.descriptors;

@@ -64,7 +64,7 @@ TEST(Loadable, SeveralInstancesOfItsClassesRunAndAreConnected) {
   ASSERT_EQ(channels.size(), 2u);
   for (const auto& channel : channels) {
     EXPECT_TRUE(eventually([&] { return channel->commands.counters.executed > 3; }))
-        << channel->name;
+        << channel->name();
   }
   EXPECT_TRUE(host.troubles().empty());
 }

@@ -6,17 +6,24 @@
 
 #include <chrono>
 #include <memory>
+#include <utility>
 
 #include "reference/arm_like.suture.h"
 
 namespace reference {
+
+/// Returns ends at which nobody sleeps. `peer`: what a session knows of the other process.
+inline suture::Channel::Ends playedEnds(std::shared_ptr<const suture::PeerState> peer = nullptr) {
+  const auto bell = std::make_shared<suture::rt::Doorbell>();
+  return {.client = bell, .provider = bell, .watcher = bell.get(), .peer = std::move(peer)};
+}
 
 /// Makes one. `lane`: its name, for people. The client wants the events `subscribed`.
 inline std::shared_ptr<suture::Channel> playedChannel(
     const suture::InterfaceInfo& contract, const suture::Channel::Ends& ends, const char* lane,
     suture::EventSet subscribed = ~suture::EventSet{0}) {
   return std::make_shared<suture::Channel>(
-      contract, "client -> provider", lane, ends,
+      contract, suture::Channel::Terms{.name = "client -> provider"}, lane, ends,
       suture::makeStateTable(contract, suture::rt::StateTable::Readers::Here), subscribed);
 }
 

@@ -169,7 +169,8 @@ void ProvidedBase::drain() {
   }
   channels_.forEach([this](ChannelList::Node& node) {
     Channel& channel = *node.channel;
-    if (channel.asked != nullptr) state_->askAll(channel.asked->load(std::memory_order_acquire));
+    if (channel.ends.asked != nullptr)
+      state_->askAll(channel.ends.asked->load(std::memory_order_acquire));
     const bool any = channel.commands.pending();
     // Fix the cut first, so that a command's events meet those who subscribed before they sent it.
     if (any) channel.commands.fixCut();
@@ -257,7 +258,7 @@ void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record,
   if (VirtualTime* const time = virtualTime(); time != nullptr) {
     time->note(VirtualTime::Kind::Execute, name_.c_str(), command.name, record.sequence);
   }
-  channel.commandAge.record(commandAge_);
+  channel.commandAge->record(commandAge_);
   turn.begin(node.client);
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);

@@ -272,12 +272,12 @@ std::vector<Trouble> Host::connectionTroubles() const {
   std::vector<Trouble> found;
   const std::map<std::string, std::string> whyLost = manager_->whyLost();
   for (const auto& channel : manager_->channels()) {
-    const std::string subject = "connection '" + channel->name + "'";
+    const std::string subject = "connection '" + channel->name() + "'";
     // A delayed connection has both of its ends in this process: tell of it once.
     if (!found.empty() && found.back().subject == subject) continue;
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:
-        found.push_back({subject, lossText(whyLost, channel->name), true, true});
+        found.push_back({subject, lossText(whyLost, channel->name()), true, true});
         break;
       case ChannelStatus::Faulted:
         found.push_back({subject, "is useless: its provider's code threw", true, true});

@@ -42,11 +42,12 @@ class ClientSession {
 /// A connection that is to be made, in the client's process.
 struct OutgoingConnection {
   const InterfaceInfo& contract;  ///< the client's
-  std::string name;               ///< "console:Teleop/Slave -> psm-host:PSM/Arm"
+  Channel::Terms terms;           ///< which the provider adds to when it accepts
   EventSet events = 0;            ///< that the client wants
   std::shared_ptr<rt::Doorbell> client;
-  std::shared_ptr<const PeerState> peer;
-  Duration silence{0};  ///< that the client bears
+  std::shared_ptr<const PeerState> peer = nullptr;
+  Duration silence{0};     ///< that the client bears
+  std::uint32_t rows = 0;  ///< of state that the provider keeps, once it has accepted
 };
 
 /// A client's end that has been made. Its channel is not attached to the client yet.
@@ -63,9 +64,9 @@ class LaneAttempt {
   virtual ~LaneAttempt() noexcept(false) = default;
   /// Tells the provider's end of the lane what that needs.
   virtual void request(capnp::AnyPointer::Builder out) = 0;
-  /// The provider has accepted, and keeps `rows` rows of state. Rejects with the reason if the
-  /// connection cannot be had after all.
-  virtual kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t rows) = 0;
+  /// The provider has accepted `connection`. Rejects with the reason if it cannot be had after all.
+  virtual kj::Promise<OpenedEnd> open(OutgoingConnection connection,
+                                      capnp::AnyPointer::Reader answer) = 0;
 };
 
 /// A lane in one session, in the client's process.
@@ -75,7 +76,7 @@ class LaneClient {
   /// Why the connection cannot travel so; "" if it perhaps can.
   virtual std::string whyNot(const OutgoingConnection& connection) const = 0;
   /// Resolves as soon as the provider can be asked. Rejects with the reason if it cannot.
-  virtual kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection connection) = 0;
+  virtual kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection& connection) = 0;
   /// The longest time for which a connection of the session bears an unanswered socket.
   virtual void bear(Duration /*silence*/) {}
 };
@@ -95,10 +96,10 @@ struct IncomingConnection {
   /// What the client means: the provider's own contract or one of its bases, though perhaps of
   /// another version.
   const InterfaceInfo& contract;
-  std::string name;
-  EventSet events = 0;     ///< that the client wants, as this process numbers them
-  rt::Doorbell& provider;  ///< of the thread that serves it
-  bool readOnly = false;   ///< the client may give no commands
+  Channel::Terms terms;
+  EventSet events = 0;                     ///< that the client wants, as this process numbers them
+  std::shared_ptr<rt::Doorbell> provider;  ///< of the thread that serves it
+  bool readOnly = false;                   ///< the client may give no commands
   std::shared_ptr<const PeerState> peer = nullptr;
   Duration silence{0};  ///< that the client bears; 0: it does not say
 };

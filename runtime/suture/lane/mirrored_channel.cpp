@@ -5,24 +5,22 @@
 
 namespace suture {
 
-std::shared_ptr<Channel> mirroredChannel(const OutgoingConnection& connection, const char* lane,
-                                         rt::Doorbell& carrier, rpc::ControlThread& control,
-                                         std::uint32_t rows) {
+std::shared_ptr<Channel> mirroredChannel(OutgoingConnection connection, const char* lane,
+                                         std::shared_ptr<rt::Doorbell> carrier,
+                                         rpc::ControlThread& control) {
   constexpr std::size_t kMostBytes = std::size_t{64} << 20;
-  const Channel::Ends ends{.client = connection.client.get(),
-                           .provider = &carrier,
-                           .watcher = &control.doorbell(),
-                           .peer = connection.peer,
-                           .silence = connection.silence};
-  auto rowsHere = makeStateTable(connection.contract, rt::StateTable::Readers::Here);
-  auto channel = std::make_shared<Channel>(connection.contract, connection.name, lane, ends,
-                                           std::move(rowsHere), connection.events);
-  channel->clientsBell = connection.client;
-  rt::StateTable& mirror = *channel->state;
-  const std::size_t most = std::max<std::size_t>(kMostBytes / mirror.rowBytes(), 1);
-  const auto kept = static_cast<unsigned>(std::min<std::size_t>(rows, most));
-  if (kept > mirror.capacity()) mirror.resize(kept);
-  return channel;
+  auto mirror = makeStateTable(connection.contract, rt::StateTable::Readers::Here);
+  const std::size_t most = std::max<std::size_t>(kMostBytes / mirror->rowBytes(), 1);
+  const auto kept = static_cast<unsigned>(std::min<std::size_t>(connection.rows, most));
+  if (kept > mirror->capacity()) mirror->resize(kept);
+  return std::make_shared<Channel>(connection.contract, std::move(connection.terms), lane,
+                                   Channel::Ends{.client = std::move(connection.client),
+                                                 .provider = std::move(carrier),
+                                                 .components = ConnectionEnd::Client,
+                                                 .watcher = &control.doorbell(),
+                                                 .peer = std::move(connection.peer),
+                                                 .silence = connection.silence},
+                                   std::move(mirror), connection.events);
 }
 
 }  // namespace suture

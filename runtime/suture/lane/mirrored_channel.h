@@ -7,8 +7,8 @@ namespace suture {
 
 /// `carrier`: rung for what goes to the provider. It keeps as many rows as the provider, up to a
 /// bound: a peer must not make this process take more memory.
-std::shared_ptr<Channel> mirroredChannel(const OutgoingConnection& connection, const char* lane,
-                                         rt::Doorbell& carrier, rpc::ControlThread& control,
-                                         std::uint32_t rows);
+std::shared_ptr<Channel> mirroredChannel(OutgoingConnection connection, const char* lane,
+                                         std::shared_ptr<rt::Doorbell> carrier,
+                                         rpc::ControlThread& control);
 
 }  // namespace suture

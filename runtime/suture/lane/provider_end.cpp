@@ -2,13 +2,13 @@
 
 namespace suture::rpc {
 Earlier ProviderEnd::earlier() {
-  const Earlier earlier = channel_->ledger->before(*channel_);
+  const Earlier earlier = channel_->terms.ledger->before(*channel_);
   earlierTold_ = earlier.ended;
   return earlier;
 }
 
 void ProviderEnd::tellEarlier() {
-  if (earlierTold_ || closed_ || channel_->ledger == nullptr) return;
+  if (earlierTold_ || closed_ || channel_->terms.ledger == nullptr) return;
   const Earlier last = earlier();
   if (!last.ended) return;
   KJ_IF_MAYBE (listener, listener_) (*listener)->tells(last);

@@ -70,19 +70,18 @@ Manager::Manager(std::string process, const std::string& address, const Security
                  Duration patience)
     : directory_(std::move(process)) {
   network_ = std::make_unique<Network>(
-      directory_, address,
-      [this](ProvidedBase& provided) -> rt::Doorbell& { return serverOf(provided); },
+      directory_, address, [this](ProvidedBase& provided) { return serverOf(provided); },
       [this](const Component& component) { return taskServing(component); }, patience, security);
 }
 
 // Any thread: the doorbell of what serves an interface for remote clients, which is its task or an
 // executor.
-rt::Doorbell& Manager::serverOf(ProvidedBase& provided) {
-  if (provided.owner().ownsThread()) return provided.owner().doorbell();
+std::shared_ptr<rt::Doorbell> Manager::serverOf(ProvidedBase& provided) {
+  if (provided.owner().ownsThread()) return provided.owner().sharedDoorbell();
   const std::lock_guard lock(executorMutex_);
   if (executor_ == nullptr) executor_ = std::make_unique<DeviceExecutor>(service_);
   executor_->serve(provided);
-  return executor_->doorbell();
+  return executor_->sharedDoorbell();
 }
 
 // Any thread: the task that serves a component for remote clients, if there is one already.
@@ -187,7 +186,7 @@ std::string Manager::missingFor(const RequiredBase& required) const {
   const auto channel = connectionOf(name);
   if (channel == nullptr) return what + "nobody has called connect() for it";
   const Errc error = errorOf(channel->status.load(std::memory_order_acquire));
-  return error == Errc{} ? "" : what + channel->name + ": " + toString(error);
+  return error == Errc{} ? "" : what + channel->name() + ": " + toString(error);
 }
 
 void Manager::suspend(const std::string& component, Duration patience) {
@@ -272,7 +271,7 @@ void Manager::connect(RequiredBase& required, const Endpoint& from, std::string_
   const std::string connection = process() + ":" + from.component + "/" + from.interface + " -> " +
                                  (to.process.empty() ? process() + ":" : "") + to.toString();
   if (const auto existing = connectionOf(from.toString()); existing != nullptr) {
-    throw SetupError("connecting " + connection, "it is already connected: " + existing->name,
+    throw SetupError("connecting " + connection, "it is already connected: " + existing->name(),
                      "A required interface has one provider; add another required interface");
   }
   requireSilenceThatCanBeTold(options.contract, connection);
@@ -327,11 +326,12 @@ std::shared_ptr<Channel> Manager::connectHere(RequiredBase& required, ProvidedBa
                                               std::shared_ptr<ConnectionWatch> watch) {
   DelayThread* const delays = delaysFor(delay);
   if (delays == nullptr) return connectLocally(required, provided, connection, std::move(watch));
-  auto far =
-      offerLocally(required, provided, connection, delays->sharedDoorbell(), serverOf(provided));
+  auto far = offerLocally(required, provided, {.name = connection, .watch = std::move(watch)},
+                          {.client = delays->sharedDoorbell(),
+                           .provider = serverOf(provided),
+                           .components = ConnectionEnd::Provider});
   std::erase_if(offered_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
   offered_.push_back(far);
-  far->watch = std::move(watch);
   auto near = delays->interpose(required, std::move(far), delay);
   required.attach(near);
   return near;

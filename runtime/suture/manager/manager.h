@@ -142,7 +142,7 @@ class Manager {
   std::shared_ptr<Channel> connectionOf(const std::string& required) const;
   std::string missingFor(const RequiredBase& required) const;
   std::vector<std::string> missing() const;
-  rt::Doorbell& serverOf(ProvidedBase& provided);
+  std::shared_ptr<rt::Doorbell> serverOf(ProvidedBase& provided);
   const Task* taskServing(const Component& component);
   DelayThread* delaysFor(const ConnectionDelay& delay);
   std::shared_ptr<Channel> connectHere(RequiredBase& required, ProvidedBase& provided,

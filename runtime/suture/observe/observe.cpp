@@ -13,29 +13,21 @@ Distribution distribution(const rt::Histogram& histogram) {
   return {histogram.count(), histogram.quantile(0.5), histogram.quantile(0.99), histogram.max()};
 }
 
-// A lane's own end of a channel is woken by a doorbell that is no component's.
-ConnectionEnd endOf(const Channel& channel, const std::vector<Component*>& components) {
-  const auto isComponents = [&](const rt::Doorbell* bell) {
-    return std::any_of(components.begin(), components.end(),
-                       [&](Component* one) { return &one->doorbell() == bell; });
-  };
-  if (!isComponents(channel.ends.client)) return ConnectionEnd::Provider;
-  return isComponents(channel.ends.provider) ? ConnectionEnd::Both : ConnectionEnd::Client;
-}
-
 // The two ends of a connection share its watch; the client's thread counts.
-std::optional<ContractReport> contractOf(const Channel& channel, ConnectionEnd end) {
-  if (channel.watch == nullptr || end == ConnectionEnd::Provider) return std::nullopt;
+std::optional<ContractReport> contractOf(const Channel& channel) {
+  if (channel.terms.watch == nullptr || channel.ends.components == ConnectionEnd::Provider) {
+    return std::nullopt;
+  }
   return ContractReport{
-      .staleReads = rt::count(channel.watch->staleReads),
-      .losses = rt::count(channel.watch->losses),
-      .awaitsOperator = channel.watch->awaitsOperator.load(std::memory_order_relaxed)};
+      .staleReads = rt::count(channel.terms.watch->staleReads),
+      .losses = rt::count(channel.terms.watch->losses),
+      .awaitsOperator = channel.terms.watch->awaitsOperator.load(std::memory_order_relaxed)};
 }
 
 // A connection within a process is one channel for as long as it stands.
-Sums sumsOf(const std::shared_ptr<Channel>& channel, ConnectionEnd end) {
-  if (channel->ledger != nullptr) return channel->ledger->sums();
-  Ledger ledger(end);
+Sums sumsOf(const std::shared_ptr<Channel>& channel) {
+  if (channel->terms.ledger != nullptr) return channel->terms.ledger->sums();
+  Ledger ledger(channel->ends.components);
   ledger.begin(channel, 0);
   return ledger.sums();
 }
@@ -54,26 +46,26 @@ void putSums(const Sums& sums, ConnectionReport& report) {
   report.eventsDelivered = sums.eventsDelivered;
 }
 
-ConnectionReport reportOf(const std::shared_ptr<Channel>& shared, ConnectionEnd end) {
+ConnectionReport reportOf(const std::shared_ptr<Channel>& shared) {
   const Channel& channel = *shared;
   ConnectionReport report;
-  report.name = channel.name;
+  report.name = channel.name();
   report.lane = channel.lane;
-  report.laneReason = channel.laneReason;
+  report.laneReason = channel.terms.laneReason;
   report.clockShift = channel.clockShift();
   report.clockError = channel.clockError();
-  report.end = end;
+  report.end = channel.ends.components;
   report.status = channel.status.load(std::memory_order_acquire);
   report.bytesSent = rt::count(channel.bytesSent);
   report.bytesReceived = rt::count(channel.bytesReceived);
-  report.contract = contractOf(channel, end);
-  putSums(sumsOf(shared, end), report);
+  report.contract = contractOf(channel);
+  putSums(sumsOf(shared), report);
   report.lastInvalid = channel.lastInvalid.read().text();
   report.messagesLost = rt::count(channel.delivery.lost);
   report.messagesDuplicated = rt::count(channel.delivery.duplicated);
   report.messagesOvertaken = rt::count(channel.delivery.overtaken);
-  report.readAge = distribution(channel.readAge);
-  report.commandAge = distribution(channel.commandAge);
+  if (channel.readAge != nullptr) report.readAge = distribution(*channel.readAge);
+  if (channel.commandAge != nullptr) report.commandAge = distribution(*channel.commandAge);
   return report;
 }
 
@@ -119,11 +111,11 @@ Report observe(const Manager& manager, Time began) {
   report.refusals = manager.refusals();
   const auto whyLost = manager.whyLost();
   for (const auto& channel : manager.channels()) {
-    if (channel->ledger != nullptr && !channel->ledger->isLatest(*channel)) continue;
-    ConnectionReport& one =
-        report.connections.emplace_back(reportOf(channel, endOf(*channel, components)));
-    const auto why = whyLost.find(channel->name);
-    if (channel->ledger == nullptr) one.otherIncarnation = report.incarnation;  // both are here
+    if (channel->terms.ledger != nullptr && !channel->terms.ledger->isLatest(*channel)) continue;
+    ConnectionReport& one = report.connections.emplace_back(reportOf(channel));
+    const auto why = whyLost.find(channel->name());
+    if (channel->terms.ledger == nullptr)
+      one.otherIncarnation = report.incarnation;  // both are here
     if (one.end != ConnectionEnd::Provider && why != whyLost.end()) one.whyLost = why->second;
   }
   for (const Component* component : components) {

@@ -28,7 +28,7 @@ class Network {
  public:
   /// Tells which doorbell and thread serve an interface for remote clients: the task's, or an
   /// executor's.
-  using ServerOf = std::function<rt::Doorbell&(ProvidedBase&)>;
+  using ServerOf = std::function<std::shared_ptr<rt::Doorbell>(ProvidedBase&)>;
   /// The task whose thread that is; nullptr: a device that no remote client has asked for yet.
   using TaskOf = std::function<const Task*(const Component&)>;
 

@@ -94,43 +94,27 @@ std::vector<std::string> contractDifferences(const InterfaceInfo& required,
                                   : differences(required.description, provided.description);
 }
 
-namespace {
-
-std::shared_ptr<Channel> makeChannel(const RequiredBase& required, ProvidedBase& provided,
-                                     const std::string& connection, Channel::Ends ends,
-                                     std::shared_ptr<rt::Doorbell> clientsBell) {
-  Match match = requireSameContract(required.info(), provided.info(), connection);
-  requireSameFrames(required.frames(), provided.frames(), connection);
-  auto channel = std::make_shared<Channel>(required.info(), connection, "local", ends,
-                                           provided.state(), required.subscribed());
-  channel->lacking = std::move(match.lacking);
-  channel->clientsBell = std::move(clientsBell);
+std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
+                                      Channel::Terms terms, Channel::Ends ends) {
+  Match match = requireSameContract(required.info(), provided.info(), terms.name);
+  requireSameFrames(required.frames(), provided.frames(), terms.name);
+  terms.lacking = std::move(match.lacking);
+  auto channel =
+      std::make_shared<Channel>(required.info(), std::move(terms), "local", std::move(ends),
+                                provided.state(), required.subscribed());
   provided.attach(channel);
   return channel;
-}
-
-}  // namespace
-
-std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
-                                      const std::string& connection,
-                                      std::shared_ptr<rt::Doorbell> client,
-                                      rt::Doorbell& provider) {
-  const Channel::Ends ends{.client = client.get(), .provider = &provider};
-  return makeChannel(required, provided, connection, ends, std::move(client));
 }
 
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
                                         const std::string& connection,
                                         std::shared_ptr<ConnectionWatch> watch) {
   Component& provider = provided.owner();
-  auto channel = makeChannel(required, provided, connection,
-                             {.client = &required.owner().doorbell(),
-                              .provider = &provider.doorbell(),
-                              .device = provider.ownsThread() ? nullptr : &provided,
-                              .here = &provided},
-                             required.owner().sharedDoorbell());
-  channel->watch = std::move(watch);
-  channel->providersBell = provider.sharedDoorbell();
+  auto channel = offerLocally(required, provided, {.name = connection, .watch = std::move(watch)},
+                              {.client = required.owner().sharedDoorbell(),
+                               .provider = provider.sharedDoorbell(),
+                               .device = provider.ownsThread() ? nullptr : &provided,
+                               .here = &provided});
   required.attach(channel);
   return channel;
 }

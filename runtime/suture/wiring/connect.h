@@ -1,6 +1,7 @@
 #pragma once
 // Connecting two interfaces of one process.
 
+#include <suture/component/channel/channel.h>
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
 
@@ -37,11 +38,9 @@ std::vector<std::string> contractDifferences(const InterfaceInfo& required,
                                              const InterfaceInfo& provided);
 
 /// A channel of this process whose provider end is `provided`'s, for somebody else to carry on to
-/// `required`. `client`, `provider`: the doorbells of its two ends; a provider may ring the first
-/// as long as it has the channel. Throws as connectLocally() does.
+/// `required`. Throws as connectLocally() does.
 std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
-                                      const std::string& connection,
-                                      std::shared_ptr<rt::Doorbell> client, rt::Doorbell& provider);
+                                      Channel::Terms terms, Channel::Ends ends);
 
 /// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle.
 /// `watch`: what the connection is to keep to, if anything. Throws SetupError if the contracts or

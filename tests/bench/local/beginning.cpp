@@ -20,9 +20,9 @@ constexpr suture::Duration kSilence = std::chrono::hours(1);
 class ProvidersEnd {
  public:
   explicit ProvidersEnd(suture::Duration silence, Arena memory = {})
-      : channel_(contract(), "client -> provider", "",
-                 {.client = &bell_,
-                  .provider = &bell_,
+      : channel_(contract(), Channel::Terms{.name = "client -> provider"}, "",
+                 {.client = bell_,
+                  .provider = bell_,
                   .peer = std::make_shared<suture::PeerState>(),
                   .silence = silence},
                  makeStateTable(contract(), suture::rt::StateTable::Readers::Here),
@@ -43,7 +43,7 @@ class ProvidersEnd {
  private:
   static const suture::InterfaceInfo& contract() { return suture::interfaceInfo<SampleServer>(); }
 
-  suture::rt::Doorbell bell_;
+  const std::shared_ptr<suture::rt::Doorbell> bell_ = std::make_shared<suture::rt::Doorbell>();
   Channel channel_;
 };
 

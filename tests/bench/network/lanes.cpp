@@ -17,10 +17,10 @@ void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& r
                const std::string& provided, const suture::ConnectionContract& contract) {
   manager.connect(required, provided, {.lane = lane, .contract = contract});
   for (const auto& channel : manager.channels()) {
-    const bool isThis = channel->name.find(":" + required + " -> ") != std::string::npos;
+    const bool isThis = channel->name().find(":" + required + " -> ") != std::string::npos;
     if (!isThis || channel->lane == toString(lane)) continue;
     throw suture::SetupError(std::string("a connection over the lane ") + toString(lane),
-                             "lane " + channel->lane + " " + channel->laneReason,
+                             "lane " + channel->lane + " " + channel->terms.laneReason,
                              "The figures would be those of another");
   }
 }

@@ -54,8 +54,7 @@ bool passOn(int from, int to) {
 
 class PipeAttempt final : public LaneAttempt {
  public:
-  PipeAttempt(PipeLane& lane, rpc::ControlThread& control, OutgoingConnection connection)
-      : lane_(lane), control_(control), connection_(std::move(connection)) {}
+  PipeAttempt(PipeLane& lane, rpc::ControlThread& control) : lane_(lane), control_(control) {}
 
   void request(capnp::AnyPointer::Builder out) override {
     auto paths = out.initAs<capnp::List<capnp::Text>>(2);
@@ -63,15 +62,14 @@ class PipeAttempt final : public LaneAttempt {
     paths.set(1, pathOf(back_.in));
   }
 
-  kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader, std::uint32_t rows) override {
-    return frame::openFramed(connection_, rows, lane_.lead(kj::mv(back_.out), kj::mv(there_.in)),
-                             control_);
+  kj::Promise<OpenedEnd> open(OutgoingConnection connection, capnp::AnyPointer::Reader) override {
+    return frame::openFramed(std::move(connection),
+                             lane_.lead(kj::mv(back_.out), kj::mv(there_.in)), control_);
   }
 
  private:
   PipeLane& lane_;
   rpc::ControlThread& control_;
-  const OutgoingConnection connection_;
   Pipe there_, back_;
 };
 
@@ -82,9 +80,8 @@ class PipeClient final : public LaneClient {
   std::string whyNot(const OutgoingConnection& connection) const override {
     return whyUnbounded(connection.contract);
   }
-  kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection connection) override {
-    return kj::Own<LaneAttempt>(
-        kj::heap<PipeAttempt>(lane_, session_.control(), std::move(connection)));
+  kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection&) override {
+    return kj::Own<LaneAttempt>(kj::heap<PipeAttempt>(lane_, session_.control()));
   }
 
  private:

@@ -56,7 +56,7 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
 
   const auto channel = manager.channels().at(0);
   EXPECT_EQ(channel->lane, lane == Lane::Rpc ? "rpc" : "frame");
-  EXPECT_EQ(channel->laneReason,
+  EXPECT_EQ(channel->terms.laneReason,
             lane == Lane::Auto ? "the two processes have different clocks" : "");
   const Duration error = channel->clockError(), wrong = channel->clockShift() + ahead;
   EXPECT_GT(error, Duration{0});

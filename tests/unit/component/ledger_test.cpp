@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "reference/arm_like.suture.h"
+#include "reference/played_channel.h"
 
 namespace suture {
 namespace {
@@ -14,11 +14,7 @@ namespace {
 constexpr std::uint64_t kRobot = 7, kNextRobot = 8;
 
 std::shared_ptr<Channel> makeChannel() {
-  static rt::Doorbell bell;
-  const InterfaceInfo& info = interfaceInfo<reference::ArmLike>();
-  return std::make_shared<Channel>(info, "a -> b", "frame", Channel::Ends{&bell, &bell},
-                                   makeStateTable(info, rt::StateTable::Readers::Here),
-                                   EventSet{0});
+  return reference::armChannel(reference::playedEnds(), "frame", EventSet{0});
 }
 
 void send(Channel& channel, std::uint64_t commands) { channel.commands.counters.sent += commands; }

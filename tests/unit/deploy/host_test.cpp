@@ -155,7 +155,7 @@ TEST(Host, RunsAndConnectsWhatTheFileSays) {
   host.start();
   const auto channels = host.manager().channels();
   ASSERT_EQ(channels.size(), 1u);
-  EXPECT_EQ(channels[0]->name, "all:Client/Arm -> all:PSM/Arm");
+  EXPECT_EQ(channels[0]->name(), "all:Client/Arm -> all:PSM/Arm");
   const auto deadline = suture::now() + kPatience;
   while (channels[0]->commands.counters.executed == 0 && suture::now() < deadline) {
     std::this_thread::yield();
@@ -175,10 +175,10 @@ TEST(Host, DelaysTheConnectionsOfWhichTheFileSaysSo) {
   ASSERT_EQ(channels.size(), 2u);
   EXPECT_EQ(channels[0]->lane, "local+delay");
   const auto deadline = suture::now() + kPatience;
-  while (channels[1]->commandAge.count() == 0 && suture::now() < deadline) {
+  while (channels[1]->commandAge->count() == 0 && suture::now() < deadline) {
     std::this_thread::yield();
   }
-  EXPECT_GE(channels[1]->commandAge.max(), 20ms);
+  EXPECT_GE(channels[1]->commandAge->max(), 20ms);
 }
 
 TEST(Host, UnknownClass) {

@@ -26,7 +26,7 @@ TEST_F(FrameConnections, OverTcpAreTheFastest) {
   begin("tcp://127.0.0.1:0");
   connect();
   EXPECT_EQ(channel()->lane, "frame");
-  EXPECT_EQ(channel()->laneReason, "the two processes are not reached by a Unix socket");
+  EXPECT_EQ(channel()->terms.laneReason, "the two processes are not reached by a Unix socket");
   EXPECT_EQ(outcomeOf(0.5), Errc{});
   EXPECT_TRUE(eventually([&] { return teleop.seen.load(); }));
 }
@@ -43,7 +43,7 @@ TEST_F(FrameConnections, AskedForOnAUnixSocketAreHad) {
   begin(unixAddress());
   connect(Lane::Frame);
   EXPECT_EQ(channel()->lane, "frame");
-  EXPECT_EQ(channel()->laneReason, "");
+  EXPECT_EQ(channel()->terms.laneReason, "");
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 
@@ -52,7 +52,7 @@ TEST_F(FrameConnections, ServeWhoMayOnlyRead) {
   begin(unixAddress(), readers);
   connect();
   EXPECT_EQ(channel()->lane, "frame");
-  EXPECT_EQ(channel()->laneReason, "the policy gives it for reading only");
+  EXPECT_EQ(channel()->terms.laneReason, "the policy gives it for reading only");
   EXPECT_EQ(outcomeOf(0.5), Errc::NotPermitted);
   EXPECT_TRUE(eventually([&] { return teleop.seen.load(); }));
 }
@@ -106,7 +106,8 @@ TEST_F(FrameConnections, ShareASocketWhenTheyComeBack) {
     EXPECT_TRUE(eventually([&] { return one->reachable.load(); }));
   }
   EXPECT_TRUE(eventually([&] { return teleop.reachable.load(); }));
-  for (const auto& one : console->channels()) EXPECT_EQ(one->lane, "frame") << one->laneReason;
+  for (const auto& one : console->channels())
+    EXPECT_EQ(one->lane, "frame") << one->terms.laneReason;
   EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
 }
 

@@ -107,8 +107,8 @@ struct Strangers {
     links.far->join(makeSide<ProviderSide>(far, 1, Form::Encoded, numbers));
     links.near->join(makeSide<ClientSide>(near, 1, Form::Encoded));
   }
-  static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
-    return reference::armChannel({.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
+  static std::shared_ptr<Channel> makeChannel() {
+    return reference::armChannel(reference::playedEnds(), "frame");
   }
   bool send(std::uint16_t command, std::uint32_t call) {
     if (!near->commands.claim(command, now(), call)) return false;
@@ -117,8 +117,7 @@ struct Strangers {
     return true;
   }
 
-  rt::Doorbell bell;
-  const std::shared_ptr<Channel> near = makeChannel(bell), far = makeChannel(bell);
+  const std::shared_ptr<Channel> near = makeChannel(), far = makeChannel();
   JoinedLinks links;
 };
 

@@ -23,12 +23,7 @@ const InterfaceInfo& contract() { return interfaceInfo<reference::ArmLike>(); }
 
 /// A channel in which everything is played by the test.
 struct Played {
-  Played()
-      : channel(reference::armChannel(
-            {.client = &client, .provider = &provider, .watcher = &watcher}, "frame")) {}
-
-  rt::Doorbell client, provider, watcher;
-  std::shared_ptr<Channel> channel;
+  std::shared_ptr<Channel> channel = reference::armChannel(reference::playedEnds(), "frame");
 };
 
 /// A peer that knows the form of frames.

@@ -50,9 +50,8 @@ struct Easel {
   explicit Easel(std::uint32_t number)
       : client(makeSide<ClientSide>(near, number)), provider(makeSide<ProviderSide>(far, number)) {}
 
-  static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
-    return reference::playedChannel(
-        easelContract(), {.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
+  static std::shared_ptr<Channel> makeChannel() {
+    return reference::playedChannel(easelContract(), reference::playedEnds(), "frame");
   }
   bool command(std::uint16_t command, std::uint32_t call, unsigned seed) {
     const auto memory = near->commands.claim(command, now(), call);
@@ -67,8 +66,7 @@ struct Easel {
     return far->commands.next();
   }
 
-  rt::Doorbell bell;
-  const std::shared_ptr<Channel> near = makeChannel(bell), far = makeChannel(bell);
+  const std::shared_ptr<Channel> near = makeChannel(), far = makeChannel();
   const std::shared_ptr<ClientSide> client;
   const std::shared_ptr<ProviderSide> provider;
 };

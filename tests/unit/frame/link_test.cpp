@@ -30,8 +30,8 @@ struct Pair {
   explicit Pair(std::uint32_t number)
       : client(makeSide<ClientSide>(near, number)), provider(makeSide<ProviderSide>(far, number)) {}
 
-  static std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell) {
-    return reference::armChannel({.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
+  static std::shared_ptr<Channel> makeChannel() {
+    return reference::armChannel(reference::playedEnds(), "frame");
   }
   bool hold() {
     if (!near->commands.claim(kHold, now(), 0)) return false;
@@ -53,8 +53,7 @@ struct Pair {
     return count;
   }
 
-  rt::Doorbell bell;
-  const std::shared_ptr<Channel> near = makeChannel(bell), far = makeChannel(bell);
+  const std::shared_ptr<Channel> near = makeChannel(), far = makeChannel();
   const std::shared_ptr<ClientSide> client;
   const std::shared_ptr<ProviderSide> provider;
 };
@@ -90,10 +89,8 @@ TEST_F(LinkTest, TellsWhatHasBecomeOfTheCommandsOfATinyContract) {
   InterfaceInfo contract{};
   contract.name = "Button";
   contract.commands = commands;
-  rt::Doorbell bell;
   const auto makeEnd = [&] {
-    return reference::playedChannel(
-        contract, {.client = &bell, .provider = &bell, .watcher = &bell}, "frame");
+    return reference::playedChannel(contract, reference::playedEnds(), "frame");
   };
   const auto client = makeEnd(), provider = makeEnd();
   far->join(makeSide<ProviderSide>(provider, 1));

@@ -13,12 +13,8 @@ using namespace std::chrono_literals;
 constexpr std::uint16_t kHoldMethod = 2, kStoppedMethod = 2;
 
 /// A channel to a process whose clock stands so to this one's.
-std::shared_ptr<Channel> makeChannel(rt::Doorbell& bell, Duration shift) {
-  return reference::armChannel({.client = &bell,
-                                .provider = &bell,
-                                .watcher = &bell,
-                                .peer = reference::peerWithClock(shift)},
-                               "frame");
+std::shared_ptr<Channel> makeChannel(Duration shift) {
+  return reference::armChannel(reference::playedEnds(reference::peerWithClock(shift)), "frame");
 }
 
 struct StampedEnds {
@@ -27,8 +23,7 @@ struct StampedEnds {
     links.near->join(makeSide<ClientSide>(near, 1, form));
   }
 
-  rt::Doorbell bell;
-  const std::shared_ptr<Channel> near = makeChannel(bell, -7s), far = makeChannel(bell, -5s);
+  const std::shared_ptr<Channel> near = makeChannel(-7s), far = makeChannel(-5s);
   JoinedLinks links;
 };
 

@@ -95,9 +95,8 @@ class InvalidEvents : public testing::Test {
   }
 
   rpc::ControlThread control_;
-  rt::Doorbell clientsBell_;
-  const std::shared_ptr<Channel> channel_ =
-      reference::armChannel({.client = &clientsBell_, .provider = &control_.doorbell()}, "rpc");
+  const std::shared_ptr<Channel> channel_ = reference::armChannel(
+      {.client = std::make_shared<rt::Doorbell>(), .provider = control_.sharedDoorbell()}, "rpc");
   kj::Maybe<Events> subscriber_;
   kj::Own<rpc::ProxyPort> port_;
 };
@@ -200,9 +199,9 @@ class InvalidCommands : public testing::Test {
   }
 
   rpc::ControlThread control_;
-  rt::Doorbell provider_;
   const std::shared_ptr<Channel> channel_ = reference::armChannel(
-      {.client = &control_.doorbell(), .provider = &provider_}, "rpc", EventSet{0});
+      {.client = control_.sharedDoorbell(), .provider = std::make_shared<rt::Doorbell>()}, "rpc",
+      EventSet{0});
   kj::Maybe<reference::wire::ArmLike::Client> arm_;
 };
 

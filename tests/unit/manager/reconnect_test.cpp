@@ -376,7 +376,7 @@ TEST(Reconnect, WhoHasResumedADeviceHasNotSeenALaterLoss) {
     EXPECT_TRUE(client.slave.hold());
     EXPECT_EQ(person.resume("Slave"), ResumeOutcome::Asked);
     for (const auto& one : here.channels()) {
-      if (one->watch != nullptr && one->name.find("Slave") != std::string::npos) lost = one;
+      if (one->terms.watch != nullptr && one->name().find("Slave") != std::string::npos) lost = one;
     }
     ASSERT_NE(lost, nullptr);
   }
@@ -387,7 +387,8 @@ TEST(Reconnect, WhoHasResumedADeviceHasNotSeenALaterLoss) {
   EXPECT_TRUE(eventually([&] {
     const auto channels = here.channels();
     return std::any_of(channels.begin(), channels.end(), [&](const auto& one) {
-      return one != lost && one->watch == lost->watch && one->status == ChannelStatus::Connected;
+      return one != lost && one->terms.watch == lost->terms.watch &&
+             one->status == ChannelStatus::Connected;
     });
   }));
   EXPECT_EQ(client.slave.hold().error(), Errc::AwaitingOperator);

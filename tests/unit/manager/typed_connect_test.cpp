@@ -43,7 +43,7 @@ TEST(TypedConnect, ConnectsTwoMembers) {
   manager.connect(client.arm, arm.arm);
   EXPECT_TRUE(client.arm.hold());
   EXPECT_EQ(arm.still.holds, 1);
-  EXPECT_EQ(manager.channels().at(0)->name, "here:Console/Arm -> here:PSM/Arm");
+  EXPECT_EQ(manager.channels().at(0)->name(), "here:Console/Arm -> here:PSM/Arm");
   EXPECT_NE(refusal([&] { manager.connect(client.arm, arm.arm); }).find("already connected"),
             std::string::npos);
 }

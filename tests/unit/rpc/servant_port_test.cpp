@@ -19,7 +19,7 @@ namespace {
 struct Provider {
   explicit Provider(ControlThread& control)
       : channel(reference::armChannel(
-            {.client = &control.doorbell(), .provider = &bell, .watcher = &bell}, "rpc")),
+            {.client = control.sharedDoorbell(), .provider = bell, .watcher = bell.get()}, "rpc")),
         port(kj::refcounted<ServantPort>(control, channel, std::make_shared<LinkCounters>())),
         arm(capnp::Capability::Client(kj::heap<Servant>(kj::addRef(*port)))
                 .castAs<reference::wire::ArmLike>()) {}
@@ -33,7 +33,7 @@ struct Provider {
     return channel->commands.next()->call;
   }
 
-  rt::Doorbell bell;
+  const std::shared_ptr<rt::Doorbell> bell = std::make_shared<rt::Doorbell>();
   const std::shared_ptr<Channel> channel;
   kj::Own<ServantPort> port;
   reference::wire::ArmLike::Client arm;

@@ -24,10 +24,12 @@ constexpr std::uint16_t kStopped = 2;
 
 /// A channel of which one end belongs to the control thread, to a process whose clock stands so to
 /// this one's.
-std::shared_ptr<Channel> makeChannel(rt::Doorbell& client, rt::Doorbell& provider, Duration shift) {
-  return reference::armChannel({.client = &client,
-                                .provider = &provider,
-                                .watcher = &client,
+std::shared_ptr<Channel> makeChannel(const std::shared_ptr<rt::Doorbell>& client,
+                                     const std::shared_ptr<rt::Doorbell>& provider,
+                                     Duration shift) {
+  return reference::armChannel({.client = client,
+                                .provider = provider,
+                                .watcher = client.get(),
                                 .peer = reference::peerWithClock(shift)},
                                "rpc");
 }
@@ -68,9 +70,9 @@ class CallStamps : public testing::Test {
   }
 
   ControlThread control_;
-  rt::Doorbell bell_;
-  const std::shared_ptr<Channel> near_ = makeChannel(bell_, control_.doorbell(), -7s);
-  const std::shared_ptr<Channel> far_ = makeChannel(control_.doorbell(), bell_, 0s);
+  const std::shared_ptr<rt::Doorbell> bell_ = std::make_shared<rt::Doorbell>();
+  const std::shared_ptr<Channel> near_ = makeChannel(bell_, control_.sharedDoorbell(), -7s);
+  const std::shared_ptr<Channel> far_ = makeChannel(control_.sharedDoorbell(), bell_, 0s);
   kj::Own<ServantPort> servant_;
   kj::Own<ProxyPort> proxy_;
   kj::Own<Link> providersLink_, clientsLink_;

@@ -30,13 +30,13 @@ class HopefulLane final : public LaneKind {
  private:
   struct Attempt final : LaneAttempt {
     void request(capnp::AnyPointer::Builder) override {}
-    kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader, std::uint32_t) override {
+    kj::Promise<OpenedEnd> open(OutgoingConnection, capnp::AnyPointer::Reader) override {
       return rpc::failure(kj::Exception::Type::FAILED, "nobody accepts");
     }
   };
   struct Client final : LaneClient {
     std::string whyNot(const OutgoingConnection&) const override { return ""; }
-    kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection) override {
+    kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection&) override {
       return kj::Own<LaneAttempt>(kj::heap<Attempt>());
     }
   };
@@ -61,7 +61,7 @@ TEST_F(LaneChoice, TheNextSlowerLaneCarriesWhatTheOneAskedForCannot) {
   begin(kTcp);
   EXPECT_EQ(refusalOf({.lane = Lane::Shm}), "");
   EXPECT_EQ(channel()->lane, "frame");
-  EXPECT_EQ(channel()->laneReason, "the two processes are not reached by a Unix socket");
+  EXPECT_EQ(channel()->terms.laneReason, "the two processes are not reached by a Unix socket");
 }
 
 TEST_F(LaneChoice, ARequiredLaneThatCannotBeHadIsAnError) {

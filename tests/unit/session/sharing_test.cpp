@@ -56,7 +56,7 @@ TEST_P(Sharing, MoreConnectionsNeedNoMoreSockets) {
     EXPECT_EQ(openMemory(), memory);
   }
   for (const auto& one : console->channels()) {
-    EXPECT_EQ(one->lane, toString(GetParam().lane)) << one->laneReason;
+    EXPECT_EQ(one->lane, toString(GetParam().lane)) << one->terms.laneReason;
   }
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
@@ -106,7 +106,7 @@ TEST_P(Sharing, AllComeBackToASessionOfTheNextProcess) {
   for (const auto& one : others) EXPECT_TRUE(eventually([&] { return one->reachable.load(); }));
   EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
   for (const auto& one : console->channels()) {
-    EXPECT_EQ(one->lane, toString(GetParam().lane)) << one->laneReason;
+    EXPECT_EQ(one->lane, toString(GetParam().lane)) << one->terms.laneReason;
   }
 }
 

@@ -12,21 +12,21 @@ TEST_F(SharedConnections, OnOneMachineAreTheFastest) {
   begin(unixAddress());
   connect();
   EXPECT_EQ(channel()->lane, "shm");
-  EXPECT_EQ(channel()->laneReason, "");
+  EXPECT_EQ(channel()->terms.laneReason, "");
 }
 
 TEST_F(SharedConnections, CanBeDoneWithout) {
   begin(unixAddress());
   connect(Lane::Rpc);
   EXPECT_EQ(channel()->lane, "rpc");
-  EXPECT_EQ(channel()->laneReason, "");
+  EXPECT_EQ(channel()->terms.laneReason, "");
 }
 
 TEST_F(SharedConnections, OverTcpFallBackToFramesAndSayWhy) {
   begin("tcp://127.0.0.1:0");
   connect(Lane::Shm);
   EXPECT_EQ(channel()->lane, "frame");
-  EXPECT_EQ(channel()->laneReason, "the two processes are not reached by a Unix socket");
+  EXPECT_EQ(channel()->terms.laneReason, "the two processes are not reached by a Unix socket");
 }
 
 TEST_F(SharedConnections, RefuseWhatIsOutOfRangeAndNoNumber) {

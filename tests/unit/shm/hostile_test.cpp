@@ -136,12 +136,13 @@ struct SharedConnection {
   const InterfaceInfo& contract = interfaceInfo<ArmLike>();
   shm::SharedOffer offer = shm::offerShared({.provided = psm.port,
                                              .contract = contract,
-                                             .name = "test",
+                                             .terms = {.name = "test"},
                                              .events = ~EventSet{0},
-                                             .provider = psm.doorbell()},
+                                             .provider = psm.sharedDoorbell()},
                                             teleop.doorbell().share(), watcher);
-  std::shared_ptr<Channel> client = shm::takeShared(contract, "test", teleop.sharedDoorbell(),
-                                                    mappedAgain(offer.parts, contract));
+  std::shared_ptr<Channel> client = shm::takeShared(
+      {.contract = contract, .terms = {.name = "test"}, .client = teleop.sharedDoorbell()},
+      mappedAgain(offer.parts, contract));
 };
 
 class HostileProvider : public SharedConnection, public testing::Test {};

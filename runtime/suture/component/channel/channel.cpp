@@ -35,6 +35,10 @@ rt::Producers eventProducers(const Channel::Ends& ends) {
   return ofTask ? rt::Producers::One : rt::Producers::Any;
 }
 
+std::unique_ptr<rt::Histogram> agesUnless(ConnectionEnd other, ConnectionEnd components) {
+  return components == other ? nullptr : std::make_unique<rt::Histogram>();
+}
+
 std::size_t replyBytes(const InterfaceInfo& info) {
   const CallLimit limit = callLimitOf(info);
   return limit.calls * rt::SpscRing::recordSize(sizeof(ReplyRecord) + limit.largestResult);
@@ -47,23 +51,24 @@ unsigned rowsOf(const std::vector<std::uint32_t>& sizes) {
 
 }  // namespace
 
-Channel::Channel(const InterfaceInfo& contract, std::string channelName, std::string laneName,
-                 Ends bothEnds, std::shared_ptr<rt::StateTable> table, EventSet subscribedEvents,
-                 Arena memory)
+Channel::Channel(const InterfaceInfo& contract, Terms agreed, std::string laneName, Ends bothEnds,
+                 std::shared_ptr<rt::StateTable> table, EventSet subscribedEvents, Arena memory)
     : info(contract),
-      name(std::move(channelName)),
+      terms(std::move(agreed)),
       lane(std::move(laneName)),
-      ends(bothEnds),
+      ends(std::move(bothEnds)),
       state(std::move(table)),
       foreign(memory.foreign()),
       words_(memory.make<Words>()),
       commands(commandLimits(contract), memory),
       replies(replyBytes(contract), memory),
-      events(eventLimits(contract), eventProducers(bothEnds), memory),
+      events(eventLimits(contract), eventProducers(ends), memory),
       counts(std::make_shared<ChannelCounts>(commands.sharedCounters(), events.sharedCounters(),
                                              foreign)),
       direct(contract.events.size()),
       wantsRows(words_->wantsRows),
+      readAge(agesUnless(ConnectionEnd::Provider, ends.components)),
+      commandAge(agesUnless(ConnectionEnd::Client, ends.components)),
       lease(ends.peer, ends.silence),
       untaken(words_->untaken) {
   if (!memory.fresh()) return;
@@ -92,9 +97,8 @@ bool Channel::admitsResult(const CommandInfo& command, const std::byte* result) 
   return lastInvalid.note(path), false;
 }
 
-// A provider in this process was judged when it produced the value; the build
-// of another process may admit more than this one, and no thread before the
-// reader's looks at what it sent.
+// A provider in this process was judged when it produced the value; the build of another process
+// may admit more than this one, and no thread before the reader's looks at what it sent.
 bool Channel::admitsCopy(const CommandInfo& command, const std::byte* result) {
   if (ends.here != nullptr || command.admitsResult(result)) return true;
   return admitsResult(command, result);  // once more, to note where
@@ -137,7 +141,7 @@ void Channel::tell(ChannelStatus news) {
 void Channel::noteStatus(ChannelStatus news) const {
   VirtualTime* const time = virtualTime();
   if (time == nullptr) return;
-  time->note(VirtualTime::Kind::Status, name.c_str(), lane.c_str(),
+  time->note(VirtualTime::Kind::Status, name().c_str(), lane.c_str(),
              static_cast<std::uint64_t>(news));
 }
 
@@ -149,9 +153,9 @@ Errc Channel::begin(bool looksAtClock) {
 }
 
 ResumeOutcome Channel::resume() {
-  if (watch == nullptr || !watch->awaitsOperator) return ResumeOutcome::NotAwaiting;
+  if (terms.watch == nullptr || !terms.watch->awaitsOperator) return ResumeOutcome::NotAwaiting;
   if (errorOf(status.load(std::memory_order_acquire)) != Errc{}) return ResumeOutcome::ProviderLost;
-  watch->awaitsOperator = false;
+  terms.watch->awaitsOperator = false;
   return ResumeOutcome::Resumed;
 }
 
@@ -159,8 +163,7 @@ void Channel::replyError(std::uint32_t call, Errc error) {
   reply(call, {}, [error](std::byte*) { return error; });
 }
 
-// Releases the answers that nobody took; in foreign memory, no result owns
-// memory.
+// Releases the answers that nobody took; in foreign memory, no result owns memory.
 Channel::~Channel() {
   while (!foreign && nextReply() != nullptr) popReply();
 }
@@ -174,8 +177,7 @@ ReplyRecord* Channel::nextReply() {
   }
 }
 
-// The peer controls this memory: never release a pointer that it chose, and
-// clamp its stamp.
+// The peer controls this memory: never release a pointer that it chose, and clamp its stamp.
 ReplyRecord* Channel::makePossible(std::byte* memory) {
   memory[offsetof(ReplyRecord, shared)] = std::byte{0};
   auto* const reply = reinterpret_cast<ReplyRecord*>(memory);

@@ -8,14 +8,13 @@
 namespace suture {
 namespace {
 
-// The provider lets go in its own time, and may be gone: ring only a bell that
-// is shared.
+// The provider lets go in its own time.
 void giveUp(const std::shared_ptr<Channel>& channel) {
   if (channel == nullptr) return;
   channel->cut();
   channel->status = ChannelStatus::Closed;
   channel->direct.clear();
-  if (channel->providersBell != nullptr) channel->providersBell->ring();
+  channel->ends.provider->ring();
 }
 
 }  // namespace
@@ -44,8 +43,8 @@ void Attachment::adopt() {
   if (!rewired()) return;
   const std::unique_ptr<std::shared_ptr<Channel>> arrived(
       incoming_.exchange(nullptr, std::memory_order_acq_rel));
-  const bool madeAnew =
-      channel_ != nullptr && *arrived != nullptr && channel_->watch == (*arrived)->watch;
+  const bool madeAnew = channel_ != nullptr && *arrived != nullptr &&
+                        channel_->terms.watch == (*arrived)->terms.watch;
   if (madeAnew) noticeLoss();
   for (User* const user : users_) user->leave();
   giveUp(channel_);
@@ -57,7 +56,7 @@ void Attachment::adopt() {
 }
 
 void Attachment::noticeLoss() {
-  if (channel_ == nullptr || channel_->watch == nullptr) return;
+  if (channel_ == nullptr || channel_->terms.watch == nullptr) return;
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
   const std::uint32_t faults = channel_->faults.load(std::memory_order_acquire);
   const bool lost = status == ChannelStatus::Lost || status == ChannelStatus::Faulted;
@@ -65,11 +64,11 @@ void Attachment::noticeLoss() {
   lossNoticed_ = lost;
   faultsNoticed_ = faults;
   if (!news) return;
-  ConnectionWatch& watch = *channel_->watch;
+  ConnectionWatch& watch = *channel_->terms.watch;
   watch.losses.fetch_add(1, std::memory_order_relaxed);
   if (watch.contract.resume == Resume::Operator) watch.awaitsOperator = true;
   if (watch.contract.onLoss == Fallback::Fault) {
-    owner_.park("connection '" + channel_->name + "' is lost, and its on_loss is fault",
+    owner_.park("connection '" + channel_->name() + "' is lost, and its on_loss is fault",
                 FaultCause::Connection);
   }
 }
@@ -92,21 +91,20 @@ Errc Attachment::unusable() {
 Errc Attachment::unusable(std::uint16_t command) {
   const Errc error = unusable();
   if (error != Errc{}) return error;
-  const std::vector<std::uint16_t>& lacking = channel_->lacking;
+  const std::vector<std::uint16_t>& lacking = channel_->terms.lacking;
   if (std::binary_search(lacking.begin(), lacking.end(), command)) return Errc::NotImplemented;
   return awaitsOperator(command) ? Errc::AwaitingOperator : Errc{};
 }
 
 // Reads and qualified reads await no operator, since questions move nothing.
 bool Attachment::awaitsOperator(std::uint16_t command) const {
-  if (channel_->watch == nullptr || !channel_->watch->awaitsOperator) return false;
+  if (channel_->terms.watch == nullptr || !channel_->terms.watch->awaitsOperator) return false;
   const CommandKind kind = info_.commands[command].kind;
   return kind != CommandKind::Read && kind != CommandKind::QualifiedRead;
 }
 
-// Only asks a device, whose required interfaces belong to another thread than
-// its commands. Whoever resumes a connection has not seen what is lost since,
-// so that awaits its operator.
+// Only asks a device, whose required interfaces belong to another thread than its commands. Whoever
+// resumes a connection has not seen what is lost since, so that awaits its operator.
 ResumeOutcome Attachment::resume() {
   if (!owner_.ownsThread()) {
     resumeAsked_ = true;
@@ -119,15 +117,16 @@ ResumeOutcome Attachment::resume() {
 }
 
 std::pair<const void*, std::uint64_t> Attachment::losses() const {
-  const ConnectionWatch* const watch = channel_ == nullptr ? nullptr : channel_->watch.get();
+  const ConnectionWatch* const watch = channel_ == nullptr ? nullptr : channel_->terms.watch.get();
   return {watch, watch == nullptr ? 0 : watch->losses.load(std::memory_order_relaxed)};
 }
 
 void Attachment::watch(ProvidedBase& own) {
-  rt::Doorbell& bell = owner_.doorbell();
-  channel_ = std::make_shared<Channel>(info_, owner_.name() + "/" + name_, "own",
-                                       Channel::Ends{.client = &bell, .provider = &bell},
-                                       own.state(), EventSet{0});
+  const std::shared_ptr<rt::Doorbell> bell = owner_.sharedDoorbell();
+  channel_ = std::make_shared<Channel>(
+      info_, Channel::Terms{.name = owner_.name() + "/" + name_}, "own",
+      Channel::Ends{.client = bell, .provider = bell, .components = ConnectionEnd::Client},
+      own.state(), EventSet{0});
 }
 
 }  // namespace suture

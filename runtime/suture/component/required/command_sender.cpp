@@ -50,7 +50,7 @@ bool CommandSender::admitsResult(std::uint16_t command, const std::byte* result)
 }
 
 Duration CommandSender::deadlineOf(std::uint16_t command) const {
-  const ConnectionWatch* const watch = attachment_.channel()->watch.get();
+  const ConnectionWatch* const watch = attachment_.channel()->terms.watch.get();
   const bool agreed = watch != nullptr && watch->contract.deadline > Duration{0};
   return agreed ? watch->contract.deadline : infoOf(command).deadline;
 }

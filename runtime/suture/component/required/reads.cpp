@@ -9,8 +9,8 @@
 namespace suture {
 namespace {
 
-// The client's thread alone counts what arrives there, so a read need not pay
-// for an addition that others could join.
+// The client's thread alone counts what arrives there, so a read need not pay for an addition that
+// others could join.
 void countRead(Channel& channel, unsigned column) {
   if (!channel.foreign) return;
   const std::uint64_t before = channel.bytesReceived.load(std::memory_order_relaxed);
@@ -90,22 +90,22 @@ Sample<void> Reads::readRow(const Time* at, std::span<const std::uint16_t> comma
     }
     if (!admits(commands[i], slots[i])) return whyNot(Errc::Invalid);
   }
-  if (loss != Errc{}) return fallBack(channel.watch->contract.onLoss, loss, row.stamp);
+  if (loss != Errc{}) return fallBack(channel.terms.watch->contract.onLoss, loss, row.stamp);
   if (at != nullptr) return Sample<void>(row.stamp);
   noteRead(row.stamp);
   return judgeAge(row.stamp);
 }
 
-// Looks at the clock once for a row that is read many times, and then at every
-// 16th read: asking for the time takes longer than the read itself.
+// Looks at the clock once for a row that is read many times, and then at every 16th read: asking
+// for the time takes longer than the read itself.
 void Reads::noteRead(Time stamp) {
   if (stamp == lastRead_ && ++repeatedReads_ % 16 != 0) return;
   lastRead_ = stamp;
-  attachment_.channel()->readAge.record(now() - stamp);
+  attachment_.channel()->readAge->record(now() - stamp);
 }
 
 Sample<void> Reads::judgeAge(Time stamp) {
-  ConnectionWatch* const watch = attachment_.channel()->watch.get();
+  ConnectionWatch* const watch = attachment_.channel()->terms.watch.get();
   if (watch == nullptr || watch->contract.maxAge == Duration{0}) return Sample<void>(stamp);
   if (now() - stamp <= watch->contract.maxAge) return Sample<void>(stamp);
   watch->staleReads.fetch_add(1, std::memory_order_relaxed);
@@ -114,7 +114,8 @@ Sample<void> Reads::judgeAge(Time stamp) {
 }
 
 bool Reads::ruledByContract(Errc error) const {
-  return (error == Errc::Lost || error == Errc::Faulted) && attachment_.channel()->watch != nullptr;
+  return (error == Errc::Lost || error == Errc::Faulted) &&
+         attachment_.channel()->terms.watch != nullptr;
 }
 
 Sample<void> Reads::judgeLoss(Errc error, std::uint16_t command, std::byte* slot) {
@@ -122,12 +123,12 @@ Sample<void> Reads::judgeLoss(Errc error, std::uint16_t command, std::byte* slot
   const Channel& channel = *attachment_.channel();
   const Result<Time> stamp = channel.state->read(columnOf(command), slot);
   if (!stamp || !admits(command, slot)) return error;
-  return fallBack(channel.watch->contract.onLoss, error, *stamp);
+  return fallBack(channel.terms.watch->contract.onLoss, error, *stamp);
 }
 
 Sample<void> Reads::fallBack(Fallback fallback, Errc error, Time stamp) {
   if (fallback == Fallback::Fault && error == Errc::Stale) {
-    attachment_.owner().park("connection '" + attachment_.channel()->name + "': a value was " +
+    attachment_.owner().park("connection '" + attachment_.channel()->name() + "': a value was " +
                                  std::to_string((now() - stamp) / std::chrono::milliseconds(1)) +
                                  " ms old, beyond its max_age, and its on_stale is fault",
                              FaultCause::Connection);
@@ -138,7 +139,7 @@ Sample<void> Reads::fallBack(Fallback fallback, Errc error, Time stamp) {
 
 bool Reads::zeroes(const Sample<void>& answer) const {
   if (!answer || answer.error() == Errc{}) return false;
-  const ConnectionContract& contract = attachment_.channel()->watch->contract;
+  const ConnectionContract& contract = attachment_.channel()->terms.watch->contract;
   return (answer.error() == Errc::Stale ? contract.onStale : contract.onLoss) == Fallback::Zero;
 }
 

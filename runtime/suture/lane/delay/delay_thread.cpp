@@ -31,18 +31,14 @@ std::shared_ptr<Channel> DelayThread::interpose(const RequiredBase& required,
                                                 const ConnectionDelay& delay) {
   auto state = makeStateTable(required.info(), rt::StateTable::Readers::Here);
   state->resize(static_cast<unsigned>(far->state->capacity()));
-  const std::shared_ptr<rt::Doorbell> bell = required.owner().sharedDoorbell();
-  const Channel::Ends ends{.client = bell.get(),
-                           .provider = &doorbell(),
+  const Channel::Ends ends{.client = required.owner().sharedDoorbell(),
+                           .provider = sharedDoorbell(),
+                           .components = ConnectionEnd::Client,
                            .peer = far->ends.peer,
                            .silence = far->ends.silence};
-  auto near = std::make_shared<Channel>(required.info(), far->name,
+  auto near = std::make_shared<Channel>(required.info(), far->terms,
                                         far->lane + (delay.faults.any() ? "+fault" : "+delay"),
                                         ends, std::move(state), far->subscribed());
-  near->clientsBell = bell;
-  near->providersBell = sharedDoorbell();
-  near->lacking = far->lacking;
-  near->watch = far->watch;
   auto connection = std::make_unique<DelayedConnection>(near, std::move(far), delay);
   {
     const std::lock_guard lock(mutex_);

@@ -62,25 +62,26 @@ std::vector<std::uint16_t> numbersOf(capnp::List<wire::FrameRequest::Method>::Re
 class FrameAttempt final : public LaneAttempt {
  public:
   /// `mayBeSlots`: slots mean the same in both processes, if they lie in memory alike.
-  FrameAttempt(FrameLane& lane, rpc::ControlThread& control, OutgoingConnection connection,
+  FrameAttempt(FrameLane& lane, rpc::ControlThread& control, const InterfaceInfo& contract,
                std::shared_ptr<SessionLink> link, bool mayBeSlots)
       : lane_(lane),
         control_(control),
-        connection_(std::move(connection)),
+        contract_(contract),
         link_(std::move(link)),
         mayBeSlots_(mayBeSlots) {}
 
   void request(capnp::AnyPointer::Builder out) override {
     auto request = out.initAs<wire::FrameRequest>();
-    if (mayBeSlots_) request.setLayout(textOf(memoryLayout(connection_.contract)));
+    if (mayBeSlots_) request.setLayout(textOf(memoryLayout(contract_)));
     request.setSocket(link_->number);
-    nameCommands(connection_.contract, request);
+    nameCommands(contract_, request);
   }
 
-  kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t rows) override {
+  kj::Promise<OpenedEnd> open(OutgoingConnection connection,
+                              capnp::AnyPointer::Reader answer) override {
     const auto accepted = answer.getAs<wire::FrameAnswer>();
     const Form form = accepted.getEncoded() ? Form::Encoded : Form::Slots;
-    return openFramed(connection_, rows,
+    return openFramed(std::move(connection),
                       {lane_.name(), lane_.thread(), link_->link, accepted.getConnection(), form},
                       control_);
   }
@@ -88,7 +89,7 @@ class FrameAttempt final : public LaneAttempt {
  private:
   FrameLane& lane_;
   rpc::ControlThread& control_;
-  const OutgoingConnection connection_;
+  const InterfaceInfo& contract_;
   const std::shared_ptr<SessionLink> link_;
   const bool mayBeSlots_;
 };
@@ -106,15 +107,15 @@ class FrameClient final : public LaneClient {
     return whyUnbounded(connection.contract);
   }
 
-  kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection connection) override {
+  kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection& connection) override {
     return opened_.get([this] { return open(); })
-        .then([this, connection = std::move(connection)](
-                  std::shared_ptr<SessionLink>&& link) mutable -> kj::Own<LaneAttempt> {
+        .then([this, &contract = connection.contract](
+                  std::shared_ptr<SessionLink>&& link) -> kj::Own<LaneAttempt> {
           link_ = link;
-          const bool mayBeSlots = lane_.form() == Form::Slots &&
-                                  (session_.hasOneClock() || !hidesStamps(connection.contract));
-          return kj::heap<FrameAttempt>(lane_, session_.control(), std::move(connection),
-                                        std::move(link), mayBeSlots);
+          const bool mayBeSlots =
+              lane_.form() == Form::Slots && (session_.hasOneClock() || !hidesStamps(contract));
+          return kj::heap<FrameAttempt>(lane_, session_.control(), contract, std::move(link),
+                                        mayBeSlots);
         });
   }
 

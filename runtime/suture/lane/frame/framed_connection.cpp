@@ -9,13 +9,12 @@
 
 namespace suture::frame {
 
-OpenedEnd openFramed(const OutgoingConnection& connection, std::uint32_t rows, const FramedOn& on,
+OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
                      rpc::ControlThread& control) {
   const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
-  auto channel = mirroredChannel(connection, on.lane, *bell, control, rows);
-  channel->providersBell = bell;
+  auto channel = mirroredChannel(std::move(connection), on.lane, bell, control);
   const auto side =
-      std::make_shared<ClientSide>(channel, makePayloads(connection.contract, on.form), on.number);
+      std::make_shared<ClientSide>(channel, makePayloads(channel->info, on.form), on.number);
   auto end = kj::refcounted<FrameEnd>(control, channel, side);
   auto broken = end->whenBroken();
   on.link->join(side);
@@ -27,15 +26,15 @@ AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& o
                          rpc::ControlThread& control, std::vector<std::uint16_t> commands) {
   const InterfaceInfo& contract = connection.contract;
   const std::shared_ptr<rt::Doorbell> bell = on.thread.doorbell();
-  const Channel::Ends ends{.client = bell.get(),
-                           .provider = &connection.provider,
+  const Channel::Ends ends{.client = bell,
+                           .provider = connection.provider,
+                           .components = ConnectionEnd::Provider,
                            .here = &connection.provided,
                            .watcher = &control.doorbell(),
                            .peer = connection.peer,
                            .silence = connection.silence};
-  auto channel = std::make_shared<Channel>(contract, connection.name, on.lane, ends,
+  auto channel = std::make_shared<Channel>(contract, connection.terms, on.lane, ends,
                                            connection.provided.state(), connection.events);
-  channel->clientsBell = bell;
   auto end = kj::refcounted<StatusPort>(control, channel);
   const auto side = std::make_shared<ProviderSide>(channel, makePayloads(contract, on.form),
                                                    on.number, std::move(commands));

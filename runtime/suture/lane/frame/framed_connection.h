@@ -22,7 +22,7 @@ struct FramedOn {
 };
 
 /// The client's end. `rows`: as many as the provider keeps. The control thread.
-OpenedEnd openFramed(const OutgoingConnection& connection, std::uint32_t rows, const FramedOn& on,
+OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
                      rpc::ControlThread& control);
 
 /// The provider's end. `commands`: by the number that the client gives a command, its number here;

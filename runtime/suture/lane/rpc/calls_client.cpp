@@ -27,16 +27,17 @@ bool isLarge(const InterfaceInfo& contract) {
 /// The link lives as long as the client's end.
 class CallsAttempt final : public LaneAttempt {
  public:
-  CallsAttempt(OutgoingConnection connection, std::shared_ptr<CallsLink> link,
-               ControlThread& control)
-      : connection_(std::move(connection)), link_(std::move(link)), control_(control) {}
+  CallsAttempt(std::shared_ptr<CallsLink> link, ControlThread& control)
+      : link_(std::move(link)), control_(control) {}
 
   void request(capnp::AnyPointer::Builder out) override {
     out.initAs<wire::CallsRequest>().setSocket(link_->number());
   }
 
-  kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t rows) override {
-    auto channel = mirroredChannel(connection_, "rpc", control_.doorbell(), control_, rows);
+  kj::Promise<OpenedEnd> open(OutgoingConnection connection,
+                              capnp::AnyPointer::Reader answer) override {
+    auto channel =
+        mirroredChannel(std::move(connection), "rpc", control_.sharedDoorbell(), control_);
     auto port = kj::refcounted<ProxyPort>(control_, channel, link_->counters());
     port->open(link_->contract(answer.getAs<wire::CallsAnswer>().getConnection()));
     auto broken = link_->whenBroken().attach(std::shared_ptr(link_));
@@ -44,7 +45,6 @@ class CallsAttempt final : public LaneAttempt {
   }
 
  private:
-  const OutgoingConnection connection_;
   const std::shared_ptr<CallsLink> link_;
   ControlThread& control_;
 };
@@ -72,11 +72,10 @@ capnp::Capability::Client CallsLink::contract(std::uint32_t connection) {
 
 void CallsLink::bear(Duration silence) const { breakWhenUnanswered(socket_, silence); }
 
-kj::Promise<kj::Own<LaneAttempt>> CallsClient::attempt(OutgoingConnection connection) {
+kj::Promise<kj::Own<LaneAttempt>> CallsClient::attempt(const OutgoingConnection& connection) {
   return linkFor(connection.contract)
-      .then([this, connection = std::move(connection)](
-                std::shared_ptr<CallsLink>&& link) mutable -> kj::Own<LaneAttempt> {
-        return kj::heap<CallsAttempt>(std::move(connection), std::move(link), session_.control());
+      .then([this](std::shared_ptr<CallsLink>&& link) -> kj::Own<LaneAttempt> {
+        return kj::heap<CallsAttempt>(std::move(link), session_.control());
       });
 }
 

@@ -40,7 +40,7 @@ class CallsClient final : public LaneClient {
   explicit CallsClient(ClientSession& session) : session_(session) {}
 
   std::string whyNot(const OutgoingConnection&) const override { return ""; }
-  kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection connection) override;
+  kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection& connection) override;
   void bear(Duration silence) override;
 
  private:

@@ -34,15 +34,13 @@ class CallsServer::Bootstrap final : public wire::Calls::Server {
 
 std::shared_ptr<Channel> callsChannel(ControlThread& control,
                                       const IncomingConnection& connection) {
-  const std::shared_ptr<rt::Doorbell> bell = control.sharedDoorbell();
-  const Channel::Ends ends{.client = bell.get(),
-                           .provider = &connection.provider,
+  const Channel::Ends ends{.client = control.sharedDoorbell(),
+                           .provider = connection.provider,
+                           .components = ConnectionEnd::Provider,
                            .peer = connection.peer,
                            .silence = connection.silence};
-  auto channel = std::make_shared<Channel>(connection.provided.info(), connection.name, "rpc", ends,
-                                           connection.provided.state(), connection.events);
-  channel->clientsBell = bell;
-  return channel;
+  return std::make_shared<Channel>(connection.provided.info(), connection.terms, "rpc", ends,
+                                   connection.provided.state(), connection.events);
 }
 
 kj::Own<ServantPort> serveCalls(ControlThread& control, const IncomingConnection& connection,

@@ -47,39 +47,36 @@ SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<Me
   SharedOffer offer;
   offer.parts.channel = std::make_shared<MemoryBlock>("suture-channel", channelBytes(contract));
   offer.parts.state = provided.state()->memory();
-  offer.parts.bell = connection.provider.share();
+  offer.parts.bell = connection.provider->share();
   offer.parts.columns = columnSizes(*provided.state());
   offer.parts.rows = static_cast<std::uint32_t>(provided.state()->capacity());
   const auto clientsBell = std::make_shared<rt::Doorbell>(std::move(client), kElsewhere);
   Arena arena(offer.parts.channel, Arena::Content::Zeros);
   const auto asked = arena.make<Asked>();
-  const Channel::Ends ends{.client = clientsBell.get(),
-                           .provider = &connection.provider,
+  const Channel::Ends ends{.client = clientsBell,
+                           .provider = connection.provider,
+                           .components = ConnectionEnd::Provider,
                            .here = &provided,
                            .watcher = &watcher,
                            .peer = connection.peer,
-                           .silence = connection.silence};
-  offer.channel = std::make_shared<Channel>(contract, connection.name, "shm", ends,
+                           .silence = connection.silence,
+                           .asked = asked};
+  offer.channel = std::make_shared<Channel>(contract, connection.terms, "shm", ends,
                                             provided.state(), connection.events, arena);
-  offer.channel->clientsBell = clientsBell;
-  offer.channel->asked = asked;
   return offer;
 }
 
-std::shared_ptr<Channel> takeShared(const InterfaceInfo& contract, const std::string& name,
-                                    std::shared_ptr<rt::Doorbell> client,
-                                    const SharedParts& parts) {
-  requireColumns(contract, name, parts.columns);
+std::shared_ptr<Channel> takeShared(OutgoingConnection connection, const SharedParts& parts) {
+  requireColumns(connection.contract, connection.terms.name, parts.columns);
   Arena arena(parts.channel, Arena::Content::Made);
   auto state =
       std::make_shared<rt::StateTable>(parts.columns, parts.rows, parts.state, arena.make<Asked>());
-  const auto providersBell = std::make_shared<rt::Doorbell>(parts.bell, kElsewhere);
-  auto channel = std::make_shared<Channel>(
-      contract, name, "shm", Channel::Ends{.client = client.get(), .provider = providersBell.get()},
+  return std::make_shared<Channel>(
+      connection.contract, std::move(connection.terms), "shm",
+      Channel::Ends{.client = std::move(connection.client),
+                    .provider = std::make_shared<rt::Doorbell>(parts.bell, kElsewhere),
+                    .components = ConnectionEnd::Client},
       std::move(state), EventSet{0}, arena);
-  channel->clientsBell = std::move(client);
-  channel->providersBell = providersBell;
-  return channel;
 }
 
 }  // namespace suture::shm

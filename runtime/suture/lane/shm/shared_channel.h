@@ -36,7 +36,6 @@ std::size_t channelBytes(const InterfaceInfo& contract);
 std::size_t stateBytes(const SharedParts& parts);
 
 /// Makes the client's end. Throws SetupError if `parts` are not what the contract needs.
-std::shared_ptr<Channel> takeShared(const InterfaceInfo& contract, const std::string& name,
-                                    std::shared_ptr<rt::Doorbell> client, const SharedParts& parts);
+std::shared_ptr<Channel> takeShared(OutgoingConnection connection, const SharedParts& parts);
 
 }  // namespace suture::shm

@@ -14,25 +14,27 @@ namespace {
 
 class SharedAttempt final : public LaneAttempt {
  public:
-  explicit SharedAttempt(OutgoingConnection connection) : connection_(std::move(connection)) {}
+  explicit SharedAttempt(const OutgoingConnection& connection)
+      : contract_(connection.contract), client_(connection.client) {}
 
   void request(capnp::AnyPointer::Builder out) override {
     auto request = out.initAs<wire::SharedRequest>();
-    request.setLayout(textOf(memoryLayout(connection_.contract)));
-    request.setBell(handOut(connection_.client->share()));
+    request.setLayout(textOf(memoryLayout(contract_)));
+    request.setBell(handOut(client_->share()));
   }
 
-  kj::Promise<OpenedEnd> open(capnp::AnyPointer::Reader answer, std::uint32_t) override {
-    return receive(answer.getAs<wire::SharedChannel>(), connection_.contract)
-        .then([this](const SharedParts& parts) -> OpenedEnd {
-          auto channel =
-              takeShared(connection_.contract, connection_.name, connection_.client, parts);
+  kj::Promise<OpenedEnd> open(OutgoingConnection connection,
+                              capnp::AnyPointer::Reader answer) override {
+    return receive(answer.getAs<wire::SharedChannel>(), contract_)
+        .then([connection = std::move(connection)](const SharedParts& parts) mutable -> OpenedEnd {
+          auto channel = takeShared(std::move(connection), parts);
           return {.end = kj::refcounted<rpc::ClientEnd>(channel), .channel = channel};
         });
   }
 
  private:
-  const OutgoingConnection connection_;
+  const InterfaceInfo& contract_;
+  const std::shared_ptr<rt::Doorbell> client_;
 };
 
 class SharedClient final : public LaneClient {
@@ -47,8 +49,8 @@ class SharedClient final : public LaneClient {
     return "the two processes are not reached by a Unix socket";
   }
 
-  kj::Promise<kj::Own<LaneAttempt>> attempt(OutgoingConnection connection) override {
-    return kj::Own<LaneAttempt>(kj::heap<SharedAttempt>(std::move(connection)));
+  kj::Promise<kj::Own<LaneAttempt>> attempt(const OutgoingConnection& connection) override {
+    return kj::Own<LaneAttempt>(kj::heap<SharedAttempt>(connection));
   }
 
  private:

@@ -109,7 +109,7 @@ kj::Promise<void> RemoteConnection::requireClocksThatCanTell() {
 OutgoingConnection RemoteConnection::outgoing() const {
   Component& client = delays_ == nullptr ? required_.owner() : *delays_;
   return {.contract = required_.info(),
-          .name = name(),
+          .terms = {.name = name(), .watch = watch_, .ledger = ledger_, .laneReason = laneReason_},
           .events = asked_,
           .client = client.sharedDoorbell(),
           .peer = session_->state(),
@@ -196,7 +196,12 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt
   if (results.isDeclined()) return Reason(stringOf(results.getDeclined()));
   const auto accepted = results.getAccepted();
   connection_ = accepted.getConnection();
-  return attempt.open(accepted.getAnswer(), accepted.getRows())
+  OutgoingConnection connection = outgoing();
+  connection.rows = accepted.getRows();
+  std::vector<std::uint16_t>& lacking = connection.terms.lacking;
+  for (const std::uint16_t command : accepted.getLacking()) lacking.push_back(command);
+  std::sort(lacking.begin(), lacking.end());
+  return attempt.open(std::move(connection), accepted.getAnswer())
       .then(
           [this, results = kj::mv(results)](OpenedEnd&& opened) -> Reason {
             use(kj::mv(opened), results.getAccepted());
@@ -210,17 +215,12 @@ kj::Promise<kj::Maybe<std::string>> RemoteConnection::begin(LaneAttempt& attempt
 
 void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Reader accepted) {
   std::shared_ptr<Channel> channel = std::move(opened.channel);
-  for (const std::uint16_t command : accepted.getLacking()) channel->lacking.push_back(command);
-  std::sort(channel->lacking.begin(), channel->lacking.end());
-  channel->laneReason = laneReason_;
-  channel->watch = watch_;
   KJ_ASSERT_NONNULL(news_)->passOnTo(kj::addRef(*opened.end));
   end_ = kj::mv(opened.end);
   laneBroken_ = kj::mv(opened.broken);
   if (delays_ != nullptr) {
     channel = delays_->interpose(required_, std::move(channel), options_.delay);
   }
-  channel->ledger = ledger_;
   ledger_->begin(channel, session_->peersIncarnation(), fromWire(accepted.getEarlier()));
   told_.made(channel);  // known before it is used
   required_.attach(std::move(channel));

@@ -210,7 +210,7 @@ kj::Promise<void> PeerServer::decide(ProvidedBase& provided, const Endpoint& end
           {.client = client.toString(),
            .connection = {.provided = provided,
                           .contract = *match.contract,
-                          .name = name,
+                          .terms = {.name = name, .ledger = host_.ledgerOf(name, incarnation_)},
                           .events = fromWireNumbers(match.contract->wireEvents, in.getEvents()),
                           .provider = host_.serverOf_(provided),
                           .readOnly = mayOnlyRead(endpoint),
@@ -275,10 +275,10 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   ConnectContext context = asked.context;
   const auto in = context.getParams();
   rpc::ProviderEnd& end = *accepted.end;
-  if (in.getEpoch() != 0 && !takesOver(asked.client, asked.connection.name, context)) {
+  if (in.getEpoch() != 0 && !takesOver(asked.client, asked.connection.terms.name, context)) {
     return end.close();
   }
-  enter(accepted.channel);
+  accepted.channel->terms.ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   keep(kj::addRef(end), accepted.channel);
   if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
@@ -348,7 +348,7 @@ kj::Promise<void> PeerServer::open(OpenContext context) {
         const std::string name = "(a plain client) -> " + endpoint.toString();
         const IncomingConnection connection{.provided = provided,
                                             .contract = provided.info(),
-                                            .name = name,
+                                            .terms = {.name = name},
                                             .events = ~EventSet{0},
                                             .provider = host_.serverOf_(provided),
                                             .readOnly = mayOnlyRead(endpoint)};
@@ -378,11 +378,6 @@ kj::Promise<void> PeerServer::explain(ExplainContext context) {
       [this, context](const Refusal& refusal) mutable {
         refuse(refusal, context.getResults().initRefused());
       });
-}
-
-void PeerServer::enter(const std::shared_ptr<Channel>& channel) {
-  channel->ledger = host_.ledgerOf(channel->name, incarnation_);
-  channel->ledger->begin(channel, incarnation_);
 }
 
 Endpoint PeerServer::endpointOf(capnp::Text::Reader component,

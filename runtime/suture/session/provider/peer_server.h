@@ -54,8 +54,6 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void forgetEnded();
   void putTasks(wire::Peer::PingResults::Builder results) const;
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
-  /// Enters it into the sums of its name.
-  void enter(const std::shared_ptr<Channel>& channel);
   /// Why the caller is not the process that it says it is, or is not to have that interface.
   std::optional<Refusal> whyNotProcess(const std::string& name) const;
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint);

@@ -362,11 +362,20 @@ TEST(Provided, TwoOfOneContractKeepApart) {
 TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
   CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   ArmClient client;
-  const auto channel = connectLocally(client.arm, arm.arm, "test");
+  connectLocally(client.arm, arm.arm, "test");
   arm.start();
   EXPECT_TRUE(client.arm.park.start().within(kPatience));
   // As it is when an older provider has been connected.
-  channel->lacking = {static_cast<std::uint16_t>(reference::ArmLikeCommand::park)};
+  const auto older = std::make_shared<Channel>(
+      client.arm.info(),
+      Channel::Terms{.name = "test",
+                     .lacking = {static_cast<std::uint16_t>(reference::ArmLikeCommand::park)}},
+      "local",
+      Channel::Ends{
+          .client = client.sharedDoorbell(), .provider = arm.sharedDoorbell(), .here = &arm.arm},
+      arm.arm.state(), EventSet{0});
+  arm.arm.attach(older);
+  client.arm.attach(older);
   EXPECT_EQ(client.arm.park().error(), Errc::NotImplemented);
   EXPECT_EQ(client.arm.park.start().within(kPatience).error(), Errc::NotImplemented);
   EXPECT_TRUE(client.arm.limit.start(1, Mode::Enabled).within(kPatience));
