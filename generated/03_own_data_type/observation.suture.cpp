@@ -126,10 +126,10 @@ bool isValid(const MarkerSlot& slot, FieldPath* path) {
 }
 
 void toWire(const ObservationSlot& slot, wire::Observation::Builder out) {
-  toWire(slot.instrument, out.initInstrument(slot.instrument.size));
+  toWire(slot.instrument, out.initInstrument(sizeOf(slot.instrument)));
   out.setVisibility(wireVisibility(slot.visibility));
   toWire(slot.tip, out.initTip());
-  toWireList(slot.markers, out.initMarkers(slot.markers.size),
+  toWireList(slot.markers, out.initMarkers(sizeOf(slot.markers)),
              [](const MarkerSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });

@@ -499,7 +499,7 @@ Errc decodeArmPeriodStatisticsResult(wire::Arm::PeriodStatisticsResults::Reader 
 
 void encodeArmStateCommand(const ArmStateCommandArguments& slot,
                            wire::Arm::StateCommandParams::Builder out) {
-  toWire(slot.name, out.initName(slot.name.size));
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
 }
 Errc decodeArmStateCommand(wire::Arm::StateCommandParams::Reader in, ArmStateCommandArguments& slot,
                            suture::Duration) {

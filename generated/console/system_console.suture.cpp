@@ -54,7 +54,7 @@ void reserve(const SystemConsoleParametersSlot*, SystemConsoleParameters& value)
 
 void toWire(const SystemConsoleParametersSlot& slot, wire::SystemConsoleParameters::Builder out) {
   out.setPeriod(slot.period);
-  toWire(slot.system, out.initSystem(slot.system.size));
+  toWire(slot.system, out.initSystem(sizeOf(slot.system)));
   out.setPatience(slot.patience);
   out.setBringUpByItself(slot.bring_up_by_itself != 0);
 }

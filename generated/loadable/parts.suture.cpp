@@ -77,8 +77,8 @@ bool isValid(const PlatterParametersSlot& slot, FieldPath* path) {
 
 void toWire(const SpindleParametersSlot& slot, wire::SpindleParameters::Builder out) {
   out.setCycles(slot.cycles);
-  toWire(slot.brake, out.initBrake(slot.brake.size));
-  toWire(slot.key, out.initKey(slot.key.size));
+  toWire(slot.brake, out.initBrake(sizeOf(slot.brake)));
+  toWire(slot.key, out.initKey(sizeOf(slot.key)));
 }
 
 Errc fromWire(wire::SpindleParameters::Reader in, SpindleParametersSlot& slot, Duration) {

@@ -79,7 +79,7 @@ void reserve(const GamepadParametersSlot*, GamepadParameters& value) {
 
 void toWire(const GamepadParametersSlot& slot, wire::GamepadParameters::Builder out) {
   out.setPeriod(slot.period);
-  toWire(slot.file, out.initFile(slot.file.size));
+  toWire(slot.file, out.initFile(sizeOf(slot.file)));
   toWire(slot.stick, out.initStick());
   toWire(slot.trigger, out.initTrigger());
   out.setDeadZone(slot.dead_zone);

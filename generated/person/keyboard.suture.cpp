@@ -62,7 +62,7 @@ void reserve(const KeyboardParametersSlot*, KeyboardParameters& value) {
 
 void toWire(const KeyboardParametersSlot& slot, wire::KeyboardParameters::Builder out) {
   out.setPeriod(slot.period);
-  toWire(slot.terminal, out.initTerminal(slot.terminal.size));
+  toWire(slot.terminal, out.initTerminal(sizeOf(slot.terminal)));
   out.setSpeed(slot.speed);
   out.setTurningSpeed(slot.turning_speed);
   out.setOpening(slot.opening);

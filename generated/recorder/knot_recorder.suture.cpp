@@ -48,7 +48,7 @@ void reserve(const KnotRecorderParametersSlot*, KnotRecorderParameters& value) {
 
 void toWire(const KnotRecorderParametersSlot& slot, wire::KnotRecorderParameters::Builder out) {
   out.setPeriod(slot.period);
-  toWire(slot.file, out.initFile(slot.file.size));
+  toWire(slot.file, out.initFile(sizeOf(slot.file)));
 }
 
 Errc fromWire(wire::KnotRecorderParameters::Reader in, KnotRecorderParametersSlot& slot, Duration) {

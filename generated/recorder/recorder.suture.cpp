@@ -48,7 +48,7 @@ void reserve(const RecorderParametersSlot*, RecorderParameters& value) {
 
 void toWire(const RecorderParametersSlot& slot, wire::RecorderParameters::Builder out) {
   out.setPeriod(slot.period);
-  toWire(slot.file, out.initFile(slot.file.size));
+  toWire(slot.file, out.initFile(sizeOf(slot.file)));
 }
 
 Errc fromWire(wire::RecorderParameters::Reader in, RecorderParametersSlot& slot, Duration) {

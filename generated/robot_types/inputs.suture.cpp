@@ -163,8 +163,8 @@ bool isValid(const ButtonEventSlot& slot, FieldPath* path) {
 }
 
 void toWire(const InputDataSlot& slot, wire::InputData::Builder out) {
-  toWire(slot.analog_inputs, out.initAnalogInputs(slot.analog_inputs.size));
-  toWire(slot.digital_inputs, out.initDigitalInputs(slot.digital_inputs.size));
+  toWire(slot.analog_inputs, out.initAnalogInputs(sizeOf(slot.analog_inputs)));
+  toWire(slot.digital_inputs, out.initDigitalInputs(sizeOf(slot.digital_inputs)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }

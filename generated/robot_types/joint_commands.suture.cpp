@@ -408,8 +408,8 @@ Errc fromWire(wire::JointType in, std::uint8_t& slot) {
 }
 
 void toWire(const JointPositionSlot& slot, wire::JointPosition::Builder out) {
-  toWire(slot.position, out.initPosition(slot.position.size));
-  toWire(slot.stamps, out.initStamps(slot.stamps.size));
+  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
+  toWire(slot.stamps, out.initStamps(sizeOf(slot.stamps)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
@@ -430,9 +430,9 @@ bool isValid(const JointPositionSlot& slot, FieldPath* path) {
 }
 
 void toWire(const JointPositionGoalSlot& slot, wire::JointPositionGoal::Builder out) {
-  toWire(slot.goal, out.initGoal(slot.goal.size));
-  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
-  toWire(slot.acceleration, out.initAcceleration(slot.acceleration.size));
+  toWire(slot.goal, out.initGoal(sizeOf(slot.goal)));
+  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
+  toWire(slot.acceleration, out.initAcceleration(sizeOf(slot.acceleration)));
   out.setTimeLimit(slot.time_limit);
   out.setIsCoordinated(slot.is_coordinated != 0);
   out.setStamp(slot.stamp);
@@ -456,7 +456,7 @@ bool isValid(const JointPositionGoalSlot& slot, FieldPath* path) {
 }
 
 void toWire(const JointVelocitySlot& slot, wire::JointVelocity::Builder out) {
-  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
+  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
@@ -472,11 +472,11 @@ bool isValid(const JointVelocitySlot& slot, FieldPath* path) {
 }
 
 void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder out) {
-  toWire(slot.goal, out.initGoal(slot.goal.size));
-  toWire(slot.acceleration, out.initAcceleration(slot.acceleration.size));
-  toWire(slot.deceleration, out.initDeceleration(slot.deceleration.size));
-  toWire(slot.guard, out.initGuard(slot.guard.size));
-  toWire(slot.mask, out.initMask(slot.mask.size));
+  toWire(slot.goal, out.initGoal(sizeOf(slot.goal)));
+  toWire(slot.acceleration, out.initAcceleration(sizeOf(slot.acceleration)));
+  toWire(slot.deceleration, out.initDeceleration(sizeOf(slot.deceleration)));
+  toWire(slot.guard, out.initGuard(sizeOf(slot.guard)));
+  toWire(slot.mask, out.initMask(sizeOf(slot.mask)));
   out.setStamp(slot.stamp);
 }
 
@@ -499,8 +499,8 @@ bool isValid(const JointVelocityGoalSlot& slot, FieldPath* path) {
 }
 
 void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out) {
-  toWire(slot.effort, out.initEffort(slot.effort.size));
-  toWire(slot.mask, out.initMask(slot.mask.size));
+  toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
+  toWire(slot.mask, out.initMask(sizeOf(slot.mask)));
   out.setStamp(slot.stamp);
 }
 
@@ -517,19 +517,19 @@ bool isValid(const JointEffortGoalSlot& slot, FieldPath* path) {
 }
 
 void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out) {
-  toWire(slot.name, out.initName(slot.name.size));
-  toWireList(slot.type, out.initType(slot.type.size),
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
+  toWireList(slot.type, out.initType(sizeOf(slot.type)),
              [](const std::uint8_t& element, auto list, std::uint32_t i) {
                list.set(i, wireJointType(element));
              });
-  toWire(slot.position_min, out.initPositionMin(slot.position_min.size));
-  toWire(slot.position_max, out.initPositionMax(slot.position_max.size));
-  toWire(slot.velocity_min, out.initVelocityMin(slot.velocity_min.size));
-  toWire(slot.velocity_max, out.initVelocityMax(slot.velocity_max.size));
-  toWire(slot.acceleration_min, out.initAccelerationMin(slot.acceleration_min.size));
-  toWire(slot.acceleration_max, out.initAccelerationMax(slot.acceleration_max.size));
-  toWire(slot.effort_min, out.initEffortMin(slot.effort_min.size));
-  toWire(slot.effort_max, out.initEffortMax(slot.effort_max.size));
+  toWire(slot.position_min, out.initPositionMin(sizeOf(slot.position_min)));
+  toWire(slot.position_max, out.initPositionMax(sizeOf(slot.position_max)));
+  toWire(slot.velocity_min, out.initVelocityMin(sizeOf(slot.velocity_min)));
+  toWire(slot.velocity_max, out.initVelocityMax(sizeOf(slot.velocity_max)));
+  toWire(slot.acceleration_min, out.initAccelerationMin(sizeOf(slot.acceleration_min)));
+  toWire(slot.acceleration_max, out.initAccelerationMax(sizeOf(slot.acceleration_max)));
+  toWire(slot.effort_min, out.initEffortMin(sizeOf(slot.effort_min)));
+  toWire(slot.effort_max, out.initEffortMax(sizeOf(slot.effort_max)));
   out.setValid(slot.valid != 0);
 }
 
@@ -568,12 +568,12 @@ bool isValid(const JointConfigurationSlot& slot, FieldPath* path) {
 }
 
 void toWire(const ServoJointSlot& slot, wire::ServoJoint::Builder out) {
-  toWire(slot.name, out.initName(slot.name.size));
-  toWire(slot.mode, out.initMode(slot.mode.size));
-  toWire(slot.position, out.initPosition(slot.position.size));
-  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
-  toWire(slot.effort, out.initEffort(slot.effort.size));
-  toWire(slot.position_projection, out.initPositionProjection(slot.position_projection.size));
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
+  toWire(slot.mode, out.initMode(sizeOf(slot.mode)));
+  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
+  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
+  toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
+  toWire(slot.position_projection, out.initPositionProjection(sizeOf(slot.position_projection)));
   out.setStamp(slot.stamp);
 }
 
@@ -600,13 +600,13 @@ void toWire(const ActuatorJointCouplingSlot& slot, wire::ActuatorJointCoupling::
   out.setJoints(slot.joints);
   out.setActuators(slot.actuators);
   toWire(slot.actuator_to_joint_position,
-         out.initActuatorToJointPosition(slot.actuator_to_joint_position.size));
+         out.initActuatorToJointPosition(sizeOf(slot.actuator_to_joint_position)));
   toWire(slot.joint_to_actuator_position,
-         out.initJointToActuatorPosition(slot.joint_to_actuator_position.size));
+         out.initJointToActuatorPosition(sizeOf(slot.joint_to_actuator_position)));
   toWire(slot.actuator_to_joint_effort,
-         out.initActuatorToJointEffort(slot.actuator_to_joint_effort.size));
+         out.initActuatorToJointEffort(sizeOf(slot.actuator_to_joint_effort)));
   toWire(slot.joint_to_actuator_effort,
-         out.initJointToActuatorEffort(slot.joint_to_actuator_effort.size));
+         out.initJointToActuatorEffort(sizeOf(slot.joint_to_actuator_effort)));
 }
 
 Errc fromWire(wire::ActuatorJointCoupling::Reader in, ActuatorJointCouplingSlot& slot, Duration) {
@@ -636,7 +636,7 @@ bool isValid(const ActuatorJointCouplingSlot& slot, FieldPath* path) {
 
 void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out) {
   out.setJoints(slot.joints);
-  toWire(slot.coefficients, out.initCoefficients(slot.coefficients.size));
+  toWire(slot.coefficients, out.initCoefficients(sizeOf(slot.coefficients)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }

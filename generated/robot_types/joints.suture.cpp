@@ -102,10 +102,10 @@ void load(const JointSolutionSlot& slot, JointSolution& value) {
 // --- between slots and Cap'n Proto
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
-  toWire(slot.name, out.initName(slot.name.size));
-  toWire(slot.position, out.initPosition(slot.position.size));
-  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
-  toWire(slot.effort, out.initEffort(slot.effort.size));
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
+  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
+  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
+  toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
@@ -128,7 +128,7 @@ bool isValid(const JointStateSlot& slot, FieldPath* path) {
 }
 
 void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out) {
-  toWire(slot.position, out.initPosition(slot.position.size));
+  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
   out.setStamp(slot.stamp);
 }
 

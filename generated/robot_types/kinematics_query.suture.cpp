@@ -106,7 +106,7 @@ void reserve(const InverseKinematicsResponseSlot*, InverseKinematicsResponse& va
 // --- between slots and Cap'n Proto
 
 void toWire(const ForwardKinematicsRequestSlot& slot, wire::ForwardKinematicsRequest::Builder out) {
-  toWire(slot.jp, out.initJp(slot.jp.size));
+  toWire(slot.jp, out.initJp(sizeOf(slot.jp)));
 }
 
 Errc fromWire(wire::ForwardKinematicsRequest::Reader in, ForwardKinematicsRequestSlot& slot, Duration) {
@@ -120,7 +120,7 @@ bool isValid(const ForwardKinematicsRequestSlot& slot, FieldPath* path) {
 void toWire(const ForwardKinematicsResponseSlot& slot, wire::ForwardKinematicsResponse::Builder out) {
   toWire(slot.cp, out.initCp());
   out.setResult(slot.result != 0);
-  toWire(slot.message, out.initMessage(slot.message.size));
+  toWire(slot.message, out.initMessage(sizeOf(slot.message)));
 }
 
 Errc fromWire(wire::ForwardKinematicsResponse::Reader in, ForwardKinematicsResponseSlot& slot, Duration) {
@@ -138,7 +138,7 @@ bool isValid(const ForwardKinematicsResponseSlot& slot, FieldPath* path) {
 
 void toWire(const InverseKinematicsRequestSlot& slot, wire::InverseKinematicsRequest::Builder out) {
   toWire(slot.cp, out.initCp());
-  toWire(slot.jp, out.initJp(slot.jp.size));
+  toWire(slot.jp, out.initJp(sizeOf(slot.jp)));
 }
 
 Errc fromWire(wire::InverseKinematicsRequest::Reader in, InverseKinematicsRequestSlot& slot, Duration) {
@@ -155,9 +155,9 @@ bool isValid(const InverseKinematicsRequestSlot& slot, FieldPath* path) {
 }
 
 void toWire(const InverseKinematicsResponseSlot& slot, wire::InverseKinematicsResponse::Builder out) {
-  toWire(slot.jp, out.initJp(slot.jp.size));
+  toWire(slot.jp, out.initJp(sizeOf(slot.jp)));
   out.setResult(slot.result != 0);
-  toWire(slot.message, out.initMessage(slot.message.size));
+  toWire(slot.message, out.initMessage(sizeOf(slot.message)));
 }
 
 Errc fromWire(wire::InverseKinematicsResponse::Reader in, InverseKinematicsResponseSlot& slot, Duration) {

@@ -111,8 +111,8 @@ bool isValid(const IntervalStatisticsSlot& slot, FieldPath* path) {
 }
 
 void toWire(const KeyValueSlot& slot, wire::KeyValue::Builder out) {
-  toWire(slot.key, out.initKey(slot.key.size));
-  toWire(slot.value, out.initValue(slot.value.size));
+  toWire(slot.key, out.initKey(sizeOf(slot.key)));
+  toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
 
 Errc fromWire(wire::KeyValue::Reader in, KeyValueSlot& slot, Duration) {

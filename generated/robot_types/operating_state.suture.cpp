@@ -106,7 +106,7 @@ Errc fromWire(wire::ArmState in, std::uint8_t& slot) {
 
 void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out) {
   out.setState(wireArmState(slot.state));
-  toWire(slot.sub_state, out.initSubState(slot.sub_state.size));
+  toWire(slot.sub_state, out.initSubState(sizeOf(slot.sub_state)));
   out.setIsHomed(slot.is_homed != 0);
   out.setIsBusy(slot.is_busy != 0);
   out.setStamp(slot.stamp);

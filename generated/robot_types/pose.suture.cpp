@@ -204,8 +204,8 @@ void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out) {
   out.setTimestamp(slot.timestamp);
   out.setAutomaticTimestamp(slot.automatic_timestamp != 0);
   out.setValid(slot.valid != 0);
-  toWire(slot.moving_frame, out.initMovingFrame(slot.moving_frame.size));
-  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  toWire(slot.moving_frame, out.initMovingFrame(sizeOf(slot.moving_frame)));
+  toWire(slot.reference_frame, out.initReferenceFrame(sizeOf(slot.reference_frame)));
   toWire(slot.position, out.initPosition());
 }
 

@@ -172,13 +172,13 @@ void shiftStamps(DepthMapSlot& slot, Duration shift) { slot.stamp = shifted(slot
 // --- between slots and Cap'n Proto
 
 void toWire(const PoseArraySlot& slot, wire::PoseArray::Builder out) {
-  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
-  toWire(slot.moving_frames, out.initMovingFrames(slot.moving_frames.size));
-  toWireList(slot.positions, out.initPositions(slot.positions.size),
+  toWire(slot.reference_frame, out.initReferenceFrame(sizeOf(slot.reference_frame)));
+  toWire(slot.moving_frames, out.initMovingFrames(sizeOf(slot.moving_frames)));
+  toWireList(slot.positions, out.initPositions(sizeOf(slot.positions)),
              [](const std::array<double, 12>& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
-  toWire(slot.visible, out.initVisible(slot.visible.size));
+  toWire(slot.visible, out.initVisible(sizeOf(slot.visible)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
@@ -210,7 +210,7 @@ void toWire(const ImageFrameSlot& slot, wire::ImageFrame::Builder out) {
   out.setWidth(slot.width);
   out.setHeight(slot.height);
   out.setChannels(slot.channels);
-  toWire(slot.data, out.initData(slot.data.size));
+  toWire(slot.data, out.initData(sizeOf(slot.data)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
@@ -263,11 +263,11 @@ bool isValid(const CameraInfoSlot& slot, FieldPath* path) {
 }
 
 void toWire(const DepthMapSlot& slot, wire::DepthMap::Builder out) {
-  toWire(slot.reference_frame, out.initReferenceFrame(slot.reference_frame.size));
+  toWire(slot.reference_frame, out.initReferenceFrame(sizeOf(slot.reference_frame)));
   out.setWidth(slot.width);
   out.setHeight(slot.height);
-  toWire(slot.points, out.initPoints(slot.points.size));
-  toWire(slot.color, out.initColor(slot.color.size));
+  toWire(slot.points, out.initPoints(sizeOf(slot.points)));
+  toWire(slot.color, out.initColor(sizeOf(slot.color)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }

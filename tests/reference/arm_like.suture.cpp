@@ -189,7 +189,7 @@ Errc decodeArmLikeDistanceResult(wire::ArmLike::DistanceResults::Reader in, doub
 void encodeArmLikeMove(const ArmLikeMoveArguments& slot, wire::ArmLike::MoveParams::Builder out) {
   toWire(slot.goal, out.initGoal());
   out.setSpeed(slot.speed);
-  toWire(slot.reason, out.initReason(slot.reason.size));
+  toWire(slot.reason, out.initReason(sizeOf(slot.reason)));
 }
 Errc decodeArmLikeMove(wire::ArmLike::MoveParams::Reader in, ArmLikeMoveArguments& slot,
                        suture::Duration shift) {

@@ -114,8 +114,8 @@ bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
 }
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
-  toWire(slot.name, out.initName(slot.name.size));
-  toWire(slot.position, out.initPosition(slot.position.size));
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
+  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
 }
 
 Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {

@@ -51,7 +51,7 @@ void load(const SimulatedArmParametersSlot& slot, SimulatedArmParameters& value)
 void toWire(const SimulatedArmParametersSlot& slot, wire::SimulatedArmParameters::Builder out) {
   out.setPeriod(slot.period);
   toWire(slot.home, out.initHome(3));
-  toWire(slot.model, out.initModel(slot.model.size));
+  toWire(slot.model, out.initModel(sizeOf(slot.model)));
 }
 
 Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlot& slot, Duration) {

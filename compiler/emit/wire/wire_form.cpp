@@ -72,8 +72,9 @@ std::string lengthOf(const Type& type, const std::string& slot) {
     case Shape::Isometry: return "12";
     default: break;
   }
-  if (!lock::isFlatList(type)) return slot + ".size";
-  return slot + ".size * " + std::to_string(type.element.front().rows);
+  const std::string size = "sizeOf(" + slot + ")";  // the bytes of a slot may be wrong
+  if (!lock::isFlatList(type)) return size;
+  return size + " * " + std::to_string(type.element.front().rows);
 }
 
 /// A block of bytes is as long as its numbers are.

@@ -199,7 +199,7 @@ Errc decodeAllKindsSetRecord(wire::AllKinds::SetRecordParams::Reader in,
 
 void encodeAllKindsSetText(const AllKindsSetTextArguments& slot,
                            wire::AllKinds::SetTextParams::Builder out) {
-  toWire(slot.value, out.initValue(slot.value.size));
+  toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
 Errc decodeAllKindsSetText(wire::AllKinds::SetTextParams::Reader in, AllKindsSetTextArguments& slot,
                            suture::Duration) {
@@ -235,7 +235,7 @@ Errc decodeAllKindsRecordResult(wire::AllKinds::RecordResults::Reader in, robots
 
 void encodeAllKindsTextResult(const suture::BoundedText<31>& slot,
                               wire::AllKinds::TextResults::Builder out) {
-  toWire(slot, out.initValue(slot.size));
+  toWire(slot, out.initValue(sizeOf(slot)));
 }
 Errc decodeAllKindsTextResult(wire::AllKinds::TextResults::Reader in, suture::BoundedText<31>& slot,
                               suture::Duration) {
@@ -300,7 +300,7 @@ Errc decodeAllKindsTwiceRecordResult(wire::AllKinds::TwiceRecordResults::Reader 
 
 void encodeAllKindsTwiceText(const AllKindsTwiceTextArguments& slot,
                              wire::AllKinds::TwiceTextParams::Builder out) {
-  toWire(slot.value, out.initValue(slot.value.size));
+  toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
 Errc decodeAllKindsTwiceText(wire::AllKinds::TwiceTextParams::Reader in,
                              AllKindsTwiceTextArguments& slot, suture::Duration) {
@@ -309,7 +309,7 @@ Errc decodeAllKindsTwiceText(wire::AllKinds::TwiceTextParams::Reader in,
 
 void encodeAllKindsTwiceTextResult(const suture::BoundedText<31>& slot,
                                    wire::AllKinds::TwiceTextResults::Builder out) {
-  toWire(slot, out.initValue(slot.size));
+  toWire(slot, out.initValue(sizeOf(slot)));
 }
 Errc decodeAllKindsTwiceTextResult(wire::AllKinds::TwiceTextResults::Reader in,
                                    suture::BoundedText<31>& slot, suture::Duration) {
@@ -346,7 +346,7 @@ Errc decodeAllKindsTakeRecordResult(wire::AllKinds::TakeRecordResults::Reader in
 
 void encodeAllKindsTakeTextResult(const suture::BoundedText<31>& slot,
                                   wire::AllKinds::TakeTextResults::Builder out) {
-  toWire(slot, out.initValue(slot.size));
+  toWire(slot, out.initValue(sizeOf(slot)));
 }
 Errc decodeAllKindsTakeTextResult(wire::AllKinds::TakeTextResults::Reader in,
                                   suture::BoundedText<31>& slot, suture::Duration) {
@@ -411,7 +411,7 @@ Errc decodeAllKindsSwapRecordResult(wire::AllKinds::SwapRecordResults::Reader in
 
 void encodeAllKindsSwapText(const AllKindsSwapTextArguments& slot,
                             wire::AllKinds::SwapTextParams::Builder out) {
-  toWire(slot.value, out.initValue(slot.value.size));
+  toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
 Errc decodeAllKindsSwapText(wire::AllKinds::SwapTextParams::Reader in,
                             AllKindsSwapTextArguments& slot, suture::Duration) {
@@ -420,7 +420,7 @@ Errc decodeAllKindsSwapText(wire::AllKinds::SwapTextParams::Reader in,
 
 void encodeAllKindsSwapTextResult(const suture::BoundedText<31>& slot,
                                   wire::AllKinds::SwapTextResults::Builder out) {
-  toWire(slot, out.initValue(slot.size));
+  toWire(slot, out.initValue(sizeOf(slot)));
 }
 Errc decodeAllKindsSwapTextResult(wire::AllKinds::SwapTextResults::Reader in,
                                   suture::BoundedText<31>& slot, suture::Duration) {
@@ -457,7 +457,7 @@ Errc decodeAllKindsRecordSetEvent(wire::AllKindsEvents::RecordSetParams::Reader 
 
 void encodeAllKindsTextSetEvent(const suture::BoundedText<31>& slot,
                                 wire::AllKindsEvents::TextSetParams::Builder out) {
-  toWire(slot, out.initValue(slot.size));
+  toWire(slot, out.initValue(sizeOf(slot)));
 }
 Errc decodeAllKindsTextSetEvent(wire::AllKindsEvents::TextSetParams::Reader in,
                                 suture::BoundedText<31>& slot, suture::Duration) {
@@ -485,7 +485,7 @@ void encodeAllKindsColumn(unsigned column, const std::byte* memory,
     }
     case 3: {
       const auto& slot = slotIn<suture::BoundedText<31>>(memory);
-      toWire(slot, out.initText(slot.size));
+      toWire(slot, out.initText(sizeOf(slot)));
       break;
     }
   }

@@ -172,7 +172,7 @@ Errc fromWire(wire::ResumeOutcome in, std::uint8_t& slot) {
 
 void toWire(const StateChangeSlot& slot, wire::StateChange::Builder out) {
   out.setState(wireComponentState(slot.state));
-  toWire(slot.fault, out.initFault(slot.fault.size));
+  toWire(slot.fault, out.initFault(sizeOf(slot.fault)));
   out.setStamp(slot.stamp);
 }
 
@@ -231,7 +231,7 @@ Errc decodeLifecycleComponentStateResult(wire::Lifecycle::ComponentStateResults:
 
 void encodeLifecycleResumeConnection(const LifecycleResumeConnectionArguments& slot,
                                      wire::Lifecycle::ResumeConnectionParams::Builder out) {
-  toWire(slot.required, out.initRequired(slot.required.size));
+  toWire(slot.required, out.initRequired(sizeOf(slot.required)));
 }
 Errc decodeLifecycleResumeConnection(wire::Lifecycle::ResumeConnectionParams::Reader in,
                                      LifecycleResumeConnectionArguments& slot, suture::Duration) {

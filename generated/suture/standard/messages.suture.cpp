@@ -62,7 +62,7 @@ void shiftStamps(MessageSlot& slot, Duration shift) { slot.stamp = shifted(slot.
 // --- between slots and Cap'n Proto
 
 void toWire(const MessageSlot& slot, wire::Message::Builder out) {
-  toWire(slot.text, out.initText(slot.text.size));
+  toWire(slot.text, out.initText(sizeOf(slot.text)));
   out.setCode(slot.code);
   out.setCounter(slot.counter);
   out.setStamp(slot.stamp);

@@ -64,7 +64,7 @@ bool store(const Picture& picture, GalleryHangArguments& slot) {
 // --- between slots and Cap'n Proto
 
 void toWire(const PictureSlot& slot, wire::Picture::Builder out) {
-  toWire(slot.pixels, out.initPixels(slot.pixels.size));
+  toWire(slot.pixels, out.initPixels(sizeOf(slot.pixels)));
 }
 
 Errc fromWire(wire::Picture::Reader in, PictureSlot& slot, Duration) {

@@ -19,7 +19,7 @@ Errc fromWireDistinct(const List& in, BoundedList<Element, N>& slot, const Conve
 template <Number S, std::size_t R, std::uint32_t N, class List>
 void toWireFlat(const BoundedList<std::array<S, R>, N>& slot, List out) {
   std::uint32_t next = 0;
-  for (std::uint32_t i = 0; i < slot.size; ++i) {
+  for (std::uint32_t i = 0; i < sizeOf(slot); ++i) {
     for (const S coefficient : slot.data[i]) out.set(next++, coefficient);
   }
 }
@@ -38,9 +38,10 @@ Errc fromWireFlat(const List& in, BoundedList<std::array<S, R>, N>& slot) {
 
 template <Number S, std::uint32_t R, std::uint32_t C, class Builder>
 void toWire(const BoundedMatrix<S, R, C>& slot, Builder out) {
-  out.setRows(slot.rows);
-  out.setColumns(slot.columns);
-  const std::uint32_t count = slot.rows * slot.columns;
+  const auto [rows, columns] = extentOf(slot);
+  out.setRows(rows);
+  out.setColumns(columns);
+  const std::uint32_t count = rows * columns;
   if constexpr (std::is_same_v<decltype(out.initData(0)), capnp::Data::Builder>) {  // bulk()
     auto data = out.initData(count * sizeof(S));
     std::copy_n(reinterpret_cast<const kj::byte*>(elements(slot)), data.size(), data.begin());

@@ -110,7 +110,7 @@ Errc fromWire(capnp::Data::Reader in, BoundedList<Element, N>& slot) {
 template <std::uint32_t M, std::uint32_t N, class List>
 void toWire(const BoundedList<BoundedText<M>, N>& slot, List out) {
   for (std::uint32_t i = 0; i < out.size(); ++i)
-    toWire(slot.data[i], out.init(i, slot.data[i].size));
+    toWire(slot.data[i], out.init(i, sizeOf(slot.data[i])));
 }
 template <class List, std::uint32_t M, std::uint32_t N>
 Errc fromWire(const List& in, BoundedList<BoundedText<M>, N>& slot) {

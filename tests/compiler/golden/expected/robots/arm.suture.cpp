@@ -215,11 +215,11 @@ void toWire(const EverythingSlot& slot, wire::Everything::Builder out) {
   out.setSpeed(slot.speed);
   out.setRatio(slot.ratio);
   out.setMode(wireMode(slot.mode));
-  toWire(slot.label, out.initLabel(slot.label.size));
-  toWire(slot.bytes, out.initBytes(slot.bytes.size));
-  toWire(slot.flags, out.initFlags(slot.flags.size));
-  toWire(slot.names, out.initNames(slot.names.size));
-  toWireList(slot.pairs, out.initPairs(slot.pairs.size),
+  toWire(slot.label, out.initLabel(sizeOf(slot.label)));
+  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
+  toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
+  toWire(slot.names, out.initNames(sizeOf(slot.names)));
+  toWireList(slot.pairs, out.initPairs(sizeOf(slot.pairs)),
              [](const std::array<double, 2>& element, auto list, std::uint32_t i) {
                toWire(element, list.init(i, 2));
              });
@@ -228,7 +228,7 @@ void toWire(const EverythingSlot& slot, wire::Everything::Builder out) {
                list.set(i, wireMode(element));
              });
   toWire(slot.goal, out.initGoal());
-  toWireList(slot.track, out.initTrack(slot.track.size),
+  toWireList(slot.track, out.initTrack(sizeOf(slot.track)),
              [](const PoseStampedSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });

@@ -56,7 +56,7 @@ void load(const ArmParametersSlot& slot, ArmParameters& value) {
 
 void toWire(const ArmParametersSlot& slot, wire::ArmParameters::Builder out) {
   out.setRate(slot.rate);
-  toWire(slot.name, out.initName(slot.name.size));
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
   out.setStart(wireMode(slot.start));
 }
 

@@ -208,7 +208,7 @@ bool isValid(const KDLWrenchSlot& slot, FieldPath* path) {
 }
 
 void toWire(const KDLJntArraySlot& slot, wire::Joints::Builder out) {
-  toWire(slot.data, out.initData(slot.data.size));
+  toWire(slot.data, out.initData(sizeOf(slot.data)));
 }
 
 Errc fromWire(wire::Joints::Reader in, KDLJntArraySlot& slot, Duration) {

@@ -125,7 +125,7 @@ bool isValid(const cvMatx33dSlot& slot, FieldPath* path) {
 
 void toWire(const ViewSlot& slot, wire::View::Builder out) {
   toWire(slot.intrinsics, out.initIntrinsics());
-  toWireList(slot.points, out.initPoints(slot.points.size),
+  toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
              [](const cvPoint3dSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });

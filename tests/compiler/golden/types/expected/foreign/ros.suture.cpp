@@ -182,7 +182,7 @@ bool isValid(const rosTimeSlot&, FieldPath*) {
 void toWire(const HeaderSlot& slot, wire::Header::Builder out) {
   out.setSeq(slot.seq);
   toWire(slot.stamp, out.initStamp());
-  toWire(slot.frame_id, out.initFrameId(slot.frame_id.size));
+  toWire(slot.frame_id, out.initFrameId(sizeOf(slot.frame_id)));
 }
 
 Errc fromWire(wire::Header::Reader in, HeaderSlot& slot, Duration shift) {
@@ -280,10 +280,10 @@ bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
   toWire(slot.header, out.initHeader());
-  toWire(slot.name, out.initName(slot.name.size));
-  toWire(slot.position, out.initPosition(slot.position.size));
-  toWire(slot.velocity, out.initVelocity(slot.velocity.size));
-  toWire(slot.effort, out.initEffort(slot.effort.size));
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
+  toWire(slot.position, out.initPosition(sizeOf(slot.position)));
+  toWire(slot.velocity, out.initVelocity(sizeOf(slot.velocity)));
+  toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
 }
 
 Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift) {

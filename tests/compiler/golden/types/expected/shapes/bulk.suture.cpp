@@ -63,10 +63,10 @@ void reserve(const BulkSlot*, Bulk& value) {
 // --- between slots and Cap'n Proto
 
 void toWire(const BulkSlot& slot, wire::Bulk::Builder out) {
-  toWire(slot.samples, out.initSamples(slot.samples.size * sizeof(double)));
+  toWire(slot.samples, out.initSamples(sizeOf(slot.samples) * sizeof(double)));
   toWire(slot.triple, out.initTriple(3 * sizeof(std::int16_t)));
-  toWire(slot.bytes, out.initBytes(slot.bytes.size));
-  toWire(slot.line, out.initLine(slot.line.size * sizeof(float)));
+  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
+  toWire(slot.line, out.initLine(sizeOf(slot.line) * sizeof(float)));
   toWire(slot.jacobian, out.initJacobian(42 * sizeof(double)));
   toWire(slot.image, out.initImage());
 }

@@ -168,7 +168,7 @@ suture::Errc fromWire(wire::Tree::Reader in, TreeSlot& slot, suture::Duration sh
 bool isValid(const TreeSlot& slot, suture::FieldPath* path);
 
 void toWire(const NamedSlot& slot, wire::Named::Builder out) {
-  toWire(slot.name, out.initName(slot.name.size));
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
 }
 
 Errc fromWire(wire::Named::Reader in, NamedSlot& slot, Duration) {
@@ -258,7 +258,7 @@ Errc fromWire(wire::ShapesClassesOptionalTree::Reader in, suture::OpenOptional<T
 
 void toWire(const TreeSlot& slot, wire::Tree::Builder out) {
   out.setValue(slot.value);
-  toWireList(slot.children, out.initChildren(slot.children.size),
+  toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
              [](const TreeSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
@@ -289,7 +289,7 @@ void toWire(const ClassesSlot& slot, wire::Classes::Builder out) {
   toWire(slot.level, out.initLevel());
   toWire(slot.counter, out.initCounter());
   toWire(slot.polar, out.initPolar());
-  toWireList(slot.spiral, out.initSpiral(slot.spiral.size),
+  toWireList(slot.spiral, out.initSpiral(sizeOf(slot.spiral)),
              [](const PointSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });

@@ -286,7 +286,7 @@ bool isValid(const PointSlot& slot, FieldPath* path) {
 
 void toWire(const suture::SlotEntry<suture::BoundedText<6>, double>& slot,
             wire::ShapesContainersEntryOfTextToFloat64::Builder out) {
-  toWire(slot.key, out.initKey(slot.key.size));
+  toWire(slot.key, out.initKey(sizeOf(slot.key)));
   out.setValue(slot.value);
 }
 
@@ -310,8 +310,8 @@ Errc fromWire(wire::ShapesContainersEntryOfUInt16ToPoint::Reader in,
 
 void toWire(const suture::SlotEntry<suture::BoundedText<4>, suture::BoundedList<float, 3>>& slot,
             wire::ShapesContainersEntryOfTextToListOfFloat32::Builder out) {
-  toWire(slot.key, out.initKey(slot.key.size));
-  toWire(slot.value, out.initValue(slot.value.size));
+  toWire(slot.key, out.initKey(sizeOf(slot.key)));
+  toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
 
 Errc fromWire(wire::ShapesContainersEntryOfTextToListOfFloat32::Reader in,
@@ -336,7 +336,7 @@ Errc fromWire(wire::ShapesContainersEntryOfLevelToFloat64::Reader in,
 }
 
 void toWire(const SequencesSlot& slot, wire::Sequences::Builder out) {
-  toWire(slot.bytes, out.initBytes(slot.bytes.size));
+  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
   out.setOne(slot.one);
   toWire(slot.row, out.initRow(3));
   toWireList(slot.grid, out.initGrid(2),
@@ -347,31 +347,31 @@ void toWire(const SequencesSlot& slot, wire::Sequences::Builder out) {
              [](const PointSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
-  toWireList(slot.path, out.initPath(slot.path.size),
+  toWireList(slot.path, out.initPath(sizeOf(slot.path)),
              [](const PointSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
-  toWire(slot.bits, out.initBits(slot.bits.size));
-  toWire(slot.flags, out.initFlags(slot.flags.size));
-  toWire(slot.numbers, out.initNumbers(slot.numbers.size));
-  toWire(slot.words, out.initWords(slot.words.size));
-  toWireList(slot.levels, out.initLevels(slot.levels.size),
+  toWire(slot.bits, out.initBits(sizeOf(slot.bits)));
+  toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
+  toWire(slot.numbers, out.initNumbers(sizeOf(slot.numbers)));
+  toWire(slot.words, out.initWords(sizeOf(slot.words)));
+  toWireList(slot.levels, out.initLevels(sizeOf(slot.levels)),
              [](const std::int16_t& element, auto list, std::uint32_t i) {
                list.set(i, wireLevel(element));
              });
-  toWireList(slot.gains, out.initGains(slot.gains.size),
+  toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
              [](const auto& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
-  toWireList(slot.points, out.initPoints(slot.points.size),
+  toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
              [](const auto& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
-  toWireList(slot.series, out.initSeries(slot.series.size),
+  toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
              [](const auto& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
-  toWireList(slot.shares, out.initShares(slot.shares.size),
+  toWireList(slot.shares, out.initShares(sizeOf(slot.shares)),
              [](const auto& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
@@ -481,7 +481,7 @@ Errc fromWire(wire::ShapesContainersOptionalBool::Reader in,
 void toWire(const suture::SlotOptional<suture::BoundedText<8>>& slot,
             wire::ShapesContainersOptionalText::Builder out) {
   if (slot.present == 0) return out.setNone();
-  toWire(slot.value, out.initSome(slot.value.size));
+  toWire(slot.value, out.initSome(sizeOf(slot.value)));
 }
 
 Errc fromWire(wire::ShapesContainersOptionalText::Reader in,
@@ -509,7 +509,7 @@ Errc fromWire(wire::ShapesContainersOptionalPoint::Reader in, suture::SlotOption
 void toWire(const suture::SlotOptional<suture::BoundedList<PointSlot, 2>>& slot,
             wire::ShapesContainersOptionalListOfPoint::Builder out) {
   if (slot.present == 0) return out.setNone();
-  toWireList(slot.value, out.initSome(slot.value.size),
+  toWireList(slot.value, out.initSome(sizeOf(slot.value)),
              [](const PointSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
@@ -584,7 +584,7 @@ Errc fromWire(wire::ShapesContainersTupleOfInt32AndFloat64::Reader in,
 void toWire(const suture::SlotTuple<std::uint8_t, suture::BoundedText<4>, PointSlot>& slot,
             wire::ShapesContainersTupleOfBoolAndTextAndPoint::Builder out) {
   out.setItem0(suture::item<0>(slot) != 0);
-  toWire(suture::item<1>(slot), out.initItem1(suture::item<1>(slot).size));
+  toWire(suture::item<1>(slot), out.initItem1(sizeOf(suture::item<1>(slot))));
   toWire(suture::item<2>(slot), out.initItem2());
 }
 
@@ -604,7 +604,7 @@ void toWire(const suture::SlotVariant<suture::SlotNothing, double, PointSlot, su
   if (slot.index == 1) return out.setFloat64(suture::alternative<1>(slot));
   if (slot.index == 2) return toWire(suture::alternative<2>(slot), out.initPoint());
   if (slot.index == 3) return toWire(suture::alternative<3>(slot),
-                                     out.initText(suture::alternative<3>(slot).size));
+                                     out.initText(sizeOf(suture::alternative<3>(slot))));
   if (slot.index == 4) return out.setFloat64At4(suture::alternative<4>(slot));
 }
 
@@ -676,7 +676,7 @@ void toWire(const ChoicesSlot& slot, wire::Choices::Builder out) {
   toWire(slot.target, out.initTarget());
   toWire(slot.polygon, out.initPolygon());
   toWire(slot.twice, out.initTwice());
-  toWireList(slot.seen, out.initSeen(slot.seen.size),
+  toWireList(slot.seen, out.initSeen(sizeOf(slot.seen)),
              [](const auto& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
@@ -730,15 +730,15 @@ bool isValid(const ChoicesSlot& slot, FieldPath* path) {
 }
 
 void toWire(const MatricesSlot& slot, wire::Matrices::Builder out) {
-  toWire(slot.joints, out.initJoints(slot.joints.size));
-  toWire(slot.row, out.initRow(slot.row.size));
+  toWire(slot.joints, out.initJoints(sizeOf(slot.joints)));
+  toWire(slot.row, out.initRow(sizeOf(slot.row)));
   toWire(slot.any, out.initAny());
   toWire(slot.counts, out.initCounts());
-  suture::rpc::toWireFlat(slot.columns, out.initColumns(slot.columns.size * 3));
-  toWire(slot.limited, out.initLimited(slot.limited.size));
+  suture::rpc::toWireFlat(slot.columns, out.initColumns(sizeOf(slot.columns) * 3));
+  toWire(slot.limited, out.initLimited(sizeOf(slot.limited)));
   toWire(slot.fixed, out.initFixed(20));
-  suture::rpc::toWireFlat(slot.cloud, out.initCloud(slot.cloud.size * 3));
-  suture::rpc::toWireFlat(slot.wrenches, out.initWrenches(slot.wrenches.size * 6));
+  suture::rpc::toWireFlat(slot.cloud, out.initCloud(sizeOf(slot.cloud) * 3));
+  suture::rpc::toWireFlat(slot.wrenches, out.initWrenches(sizeOf(slot.wrenches) * 6));
   toWire(slot.scaled, out.initScaled());
   out.setWait(slot.wait);
 }

@@ -277,16 +277,16 @@ Errc fromWire(wire::ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment::Reader in,
 
 void toWire(const MomentsSlot& slot, wire::Moments::Builder out) {
   toWire(slot.pair, out.initPair(2));
-  toWire(slot.list, out.initList(slot.list.size));
-  toWireList(slot.moments, out.initMoments(slot.moments.size),
+  toWire(slot.list, out.initList(sizeOf(slot.list)));
+  toWireList(slot.moments, out.initMoments(sizeOf(slot.moments)),
              [](const MomentSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
-  toWireList(slot.nested, out.initNested(slot.nested.size),
+  toWireList(slot.nested, out.initNested(sizeOf(slot.nested)),
              [](const suture::BoundedList<std::int64_t, 2>& element, auto list, std::uint32_t i) {
-               toWire(element, list.init(i, element.size));
+               toWire(element, list.init(i, sizeOf(element)));
              });
-  toWireList(slot.byNumber, out.initByNumber(slot.byNumber.size),
+  toWireList(slot.byNumber, out.initByNumber(sizeOf(slot.byNumber)),
              [](const auto& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });

@@ -190,7 +190,7 @@ bool isValid(const RootSlot& slot, suture::FieldPath* path);
 
 void toWire(const suture::SlotEntry<suture::OpenText, RootSlot>& slot,
             wire::ShapesOpenEntryOfTextToRoot::Builder out) {
-  toWire(slot.key, out.initKey(slot.key.size));
+  toWire(slot.key, out.initKey(sizeOf(slot.key)));
   toWire(slot.value, out.initValue());
 }
 
@@ -204,7 +204,7 @@ Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
 
 void toWire(const BranchSlot& slot, wire::Branch::Builder out) {
   out.setLength(slot.length);
-  toWireList(slot.roots, out.initRoots(slot.roots.size),
+  toWireList(slot.roots, out.initRoots(sizeOf(slot.roots)),
              [](const auto& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
@@ -237,12 +237,12 @@ Errc fromWire(wire::ShapesOpenOptionalRoot::Reader in, suture::OpenOptional<Root
 
 void toWire(const RootSlot& slot, wire::Root::Builder out) {
   out.setValue(slot.value);
-  toWireList(slot.children, out.initChildren(slot.children.size),
+  toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
              [](const RootSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
   toWire(slot.shadow, out.initShadow());
-  toWireList(slot.branches, out.initBranches(slot.branches.size),
+  toWireList(slot.branches, out.initBranches(sizeOf(slot.branches)),
              [](const BranchSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
@@ -278,8 +278,8 @@ bool isValid(const RootSlot& slot, FieldPath* path) {
 
 void toWire(const suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
             wire::ShapesOpenEntryOfTextToListOfPoint::Builder out) {
-  toWire(slot.key, out.initKey(slot.key.size));
-  toWireList(slot.value, out.initValue(slot.value.size),
+  toWire(slot.key, out.initKey(sizeOf(slot.key)));
+  toWireList(slot.value, out.initValue(sizeOf(slot.value)),
              [](const PointSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
@@ -299,7 +299,7 @@ Errc fromWire(wire::ShapesOpenEntryOfTextToListOfPoint::Reader in,
 void toWire(const suture::SlotOptional<suture::OpenText>& slot,
             wire::ShapesOpenOptionalText::Builder out) {
   if (slot.present == 0) return out.setNone();
-  toWire(slot.value, out.initSome(slot.value.size));
+  toWire(slot.value, out.initSome(sizeOf(slot.value)));
 }
 
 Errc fromWire(wire::ShapesOpenOptionalText::Reader in, suture::SlotOptional<suture::OpenText>& slot,
@@ -314,7 +314,7 @@ void toWire(const suture::SlotVariant<suture::SlotNothing, suture::OpenText, Poi
             wire::ShapesOpenEitherOfNothingOrTextOrPoint::Builder out) {
   if (slot.index == 0) return out.setNothing();
   if (slot.index == 1) return toWire(suture::alternative<1>(slot),
-                                     out.initText(suture::alternative<1>(slot).size));
+                                     out.initText(sizeOf(suture::alternative<1>(slot))));
   if (slot.index == 2) return toWire(suture::alternative<2>(slot), out.initPoint());
 }
 
@@ -339,7 +339,7 @@ Errc fromWire(wire::ShapesOpenEitherOfNothingOrTextOrPoint::Reader in,
 void toWire(const suture::SlotTuple<std::int32_t, suture::OpenText>& slot,
             wire::ShapesOpenTupleOfInt32AndText::Builder out) {
   out.setItem0(suture::item<0>(slot));
-  toWire(suture::item<1>(slot), out.initItem1(suture::item<1>(slot).size));
+  toWire(suture::item<1>(slot), out.initItem1(sizeOf(suture::item<1>(slot))));
 }
 
 Errc fromWire(wire::ShapesOpenTupleOfInt32AndText::Reader in,
@@ -349,33 +349,33 @@ Errc fromWire(wire::ShapesOpenTupleOfInt32AndText::Reader in,
 }
 
 void toWire(const OpenSlot& slot, wire::Open::Builder out) {
-  toWire(slot.name, out.initName(slot.name.size));
-  toWire(slot.samples, out.initSamples(slot.samples.size));
-  toWire(slot.bytes, out.initBytes(slot.bytes.size));
-  toWire(slot.block, out.initBlock(slot.block.size * sizeof(float)));
-  toWire(slot.flags, out.initFlags(slot.flags.size));
-  toWireList(slot.path, out.initPath(slot.path.size),
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
+  toWire(slot.samples, out.initSamples(sizeOf(slot.samples)));
+  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
+  toWire(slot.block, out.initBlock(sizeOf(slot.block) * sizeof(float)));
+  toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
+  toWireList(slot.path, out.initPath(sizeOf(slot.path)),
              [](const PointSlot& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
   toWireList(slot.pair, out.initPair(2),
              [](const suture::OpenText& element, auto list, std::uint32_t i) {
-               toWire(element, list.init(i, element.size));
+               toWire(element, list.init(i, sizeOf(element)));
              });
-  toWire(slot.words, out.initWords(slot.words.size));
-  toWire(slot.shorts, out.initShorts(slot.shorts.size));
-  toWire(slot.keys, out.initKeys(slot.keys.size));
-  toWireList(slot.series, out.initSeries(slot.series.size),
+  toWire(slot.words, out.initWords(sizeOf(slot.words)));
+  toWire(slot.shorts, out.initShorts(sizeOf(slot.shorts)));
+  toWire(slot.keys, out.initKeys(sizeOf(slot.keys)));
+  toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
              [](const auto& element, auto list, std::uint32_t i) {
                toWire(element, list[i]);
              });
   toWire(slot.note, out.initNote());
   toWire(slot.either, out.initEither());
   toWire(slot.entry, out.initEntry());
-  toWire(slot.joints, out.initJoints(slot.joints.size));
+  toWire(slot.joints, out.initJoints(sizeOf(slot.joints)));
   toWire(slot.any, out.initAny());
   toWire(slot.wide, out.initWide());
-  suture::rpc::toWireFlat(slot.cloud, out.initCloud(slot.cloud.size * 3));
+  suture::rpc::toWireFlat(slot.cloud, out.initCloud(sizeOf(slot.cloud) * 3));
   toWire(slot.image, out.initImage());
   toWire(slot.root, out.initRoot());
 }
@@ -455,7 +455,7 @@ bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, FieldPath* path) 
 // --- Archive as Cap'n Proto
 
 void encodeArchivePut(const ArchivePutArguments& slot, wire::Archive::PutParams::Builder out) {
-  toWire(slot.key, out.initKey(slot.key.size));
+  toWire(slot.key, out.initKey(sizeOf(slot.key)));
   toWire(slot.value, out.initValue());
 }
 Errc decodeArchivePut(wire::Archive::PutParams::Reader in, ArchivePutArguments& slot,
@@ -468,7 +468,7 @@ Errc decodeArchivePut(wire::Archive::PutParams::Reader in, ArchivePutArguments& 
 
 void encodeArchiveRemark(const ArchiveRemarkArguments& slot,
                          wire::Archive::RemarkParams::Builder out) {
-  toWire(slot.text, out.initText(slot.text.size));
+  toWire(slot.text, out.initText(sizeOf(slot.text)));
 }
 Errc decodeArchiveRemark(wire::Archive::RemarkParams::Reader in, ArchiveRemarkArguments& slot,
                          suture::Duration) {
@@ -484,7 +484,7 @@ Errc decodeArchiveNewestResult(wire::Archive::NewestResults::Reader in, OpenSlot
 }
 
 void encodeArchiveFind(const ArchiveFindArguments& slot, wire::Archive::FindParams::Builder out) {
-  toWire(slot.pattern, out.initPattern(slot.pattern.size));
+  toWire(slot.pattern, out.initPattern(sizeOf(slot.pattern)));
 }
 Errc decodeArchiveFind(wire::Archive::FindParams::Reader in, ArchiveFindArguments& slot,
                        suture::Duration) {
@@ -493,7 +493,7 @@ Errc decodeArchiveFind(wire::Archive::FindParams::Reader in, ArchiveFindArgument
 
 void encodeArchiveFindResult(const suture::OpenList<suture::OpenText>& slot,
                              wire::Archive::FindResults::Builder out) {
-  toWire(slot, out.initValue(slot.size));
+  toWire(slot, out.initValue(sizeOf(slot)));
 }
 Errc decodeArchiveFindResult(wire::Archive::FindResults::Reader in,
                              suture::OpenList<suture::OpenText>& slot, suture::Duration) {
@@ -519,7 +519,7 @@ Errc decodeArchiveReplaceResult(wire::Archive::ReplaceResults::Reader in, OpenSl
 
 void encodeArchiveRenamedEvent(const suture::OpenText& slot,
                                wire::ArchiveEvents::RenamedParams::Builder out) {
-  toWire(slot, out.initValue(slot.size));
+  toWire(slot, out.initValue(sizeOf(slot)));
 }
 Errc decodeArchiveRenamedEvent(wire::ArchiveEvents::RenamedParams::Reader in,
                                suture::OpenText& slot, suture::Duration) {
@@ -528,7 +528,7 @@ Errc decodeArchiveRenamedEvent(wire::ArchiveEvents::RenamedParams::Reader in,
 
 void encodeArchiveGrownEvent(const ArchiveGrownPayload& slot,
                              wire::ArchiveEvents::GrownParams::Builder out) {
-  toWire(slot.value, out.initValue(slot.value.size));
+  toWire(slot.value, out.initValue(sizeOf(slot.value)));
   toWire(slot.value2, out.initValue2());
 }
 Errc decodeArchiveGrownEvent(wire::ArchiveEvents::GrownParams::Reader in, ArchiveGrownPayload& slot,
