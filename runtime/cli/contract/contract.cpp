@@ -2,8 +2,8 @@
 #include <suture/base/errors.h>
 #include <suture/base/nearest.h>
 #include <suture/names/records.h>
+#include <suture/wire/json/to_json.h>
 #include "cli/contract/schema_guard.h"
-#include "cli/contract/to_json.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,10 @@
 #include "cli/contract/from_json.h"
 #include <suture/base/nearest.h>
+#include <suture/wire/json/annotations.h>
+#include <suture/wire/json/json_reals.h>
+#include <suture/wire/json/optional_value.h>
+#include <suture/wire/json/packed_numbers.h>
 #include "cli/command_line/options.h"
-#include "cli/contract/annotations.h"
-#include "cli/contract/optional_value.h"
-#include "cli/values/json_reals.h"
-#include "cli/values/packed_numbers.h"
 
 #include <limits>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "cli/peer/provider.h"
 #include <suture/base/errors.h>
 #include <suture/framing/remote_error.h>
-#include "cli/contract/annotations.h"
+#include <suture/wire/json/annotations.h>
 #include "cli/contract/from_json.h"
 #include "cli/peer/lookup.h"
 #include "cli/peer/wait.h"
@@ -20,12 +20,6 @@ std::string remedyFor(Errc error, const Target& target) {
   }
 }
 
-/// Returns the value of a method that carries only one, else all by their names.
-Json unwrapped(const Json& all) {
-  if (!all.is_object() || all.empty()) return nullptr;
-  return all.size() == 1 ? Json(all.begin().value()) : all;
-}
-
 class Receiver final : public capnp::DynamicCapability::Server {
  public:
   Receiver(std::shared_ptr<const Contract> contract, Labels labels, Provider::Heard heard)
@@ -39,9 +33,7 @@ class Receiver final : public capnp::DynamicCapability::Server {
       capnp::CallContext<capnp::DynamicStruct, capnp::DynamicStruct> context) override {
     for (const Member& event : contract_->events()) {
       if (event.method != method) continue;
-      Json all = toJson(context.getParams(), labels_);
-      all.erase("stamp");
-      heard_(event, unwrapped(all));
+      heard_(event, payloadToJson(context.getParams(), labels_));
     }
     return kj::READY_NOW;
   }
@@ -71,10 +63,7 @@ Answer Provider::call(const Member& command, const Json& arguments, Labels label
   const Target target = Target::parse(contract_->title());
   auto answer = request.send().then(
       [this, labels](auto&& results) -> kj::Promise<Answer> {
-        Json all = toJson(results, labels);
-        const auto age = ageIn(results);
-        if (age) all.erase("stamp");
-        return Answer{unwrapped(all), age, peer_.clock().error(now())};
+        return Answer{payloadToJson(results, labels), ageIn(results), peer_.clock().error(now())};
       },
       [title, target](kj::Exception&& failure) -> kj::Promise<Answer> {
         return rpc::failure(

@@ -2,8 +2,8 @@
 // A provided interface, used by a program that has learnt its contract from it.
 
 #include <capnp/dynamic.h>
+#include <suture/wire/json/to_json.h>
 #include "cli/command_line/options.h"
-#include "cli/contract/to_json.h"
 #include "cli/peer/peer.h"
 
 #include <functional>

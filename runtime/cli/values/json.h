@@ -1,13 +1,12 @@
 #pragma once
-// JSON in the order in which it was written, and what a peer wrote.
+// What a peer wrote as JSON.
 
-#include <nlohmann/json.hpp>
+#include <suture/wire/json/json.h>
+
 #include <string>
 #include <string_view>
 
 namespace suture::cli {
-
-using Json = nlohmann::ordered_json;
 
 /// The text of `key`, or "": a peer may have written anything.
 inline std::string textAt(const Json& json, const char* key) {

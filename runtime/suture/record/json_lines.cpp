@@ -1,5 +1,9 @@
+#include <capnp/dynamic.h>
+#include <capnp/message.h>
 #include <suture/base/errors.h>
 #include <suture/record/json_lines.h>
+#include <suture/wire/codec.h>
+#include <suture/wire/json/to_json.h>
 
 #include <algorithm>
 #include <iterator>
@@ -7,25 +11,6 @@
 
 namespace suture {
 namespace {
-
-using nlohmann::json;
-using nlohmann::ordered_json;
-
-SlotLayout payloadLayout(const json& event, const json& contract) {
-  const json& payload = event.at("payload");
-  return payload.is_array() ? SlotLayout::ofFields(payload, contract)
-                            : SlotLayout(payload.at("type"), contract);
-}
-
-// A layout that differs from the compiler's would be read wrongly.
-void requireSize(const SlotLayout& layout, std::size_t size, const char* contract,
-                 const char* member) {
-  if (layout.size() == size) return;
-  throw SetupError(std::string("recording ") + contract + "::" + member,
-                   "its description makes " + std::to_string(layout.size()) +
-                       " bytes of it, its code " + std::to_string(size),
-                   "Generate the contract's code again");
-}
 
 // A row's own keys, and those that tell the other lines from a row, must stay what they
 // are.
@@ -35,24 +20,33 @@ std::string keyOf(const std::string& read) {
   return taken ? "read." + read : read;
 }
 
-}  // namespace
-
-JsonLines::Contract::Contract(const InterfaceInfo& info) {
-  const json description = json::parse(info.description);
-  const json& commands = description.at("commands");
-  for (std::uint16_t i = 0; i < info.commands.size(); ++i) {
-    if (info.commands[i].kind != CommandKind::Read || info.commands[i].sharedResult) continue;
-    SlotLayout layout(commands.at(i).at("result").at("type"), description);
-    requireSize(layout, info.commands[i].resultSize, info.name, info.commands[i].name);
-    reads.emplace(i, Read{keyOf(info.commands[i].name), std::move(layout)});
-  }
-  for (std::uint16_t i = 0; i < info.events.size(); ++i) {
-    if (info.events[i].payloadSize == 0 || info.events[i].sharedPayload) continue;
-    SlotLayout layout = payloadLayout(description.at("events").at(i), description);
-    requireSize(layout, info.events[i].payloadSize, info.name, info.events[i].name);
-    events.emplace(i, std::move(layout));
-  }
+// The generated code knows how a slot becomes a message, and the schema what that says.
+Json valueOf(const std::byte* slot, const rpc::MessageCodec& codec, capnp::StructSchema schema) {
+  capnp::MallocMessageBuilder message;
+  codec.encode(slot, message.getRoot<capnp::AnyPointer>());
+  return payloadToJson(message.getRoot<capnp::DynamicStruct>(schema).asReader(), Labels::Names);
 }
+
+Json readOf(const InterfaceInfo& contract, const CollectedValue& value) {
+  if (value.slot == nullptr) return nullptr;
+  const rpc::Codec& codec = contract.codec();
+  const rpc::CommandCodec& command = codec.commands[value.read];
+  KJ_IF_MAYBE (declaring, codec.schema().findSuperclass(command.interface)) {
+    const auto schema = declaring->getMethods()[command.method].getResultType();
+    return valueOf(value.slot, command.result, schema);
+  }
+  return nullptr;
+}
+
+Json payloadOf(const InterfaceInfo& contract, std::uint16_t event, const std::byte* slot) {
+  const rpc::Codec& codec = contract.codec();
+  const auto subscribe = codec.schema().getMethodByName("subscribe").getParamType();
+  const auto events = subscribe.getFieldByName("events").getType().asInterface();
+  const rpc::EventCodec& one = codec.events[event];
+  return valueOf(slot, one.payload, events.getMethods()[one.method].getParamType());
+}
+
+}  // namespace
 
 JsonLines::JsonLines(const std::filesystem::path& file) : file_(file), out_(file, std::ios::trunc) {
   if (!out_) {
@@ -61,23 +55,17 @@ JsonLines::JsonLines(const std::filesystem::path& file) : file_(file), out_(file
   }
 }
 
-const JsonLines::Contract& JsonLines::contract(const InterfaceInfo& info) {
-  return contracts_.try_emplace(&info, info).first->second;
-}
-
-void JsonLines::write(const ordered_json& line) {
+void JsonLines::write(const Json& line) {
   // Text that is not UTF-8 came from a component; it does not end a recording.
-  out_ << line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) << '\n';
+  out_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 
 void JsonLines::row(const CollectedInterface& from, std::uint64_t number, Time stamp,
                     std::span<const CollectedValue> values) {
   const std::lock_guard lock(mutex_);
-  const Contract& known = contract(from.contract);
-  ordered_json line{{"from", from.collector}, {"row", number}, {"stamp", toNanoseconds(stamp)}};
+  Json line{{"from", from.collector}, {"row", number}, {"stamp", toNanoseconds(stamp)}};
   for (const CollectedValue& value : values) {
-    const Contract::Read& read = known.reads.at(value.read);
-    line[read.key] = value.slot == nullptr ? json(nullptr) : read.layout.toJson(value.slot);
+    line[keyOf(from.contract.commands[value.read].name)] = readOf(from.contract, value);
   }
   write(line);
 }
@@ -85,12 +73,11 @@ void JsonLines::row(const CollectedInterface& from, std::uint64_t number, Time s
 void JsonLines::event(const CollectedInterface& from, std::uint16_t event, Time stamp,
                       const std::byte* slot) {
   const std::lock_guard lock(mutex_);
-  const Contract& known = contract(from.contract);
-  ordered_json line{{"from", from.collector},
-                    {"event", from.contract.events[event].name},
-                    {"stamp", toNanoseconds(stamp)}};
-  if (const auto layout = known.events.find(event); layout != known.events.end()) {
-    line["value"] = layout->second.toJson(slot);
+  Json line{{"from", from.collector},
+            {"event", from.contract.events[event].name},
+            {"stamp", toNanoseconds(stamp)}};
+  if (from.contract.events[event].payloadSize != 0) {
+    line["value"] = payloadOf(from.contract, event, slot);
   }
   write(line);
 }

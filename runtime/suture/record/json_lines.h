@@ -2,15 +2,12 @@
 // A sink that writes one JSON object a line.
 
 #include <suture/record/sink.h>
-#include <suture/record/slot_layout.h>
 
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <mutex>
-#include <optional>
+#include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
 
 namespace suture {
 
@@ -19,8 +16,8 @@ namespace suture {
 ///   {"from":"Collector","event":"mode","stamp":81234999,"value":"Enabled"}
 ///   {"from":"Collector","missed":3}
 ///   {"from":"PSM","fault":"the drive did not answer","first":2,"last":4}
-/// A read whose name is that of another key of these lines, as "row", is called "read.row".
-/// Stamps are ns of this machine's steady clock.
+/// A value is what `suture read --json` gives of it. A read whose name is that of another key of
+/// these lines, as "row", is called "read.row". Stamps are ns of this machine's steady clock.
 class JsonLines final : public Sink {
  public:
   /// Replaces the file. Throws SetupError if it cannot be written.
@@ -42,23 +39,11 @@ class JsonLines final : public Sink {
   bool flush();
 
  private:
-  struct Contract {
-    struct Read {
-      std::string key;
-      SlotLayout layout;
-    };
-    explicit Contract(const InterfaceInfo& info);
-    std::map<std::uint16_t, Read> reads;
-    std::map<std::uint16_t, SlotLayout> events;
-  };
-
-  const Contract& contract(const InterfaceInfo& info);
   void write(const nlohmann::ordered_json& line);
 
   const std::filesystem::path file_;
   std::mutex mutex_;  // of collectors' threads alone
   std::ofstream out_;
-  std::map<const InterfaceInfo*, Contract> contracts_;
 };
 
 }  // namespace suture

@@ -25,6 +25,11 @@ class StateCollector::Source final : public RequiredBase {
     }
     if (channel()->state->askAll(columns)) owner().ringLater(*channel()->ends.provider);
   }
+  /// False for a copy that the contract does not admit: another process may have written it.
+  bool admits(std::uint16_t read, const std::byte* copy) const {
+    const CommandInfo& command = info().commands[read];
+    return channel() == nullptr ? command.admitsResult(copy) : channel()->admitsCopy(command, copy);
+  }
 };
 
 StateCollector::StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
@@ -107,7 +112,8 @@ void StateCollector::hand(std::uint64_t number, Time stamp, std::uint64_t valid)
   if (untold_ > 0) sink_.missed(from_, std::exchange(untold_, 0));
   for (CollectedValue& value : values_) {
     const auto column = static_cast<std::size_t>(from_.contract.commands[value.read].column);
-    value.slot = (valid >> column & 1) != 0 ? slots_[column] : nullptr;
+    const bool produced = (valid >> column & 1) != 0;
+    value.slot = produced && source_->admits(value.read, slots_[column]) ? slots_[column] : nullptr;
   }
   sink_.row(from_, number, stamp, values_);
 }

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 #include <suture/base/sanitizers.h>
+#include <suture/wire/json/to_json.h>
 #include "cli/contract/contract.h"
 #include "cli/contract/from_json.h"
-#include "cli/contract/to_json.h"
 #include "cli/text/contract_text.h"
 
 #include <algorithm>

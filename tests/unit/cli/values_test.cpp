@@ -1,10 +1,10 @@
 #include <capnp/dynamic.h>
 #include <gtest/gtest.h>
+#include <suture/wire/json/packed_numbers.h>
+#include <suture/wire/json/to_json.h>
 #include "cli/command_line/arguments.h"
 #include "cli/command_line/target.h"
 #include "cli/contract/from_json.h"
-#include "cli/contract/to_json.h"
-#include "cli/values/packed_numbers.h"
 
 #include <cmath>
 

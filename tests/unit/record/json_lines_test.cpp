@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
+#include <suture/record/collection.h>
 #include <suture/record/json_lines.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "arm/arm.suture.h"
@@ -47,7 +49,8 @@ TEST(JsonLines, WritesOneObjectALine) {
   EXPECT_EQ(lines[0]["from"], "Collector");
   EXPECT_EQ(lines[0]["row"], 17);
   EXPECT_EQ(lines[0]["stamp"], 6);
-  EXPECT_EQ(lines[0]["measured_cp"]["pose"][0], json({1.0, 0.0, 0.0, 0.25}));
+  EXPECT_EQ(lines[0]["measured_cp"]["pose"]["m00"], 1.0);
+  EXPECT_EQ(lines[0]["measured_cp"]["pose"]["x"], 0.25);
   EXPECT_EQ(lines[0]["measured_cp"]["stamp"], 5);
   EXPECT_EQ(lines[0]["measured_cp"]["valid"], true);
   EXPECT_EQ(lines[0]["measured_js"], nullptr);
@@ -56,21 +59,16 @@ TEST(JsonLines, WritesOneObjectALine) {
   EXPECT_EQ(lines[2]["value"], true);
 }
 
-TEST(JsonLines, LeavesOutWhatLivesOnTheHeap) {
+TEST(Collection, LeavesOutReadsWithoutBounds) {
   InterfaceInfo contract = interfaceInfo<robots::Arm>();
   std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
-  const auto heap = static_cast<std::size_t>(robots::ArmCommand::measured_js);
-  commands[heap].sharedResult = true;
-  commands[heap].resultSize = sizeof(void*);
+  constexpr auto kUnbounded = static_cast<std::uint16_t>(robots::ArmCommand::measured_js);
+  commands[kUnbounded].sharedResult = true;
   contract.commands = commands;
-  const TemporaryDirectory directory;
-  const std::string file = directory.file("run.jsonl");
-  JsonLines sink(file);
-  const CollectedValue values[] = {
-      {static_cast<std::uint16_t>(robots::ArmCommand::measured_cp), nullptr}};
-  sink.row({"Collector", contract}, 17, fromNanoseconds(6), values);
-  ASSERT_TRUE(sink.flush());
-  EXPECT_TRUE(linesOf(file).at(0).contains("measured_cp"));
+  const std::vector<std::uint16_t> reads = readsOf(contract, {});
+  EXPECT_EQ(std::count(reads.begin(), reads.end(), kUnbounded), 0);
+  EXPECT_EQ(readsOf(interfaceInfo<robots::Arm>(), {}).size(), reads.size() + 1);
+  EXPECT_THROW(readsOf(contract, {"measured_js"}), SetupError);
 }
 
 TEST(JsonLines, AReadDoesNotTakeTheNameOfTheLinesOwnKey) {

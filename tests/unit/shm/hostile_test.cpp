@@ -3,17 +3,21 @@
 #include <suture/component/task/event_task.h>
 #include <suture/component/task/periodic_task.h>
 #include <suture/lane/shm/shared_channel.h>
+#include <suture/record/json_lines.h>
+#include <suture/record/state_collector.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <random>
 #include <vector>
 
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/temporary_directory.h"
 
 namespace suture {
 namespace {
@@ -176,6 +180,49 @@ TEST_F(HostileProvider, PublishesWhatNoClientSees) {
   EXPECT_TRUE(eventually([&] { return teleop.poseError == Errc{}; }));
   teleop.stop();
   EXPECT_EQ(teleop.invalid, 0u);
+}
+
+/// Publishes rows that only look as if they were of this contract.
+class CollectedProvider : public HostileProvider {
+ protected:
+  CollectedProvider() {
+    collector_.required().front()->attach(client);
+    collector_.start();
+  }
+  /// Returns what the recording says of measured_js when its row is `slot`.
+  nlohmann::json recorded(const reference::JointStateSlot& slot) {
+    EXPECT_TRUE(eventually([&] { return client->state->demand() != 0; }));
+    constexpr unsigned kMeasuredJs = 1;
+    rt::StateTable& state = *offer.channel->state;
+    std::memcpy(state.draft(kMeasuredJs), &slot, sizeof(slot));
+    state.publish(now(), {.valid = 1 << kMeasuredJs});
+    EXPECT_TRUE(eventually([&] { return collector_.counts().collected == 1; }));
+    collector_.stop();
+    EXPECT_TRUE(sink_.flush());
+    std::ifstream file(directory_.file("arm.jsonl"));
+    return nlohmann::json::parse(file).at("measured_js");
+  }
+
+ private:
+  const TemporaryDirectory directory_;
+  JsonLines sink_{directory_.file("arm.jsonl")};
+  StateCollector collector_{contract, {.reads = {"measured_js"}, .period = 1ms}, sink_};
+};
+
+TEST_F(CollectedProvider, WritesNoNumbersIntoARecording) {
+  reference::JointStateSlot slot{};
+  std::memset(&slot, 0xff, sizeof(slot));
+  EXPECT_EQ(recorded(slot), nullptr);
+  EXPECT_EQ(client->lastInvalid.read().text(), "measured_js.position");
+}
+
+TEST_F(CollectedProvider, ClaimsLongerTextsThanHaveRoom) {
+  reference::JointStateSlot slot{};
+  slot.name.size = ~0u;
+  slot.name.data[0].size = ~0u;
+  const nlohmann::json names = recorded(slot).at("name");
+  EXPECT_EQ(names.size(), std::size(slot.name.data));
+  EXPECT_EQ(names[0].get<std::string>().size(), std::size(slot.name.data[0].data));
 }
 
 TEST_F(HostileProvider, AnswersWhatNoClientSees) {

@@ -2,9 +2,9 @@
 // Values of a schema that was learnt at run time.
 
 #include <capnp/dynamic.h>
-#include "cli/values/json.h"
+#include <suture/wire/json/json.h>
 
-namespace suture::cli {
+namespace suture {
 
 /// How fields are called.
 enum class Labels {
@@ -15,5 +15,8 @@ enum class Labels {
 /// Fields by their names in C++; an optional is its value or null; of a union the one that is set.
 /// Throws SetupError if it is nested deeper than anything of ours.
 Json toJson(capnp::DynamicStruct::Reader value, Labels labels);
+/// What the result of a command or the payload of an event carries: its fields, or the one that it
+/// has; null if it has none. When it was produced is no part of it.
+Json payloadToJson(capnp::DynamicStruct::Reader message, Labels labels);
 
-}  // namespace suture::cli
+}  // namespace suture

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace suture::cli {
+namespace suture {
 
 /// The field `some` of such a struct.
 inline std::optional<capnp::StructSchema::Field> optionalIn(capnp::StructSchema schema) {
@@ -17,4 +17,4 @@ inline std::optional<capnp::StructSchema::Field> optionalIn(capnp::StructSchema 
   return alternatives[1];
 }
 
-}  // namespace suture::cli
+}  // namespace suture

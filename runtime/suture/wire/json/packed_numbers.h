@@ -1,17 +1,17 @@
 #pragma once
 // Bytes that are numbers, little-endian, one behind the other.
 
-#include "cli/values/json.h"
+#include <suture/wire/json/json.h>
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-namespace suture::cli {
+namespace suture {
 
 /// Returns a list of numbers of the kind `bulk` ("Float64"), or of bytes if we know no such kind.
 Json numbersIn(std::span<const std::uint8_t> bytes, const std::string& bulk);
 /// The reverse; what is no number of the kind throws nlohmann's exceptions.
 std::vector<std::uint8_t> bytesOf(const Json& numbers, const std::string& bulk);
 
-}  // namespace suture::cli
+}  // namespace suture

@@ -1,10 +1,10 @@
-#include "cli/contract/annotations.h"
 #include <suture/rpc.capnp.h>
+#include <suture/wire/json/annotations.h>
 
 #include <cstdint>
 #include <optional>
 
-namespace suture::cli {
+namespace suture {
 namespace {
 
 // The ids of schemas/suture/meta.capnp, which capnp's C++ does not tell.
@@ -52,4 +52,4 @@ bool isRemoved(capnp::StructSchema::Field field) {
   return annotationText(field, kRemoved).has_value();
 }
 
-}  // namespace suture::cli
+}  // namespace suture

@@ -1,13 +1,13 @@
 #pragma once
 // Real numbers in JSON, which has no words for some of them.
 
-#include "cli/values/json.h"
+#include <suture/wire/json/json.h>
 
 #include <cmath>
 #include <limits>
 #include <optional>
 
-namespace suture::cli {
+namespace suture {
 
 /// A number, or "nan", "inf", "-inf".
 inline Json realToJson(double value) {
@@ -25,4 +25,4 @@ inline std::optional<double> realOf(const Json& json) {
   return std::nullopt;
 }
 
-}  // namespace suture::cli
+}  // namespace suture

@@ -1,10 +1,10 @@
-#include "cli/values/packed_numbers.h"
-#include "cli/values/json_reals.h"
+#include <suture/wire/json/json_reals.h>
+#include <suture/wire/json/packed_numbers.h>
 
 #include <cstring>
 #include <type_traits>
 
-namespace suture::cli {
+namespace suture {
 namespace {
 
 /// Calls `use` with a number of the kind.
@@ -56,4 +56,4 @@ std::vector<std::uint8_t> bytesOf(const Json& numbers, const std::string& bulk) 
   });
 }
 
-}  // namespace suture::cli
+}  // namespace suture

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace suture::cli {
+namespace suture {
 
 /// The name in the annotated header: "moving_frame", where the wire has "movingFrame".
 std::string nameOf(capnp::StructSchema::Field field);
@@ -19,4 +19,4 @@ bool isSent(capnp::StructSchema::Field field);
 /// True for a field that only keeps the place of what is no longer declared.
 bool isRemoved(capnp::StructSchema::Field field);
 
-}  // namespace suture::cli
+}  // namespace suture

@@ -1,14 +1,14 @@
-#include "cli/contract/to_json.h"
 #include <suture/base/errors.h>
-#include "cli/contract/annotations.h"
-#include "cli/contract/optional_value.h"
-#include "cli/values/json_reals.h"
-#include "cli/values/packed_numbers.h"
+#include <suture/wire/json/annotations.h>
+#include <suture/wire/json/json_reals.h>
+#include <suture/wire/json/optional_value.h>
+#include <suture/wire/json/packed_numbers.h>
+#include <suture/wire/json/to_json.h>
 
 #include <charconv>
 #include <cstdlib>
 
-namespace suture::cli {
+namespace suture {
 namespace {
 
 using capnp::DynamicValue;
@@ -112,4 +112,12 @@ Json toJson(capnp::DynamicStruct::Reader value, Labels labels) {
   return Converter(labels).convert(value, 0);
 }
 
-}  // namespace suture::cli
+Json payloadToJson(capnp::DynamicStruct::Reader message, Labels labels) {
+  Json all = toJson(message, labels);
+  if (!all.is_object()) return all;
+  all.erase("stamp");
+  if (all.empty()) return nullptr;
+  return all.size() == 1 ? Json(all.begin().value()) : all;
+}
+
+}  // namespace suture

@@ -1,0 +1,10 @@
+#pragma once
+// JSON in the order in which it was written.
+
+#include <nlohmann/json.hpp>
+
+namespace suture {
+
+using Json = nlohmann::ordered_json;
+
+}  // namespace suture
