@@ -29,16 +29,11 @@ constexpr int kFixedSize = F_SEAL_SHRINK | F_SEAL_GROW;
 }  // namespace
 
 MemoryBlock::MemoryBlock(const char* name, std::size_t size, Others others)
-    : MemoryBlock(others == Others::None ? -1 : memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING),
-                  size) {
-  if (others == Others::None) {
-    map(name, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS);
-  } else {
-    if (descriptor_ < 0) fail(name, "memfd_create", size);
-    if (ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail(name, "ftruncate", size);
-    map(name, PROT_READ | PROT_WRITE, MAP_SHARED);
-    seal(name, others);
-  }
+    : MemoryBlock(memfd_create(name, MFD_CLOEXEC | MFD_ALLOW_SEALING), size) {
+  if (descriptor_ < 0) fail(name, "memfd_create", size);
+  if (ftruncate(descriptor_, static_cast<off_t>(size)) != 0) fail(name, "ftruncate", size);
+  map(name, PROT_READ | PROT_WRITE);
+  seal(name, others);
 }
 
 void MemoryBlock::seal(const char* name, Others others) {
@@ -59,14 +54,13 @@ std::shared_ptr<MemoryBlock> MemoryBlock::open(int descriptor, std::size_t size,
   const int own = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
   if (own < 0) fail("of another process", "dup", size);
   std::shared_ptr<MemoryBlock> block(new MemoryBlock(own, size));
-  block->map("of another process", others == Others::Read ? PROT_READ : PROT_READ | PROT_WRITE,
-             MAP_SHARED);
+  block->map("of another process", others == Others::Read ? PROT_READ : PROT_READ | PROT_WRITE);
   return block;
 }
 
 // If this throws, the destructor undoes what has been made by now.
-void MemoryBlock::map(const char* name, int protection, int flags) {
-  void* const address = mmap(nullptr, size_, protection, flags | MAP_POPULATE, descriptor_, 0);
+void MemoryBlock::map(const char* name, int protection) {
+  void* const address = mmap(nullptr, size_, protection, MAP_SHARED | MAP_POPULATE, descriptor_, 0);
   if (address == MAP_FAILED) fail(name, "mmap", size_);
   data_ = static_cast<std::byte*>(address);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Prefaulted memory of a fixed size, which another process can map if it is a sealed memfd.
+// Prefaulted memory of a fixed size that another process can map: a sealed memfd.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,16 +7,15 @@
 
 namespace suture {
 
-/// Owns the mapping and its descriptor, if it has one. Zero-filled, page-aligned, cannot shrink or
+/// Owns the mapping and its descriptor. Zero-filled, page-aligned, cannot shrink or
 /// grow (a peer that maps it can never be made to fault by a truncation). Not copyable; the address
 /// is stable.
 class MemoryBlock {
  public:
-  /// A process that is handed the descriptor may do this; with None there is no descriptor.
-  enum class Others : std::uint8_t { Write, Read, None };
+  /// A process that is handed the descriptor may do this.
+  enum class Others : std::uint8_t { Write, Read };
 
-  /// `name` shows in /proc/<pid>/maps, where others may have the memory. Throws SetupError if the
-  /// kernel refuses.
+  /// `name` shows in /proc/<pid>/maps. Throws SetupError if the kernel refuses.
   MemoryBlock(const char* name, std::size_t size, Others others = Others::Write);
   ~MemoryBlock();
   MemoryBlock(const MemoryBlock&) = delete;
@@ -34,7 +33,7 @@ class MemoryBlock {
  private:
   MemoryBlock(int descriptor, std::size_t size) : size_(size), descriptor_(descriptor) {}
   void seal(const char* name, Others others);
-  void map(const char* name, int protection, int flags);
+  void map(const char* name, int protection);
 
   std::byte* data_ = nullptr;
   std::size_t size_;

@@ -79,7 +79,8 @@ StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows
         "the memory has " + std::to_string(memory->size()) + " bytes of " + std::to_string(needed),
         "Build both processes from the same release");
   }
-  layOut(std::move(memory));
+  memory_ = std::move(memory);
+  layOut(memory_->data());
 }
 
 void StateTable::addColumns(std::span<const std::uint32_t> sizes) {
@@ -98,18 +99,21 @@ std::size_t StateTable::bytesFor(std::span<const std::uint32_t> columnSizes, uns
   return kHeaderBytes + bytesOfRow(columnSizes) * std::bit_ceil(rows);
 }
 
-void StateTable::layOut(std::shared_ptr<MemoryBlock> memory) {
-  memory_ = std::move(memory);
-  newest_ = reinterpret_cast<Word*>(memory_->data());
-  rows_ = memory_->data() + kHeaderBytes;
+void StateTable::layOut(std::byte* memory) {
+  newest_ = reinterpret_cast<Word*>(memory);
+  rows_ = memory + kHeaderBytes;
 }
 
 void StateTable::resize(unsigned rows) {
   rowMask_ = std::bit_ceil(rows) - 1;
-  const auto others =
-      readers_ == Readers::Here ? MemoryBlock::Others::None : MemoryBlock::Others::Read;
-  layOut(std::make_shared<MemoryBlock>("suture-state", kHeaderBytes + rowBytes_ * (rowMask_ + 1),
-                                       others));
+  const std::size_t bytes = kHeaderBytes + rowBytes_ * (rowMask_ + 1);
+  if (readers_ == Readers::Here) {  // whole pages would be more than the rows, mostly
+    here_ = std::make_unique<Line[]>(bytes / sizeof(Line));
+    layOut(here_[0].bytes);
+  } else {
+    memory_ = std::make_shared<MemoryBlock>("suture-state", bytes, MemoryBlock::Others::Read);
+    layOut(memory_->data());
+  }
   new (newest_) Word{0};
   for (std::size_t i = 0; i <= rowMask_; ++i) new (rows_ + i * rowBytes_) RowHeader{};
 }

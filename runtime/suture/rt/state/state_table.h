@@ -17,7 +17,7 @@
 
 namespace suture::rt {
 
-/// A ring of rows in a prefaulted memory block, which another process may be let map, read-only.
+/// A ring of rows in prefaulted memory, which another process may be let map, read-only.
 /// One writer thread; any number of readers, disturbed only if they are stopped for nearly a whole
 /// lap.
 ///
@@ -28,7 +28,7 @@ class StateTable {
 
   /// Says who reads the table.
   enum class Readers : std::uint8_t {
-    Here,       ///< this process only: the memory has no descriptor
+    Here,       ///< this process only: the rows lie on the heap
     Elsewhere,  ///< other processes too
   };
 
@@ -116,7 +116,7 @@ class StateTable {
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
   /// True if a copy of the column has to be released.
   bool isShared(unsigned column) const { return shared_.contains(column); }
-  /// Where the rows lie, for other processes to read, if they may. Not if a column is shared.
+  /// Where the rows lie, if other processes may read them; else nullptr, as if a column is shared.
   const std::shared_ptr<MemoryBlock>& memory() const { return memory_; }
   /// How much memory a table takes up.
   static std::size_t bytesFor(std::span<const std::uint32_t> columnSizes, unsigned rows);
@@ -126,6 +126,9 @@ class StateTable {
   struct Column {
     std::uint32_t offset, size;
   };
+  struct alignas(64) Line {
+    std::byte bytes[64];
+  };
   struct RowHeader {
     Word sequence;  // of the complete row that lies here; 0 while it is written
     Word stamp, valid, tooLarge, invalid;
@@ -133,7 +136,7 @@ class StateTable {
 
   static std::size_t bytesOfRow(std::span<const std::uint32_t> columnSizes);
   void addColumns(std::span<const std::uint32_t> sizes);
-  void layOut(std::shared_ptr<MemoryBlock> memory);
+  void layOut(std::byte* memory);
   template <class Store>
   void publishBy(const Store& store, Time stamp, const RowColumns& columns);
   void loadColumn(unsigned column, RowHeader& header, std::byte* slot) const;
@@ -158,8 +161,9 @@ class StateTable {
   std::size_t rowMask_ = 0;
   std::vector<std::byte> draft_;
   SharedColumns shared_;
-  std::shared_ptr<MemoryBlock> memory_;
-  Word* newest_ = nullptr;     // at the beginning of memory_
+  std::shared_ptr<MemoryBlock> memory_;  // or else here_
+  std::unique_ptr<Line[]> here_;
+  Word* newest_ = nullptr;     // at the beginning of the memory
   std::byte* rows_ = nullptr;  // behind it
   Time lastStamp_{};           // the writer's
   std::shared_ptr<std::atomic<ColumnSet>> demand_;
