@@ -24,11 +24,24 @@ void Histogram::record(Duration duration) {
   const std::int64_t nanoseconds = std::max<std::int64_t>(duration.count(), 0);
   auto& bucket = buckets_[bucketOf(static_cast<std::uint64_t>(nanoseconds))];
   // Single writer: plain load and store suffice.
+  if (bucket.load(std::memory_order_relaxed) == mostInBucket_) halve();
   bucket.store(bucket.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   count_.store(count_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   if (nanoseconds > max_.load(std::memory_order_relaxed)) {
     max_.store(nanoseconds, std::memory_order_relaxed);
   }
+}
+
+void Histogram::halve() {
+  for (auto& bucket : buckets_) {
+    bucket.store(bucket.load(std::memory_order_relaxed) / 2, std::memory_order_relaxed);
+  }
+}
+
+std::uint64_t Histogram::inFirst(unsigned buckets) const {
+  std::uint64_t sum = 0;
+  for (unsigned i = 0; i < buckets; ++i) sum += buckets_[i].load(std::memory_order_relaxed);
+  return sum;
 }
 
 void Histogram::clear() {
@@ -38,7 +51,8 @@ void Histogram::clear() {
 }
 
 Duration Histogram::quantile(double quantile) const {
-  const auto rank = static_cast<std::uint64_t>(std::ceil(quantile * static_cast<double>(count())));
+  const auto all = static_cast<double>(inFirst(kBuckets));
+  const auto rank = static_cast<std::uint64_t>(std::ceil(quantile * all));
   std::uint64_t seen = 0;
   for (unsigned i = 0; i < kBuckets && rank > 0; ++i) {
     seen += buckets_[i].load(std::memory_order_relaxed);
@@ -48,12 +62,10 @@ Duration Histogram::quantile(double quantile) const {
 }
 
 double Histogram::shareUpTo(Duration limit) const {
-  if (count() == 0 || limit < Duration{0}) return 0;
-  std::uint64_t seen = 0;
-  for (unsigned i = 0; i <= bucketOf(static_cast<std::uint64_t>(limit.count())); ++i) {
-    seen += buckets_[i].load(std::memory_order_relaxed);
-  }
-  return static_cast<double>(seen) / static_cast<double>(count());
+  const std::uint64_t all = inFirst(kBuckets);
+  if (all == 0 || limit < Duration{0}) return 0;
+  const unsigned last = bucketOf(static_cast<std::uint64_t>(limit.count()));
+  return static_cast<double>(inFirst(last + 1)) / static_cast<double>(all);
 }
 
 }  // namespace suture::rt

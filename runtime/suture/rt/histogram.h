@@ -13,6 +13,11 @@ namespace suture::rt {
 /// thread may read while it does. No allocation, no locks.
 class Histogram {
  public:
+  /// `mostInBucket`: a bucket of 32 bits is full some day. Then all are halved, which leaves the
+  /// shares as they are.
+  explicit Histogram(std::uint32_t mostInBucket = ~std::uint32_t{0})
+      : mostInBucket_(mostInBucket) {}
+
   void record(Duration duration);
   /// The recording thread, where no other reads: forgets everything.
   void clear();
@@ -31,9 +36,13 @@ class Histogram {
   static constexpr unsigned kBuckets = 32 << kSubBits;
 
   static unsigned bucketOf(std::uint64_t nanoseconds);
+  void halve();
+  /// How many the first `buckets` have.
+  std::uint64_t inFirst(unsigned buckets) const;
   static std::uint64_t upperEdge(unsigned bucket);
 
-  std::array<std::atomic<std::uint64_t>, kBuckets> buckets_{};
+  const std::uint32_t mostInBucket_;
+  std::array<std::atomic<std::uint32_t>, kBuckets> buckets_{};
   std::atomic<std::uint64_t> count_{0};
   std::atomic<std::int64_t> max_{0};
 };

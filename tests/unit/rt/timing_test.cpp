@@ -88,6 +88,15 @@ TEST(Histogram, SharesAreWithinABucket) {
   EXPECT_EQ(histogram.shareUpTo(1ms), 1);
 }
 
+TEST(Histogram, KeepsItsSharesWhenABucketIsFull) {
+  Histogram histogram(1000);
+  for (int i = 0; i < 40'000; ++i) histogram.record(i % 4 == 0 ? Duration(1ms) : Duration(1us));
+  EXPECT_EQ(histogram.count(), 40'000u);
+  EXPECT_NEAR(histogram.shareUpTo(10us), 0.75, 0.002);
+  EXPECT_LT(histogram.quantile(0.7), 2us);
+  EXPECT_EQ(histogram.quantile(0.8), 1ms);
+}
+
 TEST(Histogram, TakesExtremes) {
   Histogram histogram;
   histogram.record(Duration(-5));
