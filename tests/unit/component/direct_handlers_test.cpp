@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 #include <suture/component/channel/direct_handlers.h>
 #include <suture/component/device.h>
+#include <suture/wiring/connect.h>
 
 #include <atomic>
 #include <thread>
 
+#include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "unit/component/arm_client.h"
 
 namespace suture {
 namespace {
@@ -61,6 +64,19 @@ TEST(DirectHandlers, OfNobodyWhoIsFaulted) {
   EXPECT_TRUE(handlers.call(0, nullptr));
   EXPECT_EQ(owner.fault(), "no room");
   EXPECT_FALSE(handlers.call(0, nullptr));
+}
+
+TEST(DirectHandlers, GivenBeforeTheConnectionRunWithTheEvent) {
+  struct Bell final : Device, StillArm {
+    Provided<reference::ArmLike> port{*this, "Arm", *this};
+  } bell;
+  ArmClient client;
+  int heard = 0;
+  ASSERT_TRUE(client.arm.on().stopped.direct([&heard] { ++heard; }));
+  connectLocally(client.arm, bell.port, "test");
+  client.arm.adopt();
+  EXPECT_TRUE(bell.port.emit().stopped());
+  EXPECT_EQ(heard, 1);
 }
 
 }  // namespace
