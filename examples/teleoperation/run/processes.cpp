@@ -141,8 +141,7 @@ Time Crew::endOfRun(Time began, Duration length) const {
   if (!cutOff_) return began + length;
   const auto [at, brokenFor] = cutOff_->moment;
   const Duration after = length - at - brokenFor;
-  if (result_.outage) return result_.outage->mended + after;
-  return broken_ ? *broken_ + brokenFor + after : Time::max();
+  return result_.outage ? result_.outage->mended + after : Time::max();
 }
 
 /// Does what is due, and says when there is more to do.

@@ -51,16 +51,27 @@ class Workstations(Broken):
         held = self.run_and_break("--topology", "fig3c", "--network", "unix", "--seconds", "8", "--break", "right@3s")
         self.assertEqual(held, {"left:PSM2", "right:PSM1"})
 
+    def finish_after_a_stop(self, demo):
+        """Lets the demo have no time until its run would have been over."""
+        over = time.monotonic() + 6
+        demo.process.send_signal(signal.SIGSTOP)
+        self.assertTrue(eventually(lambda: time.monotonic() > over, PATIENCE))
+        demo.process.send_signal(signal.SIGCONT)
+        status, output = demo.finish()
+        self.assertEqual(demo.result()["failures"], [], output)
+        self.assertIn("ran to the end and had every connection again", output)
+
     def test_a_demo_that_gets_no_time_breaks_later(self):
         with Demo(PROGRAMS, "--topology", "fig3a", "--network", "unix", "--seconds", "6", "--break", "right@2s") as demo:
             demo.await_progress()
-            over = time.monotonic() + 6
-            demo.process.send_signal(signal.SIGSTOP)
-            self.assertTrue(eventually(lambda: time.monotonic() > over, PATIENCE))
-            demo.process.send_signal(signal.SIGCONT)
-            status, output = demo.finish()
-            self.assertEqual(demo.result()["failures"], [], output)
-            self.assertIn("ran to the end and had every connection again", output)
+            self.finish_after_a_stop(demo)
+
+    def test_a_demo_that_gets_no_time_mends_later(self):
+        with Demo(PROGRAMS, "--topology", "fig3a", "--network", "unix", "--seconds", "6", "--break", "right@2s") as demo:
+            demo.await_progress()
+            right = demo.child("right")
+            self.assertTrue(eventually(lambda: is_frozen(right), PATIENCE))
+            self.finish_after_a_stop(demo)
 
     def test_one_that_drives_nobody_elsewhere(self):
         held = self.run_and_break("--topology", "fig3a", "--network", "tcp", "--seconds", "7", "--break", "right@3s")
