@@ -71,17 +71,28 @@ void PeerHost::forgetClosed() {
   std::erase_if(served_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
 }
 
+// Attempts that are under way at a time have one ledger.
 std::shared_ptr<Ledger> PeerHost::ledgerOf(const std::string& name, std::uint64_t client) {
+  const bool named = client != 0;  // else it is a process of before incarnations were told
+  const auto account = accounts_.find(name);
+  if (named && account != accounts_.end() && account->second.client == client) {
+    return account->second.ledger;
+  }
+  std::erase_if(attempted_, [](const auto& one) { return one.second.expired(); });
+  std::weak_ptr<Ledger>& attempted = attempted_[{name, client}];
+  std::shared_ptr<Ledger> ledger = named ? attempted.lock() : nullptr;
+  if (ledger == nullptr) ledger = std::make_shared<Ledger>(ConnectionEnd::Provider, history_);
+  attempted = ledger;
+  return ledger;
+}
+
+void PeerHost::keepLedger(const std::string& name, std::uint64_t client,
+                          std::shared_ptr<Ledger> ledger) {
   if (accounts_.size() >= kMostAccounts) {
     history_ = Ledger::History::Forgotten;
     std::erase_if(accounts_, [](const auto& one) { return one.second.ledger.use_count() == 1; });
   }
-  Account& account = accounts_[name];
-  const bool unnamed = client == 0;  // a process of before incarnations were told
-  if (account.ledger == nullptr || account.client != client || unnamed) {
-    account = {client, std::make_shared<Ledger>(ConnectionEnd::Provider, history_)};
-  }
-  return account.ledger;
+  accounts_[name] = {client, std::move(ledger)};
 }
 
 void PeerHost::remember(std::shared_ptr<Channel> channel) {

@@ -59,8 +59,11 @@ class PeerHost {
   void setLatest(const std::string& client, const Latest& latest) { latest_[client] = latest; }
   void forget(const rpc::ProviderEnd& end);
 
-  /// The sums of the connection of that name with that start of its client's process.
+  /// The sums of the connection of that name with that start of its client's process; an attempt
+  /// that is never accepted leaves nothing behind.
   std::shared_ptr<Ledger> ledgerOf(const std::string& name, std::uint64_t client);
+  /// Keeps the sums of a connection that has been accepted.
+  void keepLedger(const std::string& name, std::uint64_t client, std::shared_ptr<Ledger> ledger);
 
   /// Adds to served(), and forgets those that have been closed.
   void remember(std::shared_ptr<Channel> channel);
@@ -82,6 +85,7 @@ class PeerHost {
     std::shared_ptr<Ledger> ledger;
   };
   std::map<std::string, Account> accounts_;  // by connection
+  std::map<std::pair<std::string, std::uint64_t>, std::weak_ptr<Ledger>> attempted_;
   Ledger::History history_ = Ledger::History::Whole;
   std::map<std::string, Latest> latest_;  // by required interface, with its process
   mutable std::mutex mutex_;

@@ -278,7 +278,9 @@ void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   if (in.getEpoch() != 0 && !takesOver(asked.client, asked.connection.terms.name, context)) {
     return end.close();
   }
-  accepted.channel->terms.ledger->begin(accepted.channel, incarnation_);
+  const std::shared_ptr<Ledger>& ledger = accepted.channel->terms.ledger;
+  host_.keepLedger(asked.connection.terms.name, incarnation_, ledger);
+  ledger->begin(accepted.channel, incarnation_);
   end.setListener(kj::heap<NoticesSender>(host_.control_, in.getNotices()));
   keep(kj::addRef(end), accepted.channel);
   if (in.getEpoch() != 0) host_.setLatest(asked.client, {bootId_, in.getEpoch(), &end});
