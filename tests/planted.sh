@@ -11,8 +11,8 @@ export GTEST_FAIL_FAST=1
 # plant FAULT: replaces a text of a source, which must be there exactly once.
 plant() {
   case "$1" in
-    lost_wake_up) replace runtime/suture/component/commands.cpp \
-      '  owner_.ringLater(*channel_->ends.provider);
+    lost_wake_up) replace runtime/suture/component/required/command_sender.cpp \
+      '  attachment_.owner().ringLater(*channel.ends.provider);
   return Errc{};' '  return Errc{};' ;;
     dropped_credit) replace runtime/suture/rt/queue/mailbox.cpp \
       'credits.store(credits.load(std::memory_order_relaxed) + 1' \
