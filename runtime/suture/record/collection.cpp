@@ -85,11 +85,8 @@ void Collection::countMissed(std::uint64_t count) { add(missed_, count); }
 
 std::vector<std::uint16_t> readsOf(const InterfaceInfo& contract,
                                    const std::vector<std::string>& names) {
-  // A table keeps no rows of values without bounds, only the newest.
   return numbersOf(contract.name, "the read", contract.commands, names,
-                   [](const CommandInfo& command) {
-                     return command.kind == CommandKind::Read && !command.sharedResult;
-                   });
+                   [](const CommandInfo& command) { return command.kind == CommandKind::Read; });
 }
 
 std::vector<std::uint16_t> eventsOf(const InterfaceInfo& contract,

@@ -20,7 +20,7 @@ struct CollectedInterface {
 /// One value of a row.
 struct CollectedValue {
   std::uint16_t read;     ///< the number of the read command in its contract
-  const std::byte* slot;  ///< nullptr: not produced in this row, or beyond its capacity
+  const std::byte* slot;  ///< nullptr: not produced in this row, too large, or invalid
 };
 
 /// A file, a network, a test. May be slow: what is lost by that is counted. Called by the thread of

@@ -1,9 +1,8 @@
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
-#include <suture/record/collection.h>
 #include <suture/record/json_lines.h>
+#include <suture/record/state_collector.h>
 
-#include <algorithm>
 #include <fstream>
 
 #include "arm/arm.suture.h"
@@ -59,16 +58,15 @@ TEST(JsonLines, WritesOneObjectALine) {
   EXPECT_EQ(lines[2]["value"], true);
 }
 
-TEST(Collection, LeavesOutReadsWithoutBounds) {
+/// A collector is a task, whose thread allocates nothing.
+TEST(StateCollector, RefusesAContractWithAReadWithoutBounds) {
   InterfaceInfo contract = interfaceInfo<robots::Arm>();
   std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
-  constexpr auto kUnbounded = static_cast<std::uint16_t>(robots::ArmCommand::measured_js);
-  commands[kUnbounded].sharedResult = true;
+  commands[static_cast<std::size_t>(robots::ArmCommand::measured_js)].sharedResult = true;
   contract.commands = commands;
-  const std::vector<std::uint16_t> reads = readsOf(contract, {});
-  EXPECT_EQ(std::count(reads.begin(), reads.end(), kUnbounded), 0);
-  EXPECT_EQ(readsOf(interfaceInfo<robots::Arm>(), {}).size(), reads.size() + 1);
-  EXPECT_THROW(readsOf(contract, {"measured_js"}), SetupError);
+  const TemporaryDirectory directory;
+  JsonLines sink(directory.file("run.jsonl"));
+  EXPECT_THROW(StateCollector(contract, {.reads = {"measured_cp"}}, sink), SetupError);
 }
 
 TEST(JsonLines, AReadDoesNotTakeTheNameOfTheLinesOwnKey) {

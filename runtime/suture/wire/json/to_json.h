@@ -1,5 +1,5 @@
 #pragma once
-// Values of a schema that was learnt at run time.
+// Values as JSON, by their schema.
 
 #include <capnp/dynamic.h>
 #include <suture/wire/json/json.h>
