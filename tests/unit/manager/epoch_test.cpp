@@ -51,8 +51,11 @@ class Notices final : public wire::Notices::Server {
 /// A link whose caller says what he likes of himself.
 class Caller {
  public:
-  Caller(const std::string& provider, std::string bootId)
-      : bootId_(std::move(bootId)), provider_(rpc::Address::parse(provider)) {
+  /// `incarnation`: of its process; 0: it does not say.
+  Caller(const std::string& provider, std::string bootId, std::uint64_t incarnation = 0)
+      : bootId_(std::move(bootId)),
+        incarnation_(incarnation),
+        provider_(rpc::Address::parse(provider)) {
     control_.run(kPatience, [this] {
       return rpc::dial(control_.port(), provider_, kPatience).then([this](kj::AutoCloseFd socket) {
         link_ = kj::heap<rpc::Link>(kj::heap<rpc::MessageStream>(control_.port(), kj::mv(socket)),
@@ -71,9 +74,9 @@ class Caller {
   Caller& operator=(const Caller&) = delete;
 
   /// Connects "left:Teleop/Slave" to PSM/Arm: the refusal, or "".
-  std::string connect(std::int64_t epoch) {
-    return control_.run(
-        kPatience, [this, epoch] { return greet().then([this, epoch] { return ask(epoch); }); });
+  std::string connect(std::int64_t epoch, Lane lane = Lane::Rpc) {
+    return control_.run(kPatience,
+                        [=, this] { return greet().then([=, this] { return ask(epoch, lane); }); });
   }
 
   /// Does so twice by shared memory, whose provider waits for a descriptor, and for no answer.
@@ -108,6 +111,7 @@ class Caller {
     hello.setVersion(wire::PROTOCOL_VERSION);
     hello.setProcess("left");
     hello.setBootId(textOf(bootId_));
+    hello.setIncarnation(incarnation_);
     return hello.send()
         .then([this, peer](auto&&) mutable {
           return reference::openCallsSocket(control_.port(), provider_, peer);
@@ -115,7 +119,7 @@ class Caller {
         .then([this](reference::CallsSocket socket) { calls_ = kj::mv(socket); });
   }
 
-  kj::Promise<std::string> ask(std::int64_t epoch, Lane lane = Lane::Rpc) {
+  kj::Promise<std::string> ask(std::int64_t epoch, Lane lane) {
     auto request = link_->bootstrap<wire::Peer>().connectRequest();
     reference::askForArm(request, "left");
     request.setEpoch(epoch);
@@ -131,12 +135,14 @@ class Caller {
     }
     return request.send().then([this](auto&& results) {
       if (results.isRefused()) return fromWire(results.getRefused()).text;
+      if (results.isDeclined()) return stringOf(results.getDeclined());
       held_.add(results.getAccepted().getConnection());
       return std::string();
     });
   }
 
   const std::string bootId_;
+  const std::uint64_t incarnation_;
   const rpc::Address provider_;
   rpc::ControlThread control_;
   kj::Own<rpc::Link> link_;
@@ -228,6 +234,33 @@ TEST_F(Epochs, WhatHasEndedIsForgotten) {
   ASSERT_TRUE(eventually([&] { return standing() == 0; }));
   Caller second(provider_, "a");
   EXPECT_EQ(second.connect(5), "");
+}
+
+TEST_F(Epochs, AnAttemptThatIsDeclinedLeavesTheSumsOfOthersAlone) {
+  std::shared_ptr<Ledger> sums;
+  {
+    Caller first(provider_, "a", 1);
+    ASSERT_EQ(first.connect(5), "");
+    sums = there_.channels().at(0)->terms.ledger;
+  }
+  ASSERT_TRUE(eventually([&] { return standing() == 0; }));
+  Caller other(provider_, "a", 2), again(provider_, "a", 1);
+  EXPECT_EQ(other.connect(6, {"hope"}), "the provider's process has no lane 'hope'");
+  EXPECT_EQ(again.connect(7), "");
+  EXPECT_EQ(there_.channels().back()->terms.ledger, sums);
+}
+
+TEST_F(Epochs, OneThatIsAcceptedTakesThePlaceOfTheSumsBefore) {
+  std::shared_ptr<Ledger> sums;
+  {
+    Caller first(provider_, "a", 1);
+    ASSERT_EQ(first.connect(5), "");
+    sums = there_.channels().at(0)->terms.ledger;
+  }
+  Caller other(provider_, "a", 2), again(provider_, "a", 1);
+  EXPECT_EQ(other.connect(6), "");
+  EXPECT_EQ(again.connect(7), "");
+  EXPECT_NE(there_.channels().back()->terms.ledger, sums);
 }
 
 TEST_F(Epochs, WhoTellsNoneNeitherEndsNorIsEnded) {

@@ -92,6 +92,7 @@ void PeerHost::keepLedger(const std::string& name, std::uint64_t client,
     history_ = Ledger::History::Forgotten;
     std::erase_if(accounts_, [](const auto& one) { return one.second.ledger.use_count() == 1; });
   }
+  attempted_.erase({name, client});
   accounts_[name] = {client, std::move(ledger)};
 }
 
