@@ -1,5 +1,5 @@
 #pragma once
-// What a required interface is attached to, and what it makes of a loss.
+// A required interface keeps its connection here, and acts on the loss of it.
 
 #include <suture/base/errors.h>
 #include <suture/component/contract/connection_contract.h>
@@ -20,17 +20,17 @@ class Channel;
 class Component;
 class ProvidedBase;
 
-/// Whose a required interface is, and the connection that it has in this cycle. Belongs to the
-/// thread of its component, but for what says otherwise.
+/// Knows the component that a required interface belongs to, and the connection that it has in this
+/// cycle. Belongs to the thread of the component, but for what says otherwise.
 class Attachment {
  public:
   /// Keeps something that holds for one connection only.
   class User {
    public:
     /// The present connection is about to be given up.
-    virtual void leave() = 0;
+    virtual void leave() {}
     /// Another one has taken its place, or none has.
-    virtual void join() = 0;
+    virtual void join() {}
 
    protected:
     ~User() = default;
@@ -41,8 +41,8 @@ class Attachment {
   Attachment(const Attachment&) = delete;
   Attachment& operator=(const Attachment&) = delete;
 
-  /// In a constructor: `user` hears of each change, behind those who asked before. It lives as
-  /// long.
+  /// In a constructor: tells `user`, which must live as long, of each change, after those that have
+  /// asked before.
   void inform(User& user) { users_.push_back(&user); }
   /// In a constructor: looks at the state table of `own` from now on.
   void watch(ProvidedBase& own);
@@ -78,7 +78,7 @@ class Attachment {
   void awaitDirectHandlers() const;
 
  private:
-  /// What has been lost so far: equal if nothing has been since.
+  /// Counts what has been lost so far: two counts are equal if nothing was lost between them.
   std::pair<const void*, std::uint64_t> losses() const;
   bool awaitsOperator(std::uint16_t command) const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// The events that somebody waits for.
+// Somebody waits for these events.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>

@@ -1,5 +1,5 @@
 #pragma once
-// The calls of a required interface that have an answer.
+// A required interface follows its calls to their answers here.
 
 #include <suture/base/time.h>
 #include <suture/component/required/attachment.h>
@@ -63,7 +63,6 @@ class Calls final : private Attachment::User {
 
  private:
   void leave() override;
-  void join() override {}
 
   void collectReplies();
   void collect(ReplyRecord& reply, std::size_t size);

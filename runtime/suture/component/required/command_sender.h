@@ -1,5 +1,5 @@
 #pragma once
-// How a required interface has a command executed: in a queue, or here.
+// A required interface has its commands executed here: by a queue, or in the caller's thread.
 
 #include <suture/base/slots/shared_slot.h>
 #include <suture/base/slots/slot_forms.h>

@@ -1,5 +1,5 @@
 #pragma once
-// What the read commands of a required interface answer: the rows that have come, judged by the
+// A required interface answers its read commands here: from the rows that have come, judged by the
 // connection's contract.
 
 #include <suture/base/sample.h>
@@ -13,9 +13,11 @@ namespace suture {
 
 /// Belongs to the thread of the component. Sets `device` if the provider is one in this process, to
 /// be called directly instead; then there is no answer here.
-class Reads {
+class Reads final : private Attachment::User {
  public:
-  explicit Reads(Attachment& attachment) : attachment_(attachment) {}
+  explicit Reads(Attachment& attachment) : attachment_(attachment) { attachment.inform(*this); }
+  Reads(const Reads&) = delete;
+  Reads& operator=(const Reads&) = delete;
 
   /// Copies the newest result of `command` into `slot`.
   Sample<void> read(std::uint16_t command, std::byte* slot, bool& device);
@@ -28,6 +30,9 @@ class Reads {
   bool zeroes(const Sample<void>& answer) const;
 
  private:
+  /// The rows of another connection have been read by nobody.
+  void join() override { lastRead_ = Time{}; }
+
   Errc ask(std::uint16_t command, bool& device);
   unsigned columnOf(std::uint16_t command) const;
   /// False for a copy that the contract does not admit.

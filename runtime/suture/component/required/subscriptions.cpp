@@ -61,7 +61,7 @@ void Subscriptions::passOn(EventSet joining) {
   if (channel == nullptr) return;
   if (joining == 0 && channel->subscribed() == subscribed()) return;
   channel->subscribe(subscribed(), joining);
-  // Once the connection is over, what is at the far end may be gone: do not ring it.
+  // Once the connection is over, the device at its far end may be gone: leave that alone.
   const ChannelStatus status = channel->status.load(std::memory_order_acquire);
   if (isOver(status)) return;
   const Channel::Ends& ends = channel->ends;

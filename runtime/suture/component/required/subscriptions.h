@@ -1,5 +1,5 @@
 #pragma once
-// The events that a required interface hears.
+// A required interface hears events by these.
 
 #include <suture/base/errors.h>
 #include <suture/component/required/attachment.h>
