@@ -2,6 +2,7 @@
 #include <suture/base/errors.h>
 #include <suture/base/nearest.h>
 #include <suture/names/records.h>
+#include <suture/wire/json/annotations.h>
 #include <suture/wire/json/to_json.h>
 #include "cli/contract/schema_guard.h"
 
@@ -53,8 +54,7 @@ void Contract::loadSchema(wire::Explanation::Reader explanation) {
   if (const auto fault = faultIn(explanation.getNodes())) refuseSchema(*fault);
   for (const auto node : explanation.getNodes()) loader_.load(node);
   interface_ = loader_.get(explanation.getContract()).asInterface();
-  const auto subscribe = interface_.getMethodByName("subscribe").getParamType();
-  eventsInterface_ = subscribe.getFieldByName("events").getType().asInterface();
+  eventsInterface_ = eventsOf(interface_);
   commands_ = membersOf("commands", interface_);
   events_ = membersOf("events", eventsInterface_);
 }

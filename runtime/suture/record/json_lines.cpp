@@ -3,6 +3,7 @@
 #include <suture/base/errors.h>
 #include <suture/record/json_lines.h>
 #include <suture/wire/codec.h>
+#include <suture/wire/json/annotations.h>
 #include <suture/wire/json/to_json.h>
 
 #include <algorithm>
@@ -40,10 +41,9 @@ Json readOf(const InterfaceInfo& contract, const CollectedValue& value) {
 
 Json payloadOf(const InterfaceInfo& contract, std::uint16_t event, const std::byte* slot) {
   const rpc::Codec& codec = contract.codec();
-  const auto subscribe = codec.schema().getMethodByName("subscribe").getParamType();
-  const auto events = subscribe.getFieldByName("events").getType().asInterface();
   const rpc::EventCodec& one = codec.events[event];
-  return valueOf(slot, one.payload, events.getMethods()[one.method].getParamType());
+  const auto method = eventsOf(codec.schema()).getMethods()[one.method];
+  return valueOf(slot, one.payload, method.getParamType());
 }
 
 }  // namespace

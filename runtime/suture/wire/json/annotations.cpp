@@ -43,6 +43,11 @@ std::string bulkOf(capnp::StructSchema::Field field) {
   return annotationText(field, kBulk).value_or("");
 }
 
+capnp::InterfaceSchema eventsOf(capnp::InterfaceSchema contract) {
+  const auto subscribe = contract.getMethodByName("subscribe").getParamType();
+  return subscribe.getFieldByName("events").getType().asInterface();
+}
+
 bool isSent(capnp::StructSchema::Field field) {
   const capnp::Type type = field.getType();
   return type.isStruct() && type.asStruct().getProto().getId() == capnp::typeId<wire::Sent>();

@@ -14,6 +14,8 @@ std::string nameOf(capnp::EnumSchema::Enumerant value);
 std::string unitOf(capnp::StructSchema::Field field);
 /// "Float64" where bytes are such numbers, else "".
 std::string bulkOf(capnp::StructSchema::Field field);
+/// The interface of what a subscriber of the contract receives.
+capnp::InterfaceSchema eventsOf(capnp::InterfaceSchema contract);
 /// True for what travels with every command, beside its arguments.
 bool isSent(capnp::StructSchema::Field field);
 /// True for a field that only keeps the place of what is no longer declared.
