@@ -15,7 +15,7 @@ namespace reference {
 /// Returns ends at which nobody sleeps. `peer`: what a session knows of the other process.
 inline suture::Channel::Ends playedEnds(std::shared_ptr<const suture::PeerState> peer = nullptr) {
   const auto bell = std::make_shared<suture::rt::Doorbell>();
-  return {.client = bell, .provider = bell, .watcher = bell.get(), .peer = std::move(peer)};
+  return {.client = bell, .provider = bell, .watcher = bell, .peer = std::move(peer)};
 }
 
 /// Makes one. `lane`: its name, for people. The client wants the events `subscribed`.

@@ -17,7 +17,7 @@ std::shared_ptr<Channel> mirroredChannel(OutgoingConnection connection, const ch
                                    Channel::Ends{.client = std::move(connection.client),
                                                  .provider = std::move(carrier),
                                                  .components = ConnectionEnd::Client,
-                                                 .watcher = &control.doorbell(),
+                                                 .watcher = control.sharedDoorbell(),
                                                  .peer = std::move(connection.peer),
                                                  .silence = connection.silence},
                                    std::move(mirror), connection.events);

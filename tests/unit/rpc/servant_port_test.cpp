@@ -19,7 +19,7 @@ namespace {
 struct Provider {
   explicit Provider(ControlThread& control)
       : channel(reference::armChannel(
-            {.client = control.sharedDoorbell(), .provider = bell, .watcher = bell.get()}, "rpc")),
+            {.client = control.sharedDoorbell(), .provider = bell, .watcher = bell}, "rpc")),
         port(kj::refcounted<ServantPort>(control, channel, std::make_shared<LinkCounters>())),
         arm(capnp::Capability::Client(kj::heap<Servant>(kj::addRef(*port)))
                 .castAs<reference::wire::ArmLike>()) {}

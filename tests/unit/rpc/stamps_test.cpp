@@ -29,7 +29,7 @@ std::shared_ptr<Channel> makeChannel(const std::shared_ptr<rt::Doorbell>& client
                                      Duration shift) {
   return reference::armChannel({.client = client,
                                 .provider = provider,
-                                .watcher = client.get(),
+                                .watcher = client,
                                 .peer = reference::peerWithClock(shift)},
                                "rpc");
 }

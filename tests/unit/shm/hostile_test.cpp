@@ -136,7 +136,7 @@ shm::SharedParts mappedAgain(const shm::SharedParts& parts, const InterfaceInfo&
 struct SharedConnection {
   Psm psm;
   Teleop teleop;
-  rt::Doorbell watcher;
+  const std::shared_ptr<rt::Doorbell> watcher = std::make_shared<rt::Doorbell>();
   const InterfaceInfo& contract = interfaceInfo<ArmLike>();
   shm::SharedOffer offer = shm::offerShared({.provided = psm.port,
                                              .contract = contract,

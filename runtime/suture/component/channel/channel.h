@@ -71,15 +71,15 @@ class Channel {
   static constexpr unsigned kMaxCalls = 16;
 
   struct Ends {
-    /// Rung for arrivals: replies, events; for work: all else.
+    /// It is rung with Arrival for a reply or an event, and with Work for all else.
     std::shared_ptr<rt::Doorbell> client;
-    std::shared_ptr<rt::Doorbell> provider;  ///< rung when commands are there
-    /// Which of the two are components'; a lane plays the other.
+    std::shared_ptr<rt::Doorbell> provider;  ///< it is rung when commands are there
+    /// These ends are this process's own; a lane plays the other one.
     ConnectionEnd components = ConnectionEnd::Both;
     ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
     ProvidedBase* here = nullptr;    ///< in this process, for what runs in the caller's thread
     /// It is rung too when the status changes, so that its owner can tell another process.
-    rt::Doorbell* watcher = nullptr;
+    std::shared_ptr<rt::Doorbell> watcher = nullptr;
     /// The process at the other end; nullptr: it is this one, or a client that says nothing.
     std::shared_ptr<const PeerState> peer = nullptr;
     /// How long the client bears its provider's silence; 0: for ever, or it has not said so.
@@ -88,7 +88,7 @@ class Channel {
     std::shared_ptr<const std::atomic<rt::ColumnSet>> asked = nullptr;
   };
 
-  /// What is settled about the connection before it has a channel.
+  /// These are settled before a connection has a channel.
   struct Terms {
     std::string name;  ///< "console:Teleop/Slave -> psm-host:PSM/Arm"
     /// The commands of the contract that the provider does not have, in their order: optional ones,

@@ -13,7 +13,7 @@ namespace suture {
 
 /// Exists only in a process that delays connections. Each connection has its own lines: what one of
 /// them carries, or how long it takes, is nothing to another. Ends its connections when it ends,
-/// which must be after the tasks and before what it rings.
+/// which must be after the tasks.
 class DelayThread final : public ThreadTask {
  public:
   explicit DelayThread(const rt::Scheduling& scheduling);

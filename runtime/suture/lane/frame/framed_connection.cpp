@@ -30,7 +30,7 @@ AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& o
                            .provider = connection.provider,
                            .components = ConnectionEnd::Provider,
                            .here = &connection.provided,
-                           .watcher = &control.doorbell(),
+                           .watcher = control.sharedDoorbell(),
                            .peer = connection.peer,
                            .silence = connection.silence};
   auto channel = std::make_shared<Channel>(contract, connection.terms, on.lane, ends,

@@ -21,7 +21,7 @@ struct FramedOn {
   Form form = Form::Slots;
 };
 
-/// The client's end. `rows`: as many as the provider keeps. The control thread.
+/// Makes the client's end. The control thread.
 OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
                      rpc::ControlThread& control);
 

@@ -41,7 +41,7 @@ std::size_t stateBytes(const SharedParts& parts) {
 }
 
 SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<MemoryBlock> client,
-                        rt::Doorbell& watcher) {
+                        std::shared_ptr<rt::Doorbell> watcher) {
   const InterfaceInfo& contract = connection.contract;
   ProvidedBase& provided = connection.provided;
   SharedOffer offer;
@@ -57,7 +57,7 @@ SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<Me
                            .provider = connection.provider,
                            .components = ConnectionEnd::Provider,
                            .here = &provided,
-                           .watcher = &watcher,
+                           .watcher = std::move(watcher),
                            .peer = connection.peer,
                            .silence = connection.silence,
                            .asked = asked};

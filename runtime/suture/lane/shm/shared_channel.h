@@ -29,7 +29,7 @@ struct SharedOffer {
 /// `client`: the memory of its doorbell. `watcher` is rung when the status changes. Throws
 /// SetupError if there is no memory.
 SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<MemoryBlock> client,
-                        rt::Doorbell& watcher);
+                        std::shared_ptr<rt::Doorbell> watcher);
 
 /// How many bytes the blocks of `parts` must have.
 std::size_t channelBytes(const InterfaceInfo& contract);

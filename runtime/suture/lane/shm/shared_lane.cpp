@@ -71,7 +71,7 @@ class SharedServer final : public LaneServer {
     return receive(request.getBell(), sizeof(std::uint64_t), MemoryBlock::Others::Write)
         .then([this, connection, answer](std::shared_ptr<MemoryBlock> bell) mutable {
           SharedOffer offer =
-              offerShared(connection, std::move(bell), session_.control().doorbell());
+              offerShared(connection, std::move(bell), session_.control().sharedDoorbell());
           toWire(offer.parts, answer.initAs<wire::SharedChannel>());
           return AcceptedEnd{kj::refcounted<StatusPort>(session_.control(), offer.channel),
                              offer.channel};
