@@ -19,7 +19,7 @@ Errc fromWireDistinct(const List& in, BoundedList<Element, N>& slot, const Conve
 template <Number S, std::size_t R, std::uint32_t N, class List>
 void toWireFlat(const BoundedList<std::array<S, R>, N>& slot, List out) {
   std::uint32_t next = 0;
-  for (std::uint32_t i = 0; i < sizeOf(slot); ++i) {
+  for (std::uint32_t i = 0; i < out.size() / R; ++i) {
     for (const S coefficient : slot.data[i]) out.set(next++, coefficient);
   }
 }

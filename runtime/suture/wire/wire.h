@@ -1,6 +1,6 @@
 #pragma once
 // Between slots and Cap'n Proto, for what every contract is made of. Generated converters are built
-// on these overloads; all run on the control thread.
+// on these overloads; any thread may use them.
 //
 //   toWire(slot, builder)     slot -> message; the builder has the slot's size already
 //   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "arm/arm.suture.h"
+#include "reference/arm_like.suture.h"
 #include "support/temporary_directory.h"
 
 namespace suture {
@@ -67,6 +68,25 @@ TEST(StateCollector, RefusesAContractWithAReadWithoutBounds) {
   const TemporaryDirectory directory;
   JsonLines sink(directory.file("run.jsonl"));
   EXPECT_THROW(StateCollector(contract, {.reads = {"measured_cp"}}, sink), SetupError);
+}
+
+TEST(JsonLines, AnEventOfSeveralValuesHasThemByNameAndOneOfNoneHasNone) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.file("run.jsonl");
+  JsonLines sink(file);
+  const CollectedInterface from{"Collector", interfaceInfo<reference::ArmLike>()};
+  reference::ArmLikeMovedPayload moved{};
+  moved.value2 = 1.5;
+  sink.event(from, static_cast<std::uint16_t>(reference::ArmLikeEvent::moved), fromNanoseconds(1),
+             reinterpret_cast<const std::byte*>(&moved));
+  sink.event(from, static_cast<std::uint16_t>(reference::ArmLikeEvent::stopped), fromNanoseconds(2),
+             nullptr);
+  ASSERT_TRUE(sink.flush());
+  const std::vector<json> lines = linesOf(file);
+  EXPECT_EQ(lines.at(0)["value"]["value2"], 1.5);
+  EXPECT_EQ(lines.at(0)["value"]["value"]["pose"]["x"], 0);
+  EXPECT_FALSE(lines.at(0)["value"].contains("stamp"));
+  EXPECT_EQ(lines.at(1), json({{"from", "Collector"}, {"event", "stopped"}, {"stamp", 2}}));
 }
 
 TEST(JsonLines, AReadDoesNotTakeTheNameOfTheLinesOwnKey) {

@@ -64,6 +64,13 @@ TEST_F(LaneChoice, TheNextSlowerLaneCarriesWhatTheOneAskedForCannot) {
   EXPECT_EQ(channel()->terms.laneReason, "the two processes are not reached by a Unix socket");
 }
 
+TEST_F(LaneChoice, ADelayedConnectionTellsWhyItHasNoFasterLane) {
+  begin(kTcp);
+  EXPECT_EQ(refusalOf({.lane = Lane::Shm, .delay = {.commands = 1ms}}), "");
+  EXPECT_EQ(channel()->lane, "frame+delay");
+  EXPECT_EQ(channel()->terms.laneReason, "the two processes are not reached by a Unix socket");
+}
+
 TEST_F(LaneChoice, ARequiredLaneThatCannotBeHadIsAnError) {
   begin(kTcp);
   EXPECT_TRUE(contains(refusalOf({.lane = Lane::Shm, .laneRequired = true}),

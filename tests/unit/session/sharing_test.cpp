@@ -46,6 +46,17 @@ INSTANTIATE_TEST_SUITE_P(Lanes, Sharing,
                                          Way{"RpcTls", "tls://127.0.0.1:0", Lane::Rpc}),
                          [](const auto& test) { return std::string(test.param.name); });
 
+TEST_P(Sharing, EachEndKeepsTheAgesOfWhatItsOwnComponentSees) {
+  beginAtAddress();
+  connect(GetParam().lane);
+  ASSERT_TRUE(eventually([&] { return teleop.seen.load(); }));
+  const auto provider = robot->channels().at(0);
+  EXPECT_NE(channel()->readAge, nullptr);
+  EXPECT_EQ(channel()->commandAge, nullptr);
+  EXPECT_EQ(provider->readAge, nullptr);
+  EXPECT_NE(provider->commandAge, nullptr);
+}
+
 /// Both ends of each socket are in this process.
 TEST_P(Sharing, MoreConnectionsNeedNoMoreSockets) {
   beginWithOthers();
