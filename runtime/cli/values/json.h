@@ -1,5 +1,5 @@
 #pragma once
-// What a peer wrote as JSON.
+// These read JSON that a peer wrote.
 
 #include <suture/wire/json/json.h>
 

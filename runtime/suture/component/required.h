@@ -22,7 +22,7 @@ namespace suture {
 
 class Channel;
 
-/// What a required interface consists of. The generated members work on it; users see RequiredBase.
+/// The generated members work on these parts of a required interface; users see RequiredBase.
 struct RequiredParts {
   RequiredParts(Component& owner, std::string_view name, const InterfaceInfo& info)
       : attachment(owner, name, info) {}
