@@ -21,7 +21,7 @@ struct FramedOn {
   Form form = Form::Slots;
 };
 
-/// Makes the client's end. The control thread.
+/// The control thread makes the client's end.
 OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
                      rpc::ControlThread& control);
 

@@ -14,7 +14,7 @@ std::string nameOf(capnp::EnumSchema::Enumerant value);
 std::string unitOf(capnp::StructSchema::Field field);
 /// "Float64" where bytes are such numbers, else "".
 std::string bulkOf(capnp::StructSchema::Field field);
-/// The interface of what a subscriber of the contract receives.
+/// Returns the interface that a subscriber of the contract implements.
 capnp::InterfaceSchema eventsOf(capnp::InterfaceSchema contract);
 /// True for what travels with every command, beside its arguments.
 bool isSent(capnp::StructSchema::Field field);
