@@ -10,7 +10,7 @@ import sys
 # library, a source may include any of its parts: the order holds for headers there.
 RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contract", "component/channel", "component/required",
            "component", "component/factory", "component/task", "wiring", "loop", "net/tls", "net", "framing", "wire", "wire/json", "lane",
-           "lane/fault", "lane/delay", "lane/rpc", "lane/shm", "lane/frame/bytes", "lane/frame/payloads", "lane/frame", "names", "session", "session/client",
+           "lane/carrier", "lane/fault", "lane/delay", "lane/rpc", "lane/shm", "lane/frame/bytes", "lane/frame/payloads", "lane/frame", "names", "session", "session/client",
            "session/provider", "standard", "manager", "observe", "record", "testing", "deploy/document", "deploy"]
 CLI = ["values", "command_line", "contract", "peer", "text", "."]
 COMPILER = {"frontend": ["ast", "report", "types", "."], "lock": ["schema", "."], "emit": ["text", "wire", "cpp", "docs", "."]}

@@ -1,5 +1,6 @@
 #include <suture/base/virtual_time.h>
 #include <suture/component/channel/channel.h>
+#include <suture/component/channel/credit.h>
 #include <suture/component/latched.h>
 #include <suture/component/provided.h>
 #include <suture/rt/counter.h>
@@ -51,10 +52,10 @@ class ProvidedBase::Turn {
   void release() {
     if (std::exchange(released_, true)) return;
     rt::increment(*outcome);
-    // A newest-wins command without an answer travels in its cell, not in the ring.
-    const bool usesCredit = !channel_.info.commands[command_].latest || call_ != 0;
     channel_.commands.pop();
-    if (usesCredit) channel_.commands.returnCredit(command_);
+    if (usesCredit(channel_.info.commands[command_], call_)) {
+      channel_.commands.returnCredit(command_);
+    }
   }
 
   /// The counter of what becomes of it.

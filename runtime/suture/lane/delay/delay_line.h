@@ -2,6 +2,7 @@
 // What is under way in one direction.
 
 #include <suture/base/time.h>
+#include <suture/base/words.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace suture {
-
-/// `size`, up to whole words.
-constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
 
 /// Records, each due at a time. One thread. No allocation after construction.
 class DelayLine {

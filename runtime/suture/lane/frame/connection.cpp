@@ -1,6 +1,5 @@
 #include <suture/lane/frame/connection.h>
 #include <suture/rt/counter.h>
-#include <suture/wire/stamps.h>
 
 #include <algorithm>
 #include <cstring>
@@ -42,11 +41,11 @@ bool Connection::send() {
   if (!rest_.empty() && mayGoOn()) sendPiece();
   const bool more = give();
   if (!socket_->hasRoom()) return window_.isOpen() || window_.owesAcknowledgement();
-  if (window_.owesAcknowledgement()) send({.kind = Kind::Acknowledge});
+  if (window_.owesAcknowledgement()) sendFrame({.kind = Kind::Acknowledge});
   return more || (!rest_.empty() && window_.isOpen());
 }
 
-void Connection::send(Header header, std::span<const std::byte> payload) {
+void Connection::sendFrame(Header header, std::span<const std::byte> payload) {
   header.connection = number_;
   window_.sends(header);
   rt::increment(channel_->bytesSent, sizeof(header) + wordBytes(payload.size()));
@@ -62,7 +61,7 @@ void Connection::sendValue(const Header& header, std::span<const std::byte> payl
     rest_ = payload;
     return sendPiece();
   }
-  send(header, payload);
+  sendFrame(header, payload);
   letGo(header.kind);
 }
 
@@ -70,17 +69,13 @@ void Connection::sendPiece() {
   const auto piece = rest_.first(std::min(rest_.size(), kMostPayload));
   rest_ = rest_.subspan(piece.size());
   if (!rest_.empty()) {
-    return send({.kind = Kind::Piece,
-                 .number = static_cast<std::uint16_t>(whole_.kind),
-                 .call = wholeSize_},
-                piece);
+    return sendFrame({.kind = Kind::Piece,
+                      .number = static_cast<std::uint16_t>(whole_.kind),
+                      .call = wholeSize_},
+                     piece);
   }
-  send(whole_, piece);
+  sendFrame(whole_, piece);
   letGo(whole_.kind);
-}
-
-Time Connection::here(std::int64_t stamp) const {
-  return std::clamp(fromNanoseconds(rpc::shifted(stamp, channel_->clockShift())), Time{}, now());
 }
 
 }  // namespace suture::frame

@@ -62,13 +62,9 @@ class Connection {
   /// All of the payload that sendValue() got has been sent, in a frame of this kind.
   virtual void letGo(Kind kind) = 0;
 
-  /// A stamp of the peer on this process's clock, but not later than now: what has not happened yet
-  /// would have a negative age.
-  Time here(std::int64_t stamp) const;
-
   bool hasRoom() const { return rest_.empty() && mayGoOn(); }
   /// Only if hasRoom(). No payload is larger than kMostPayload.
-  void send(Header header, std::span<const std::byte> payload = {});
+  void sendFrame(Header header, std::span<const std::byte> payload = {});
   /// Only if hasRoom(): sends a payload of any size, at more than one turn if it is large. Until
   /// letGo() it stays valid.
   void sendValue(const Header& header, std::span<const std::byte> payload);

@@ -1,6 +1,7 @@
 #pragma once
 // The provider's side of a frame connection: the client endpoint of a channel.
 
+#include <suture/lane/carrier/provider_carrier.h>
 #include <suture/lane/frame/connection.h>
 #include <suture/lane/frame/payloads/row_copy.h>
 
@@ -10,12 +11,12 @@
 
 namespace suture::frame {
 
-/// Puts the commands that arrive into the provider's channel in their order, and sends what the
-/// provider answers, emits and publishes. Belongs to the lane thread.
-class ProviderSide final : public Connection {
+/// Puts the commands that arrive into the provider's channel, and sends what the provider answers,
+/// emits and publishes. Belongs to the lane thread.
+class ProviderSide final : public Connection, private ProviderCarrier::Wire {
  public:
   /// Stands for a command that the contract does not have.
-  static constexpr std::uint16_t kUnknown = 0xffff;
+  static constexpr std::uint16_t kUnknown = ProviderCarrier::kUnknown;
 
   /// `channel`'s client doorbell is the lane thread's. `commands`: by the number that the client
   /// gives a command, its number here, or kUnknown; empty if the two have the same numbers.
@@ -23,46 +24,37 @@ class ProviderSide final : public Connection {
                std::uint32_t number, std::vector<std::uint16_t> commands = {});
 
   /// Before it is carried: only what reads is taken, a command is refused (Errc::NotPermitted).
-  void setReadOnly() { readOnly_ = true; }
+  void setReadOnly() { carrier_.setReadOnly(); }
 
  private:
+  using Message = ProviderCarrier::Message;
+
   bool take(const Header& header, std::span<std::byte> payload) override;
-  void taken() override;
+  void taken() override { carrier_.ringProvider(); }
   bool give() override;
   void letGo(Kind kind) override;
 
   bool takeCommand(const Header& header, std::span<std::byte> payload);
-  Errc whyNot(std::uint16_t command) const;
-  Errc post(const Header& header, std::uint16_t command, const std::byte* arguments);
-  bool refuse(const Header& header, Errc error);
+  bool tellRefused(const Header& header, Errc error);
   bool takeSubscription(const Header& header, std::span<const std::byte> payload);
 
-  void giveReplies();
-  void giveRefusals();
-  void giveTally();
-  void giveCredits();
-  void giveEvents();
-  bool giveRow();
-  bool wanted(const rt::EventRecord& record) const;
+  bool hasRoom(Message) const override { return Connection::hasRoom(); }
+  void send(const ReplyRecord& reply) override;
+  void sendCredits(std::uint16_t command, std::uint32_t count) override;
+  void send(const Tally& tally) override;
+  void send(const rt::EventRecord& event, std::uint32_t subscription) override;
+  bool sendRow(rt::ColumnSet columns, std::uint64_t& last) override;
+  void sendRefusals();
 
-  bool readOnly_ = false;
   bool heard_ = false;  // the client's side: from then on it is there
-  const std::vector<std::uint16_t> commands_;
-  std::vector<std::uint32_t> waiting_;  // by the client's number of a command: credits that the
-                                        // client has not got back
-  Tally tally_;                         // as the client's side has been told
   struct RefusedCall {
     std::uint32_t call;
     Errc error;
   };
   std::array<RefusedCall, Channel::kMaxCalls> refusedCalls_;  // the client not yet told
   std::size_t refusedCallCount_ = 0;
-  bool work_ = false;  // the provider is to be rung
-  std::uint32_t subscription_ = 0;
-  std::vector<Time> since_;  // by event: when it was subscribed to
-  rt::ColumnSet columns_ = 0;
-  std::uint64_t lastRow_ = 0;
   RowCopy row_;
+  ProviderCarrier carrier_;
 };
 
 }  // namespace suture::frame

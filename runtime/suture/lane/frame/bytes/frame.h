@@ -1,6 +1,7 @@
 #pragma once
 // What goes over the wire of a frame link: headers, each with a payload behind it.
 
+#include <suture/base/words.h>
 #include <suture/rt/state/row_columns.h>
 
 #include <bit>
@@ -55,8 +56,6 @@ struct Subscription {
   std::uint64_t joining;  ///< of these the last value first, if they are latched
   std::uint64_t columns;  ///< of the state that the client reads
 };
-
-constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
 
 /// The largest frame has so many bytes.
 inline constexpr std::size_t kMostFrame = sizeof(Header) + kMostPayload;

@@ -1,8 +1,8 @@
 #pragma once
 // Values as Cap'n Proto messages, between processes whose builds differ.
 
+#include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/frame/payloads/payloads.h>
-#include <suture/lane/frame/payloads/row_slots.h>
 #include <suture/wire/codec.h>
 
 #include <capnp/message.h>

@@ -1,8 +1,8 @@
 #pragma once
 // Slots as they lie in memory, between processes of one memoryLayout().
 
+#include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/frame/payloads/payloads.h>
-#include <suture/lane/frame/payloads/row_slots.h>
 
 #include <vector>
 

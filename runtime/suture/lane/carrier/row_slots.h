@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace suture::frame {
+namespace suture {
 
 /// The slots of a contract's columns, one behind the other, each at a word. There is none before
 /// they are asked for. One thread.
@@ -39,4 +39,4 @@ class RowSlots {
   std::vector<std::byte*> slots_;
 };
 
-}  // namespace suture::frame
+}  // namespace suture

@@ -1,7 +1,7 @@
-#include <suture/lane/frame/bytes/frame.h>
-#include <suture/lane/frame/payloads/row_slots.h>
+#include <suture/base/words.h>
+#include <suture/lane/carrier/row_slots.h>
 
-namespace suture::frame {
+namespace suture {
 
 RowSlots::RowSlots(const InterfaceInfo& contract, std::size_t head) : head_(head), bytes_(head) {
   for (const CommandInfo& one : contract.commands) {
@@ -23,4 +23,4 @@ std::span<std::byte* const> RowSlots::of(rt::ColumnSet columns) {
   return slots_;
 }
 
-}  // namespace suture::frame
+}  // namespace suture

@@ -1,0 +1,11 @@
+#pragma once
+// Sizes in whole words of eight bytes.
+
+#include <cstddef>
+
+namespace suture {
+
+/// Returns `size`, up to whole words.
+constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
+
+}  // namespace suture

@@ -1,0 +1,15 @@
+#pragma once
+// Which commands use credits.
+
+#include <suture/component/contract/interface_info.h>
+
+#include <cstdint>
+
+namespace suture {
+
+/// A newest-wins command without an answer travels in its cell, and uses none.
+inline bool usesCredit(const CommandInfo& command, std::uint32_t call) {
+  return !command.latest || call != 0;
+}
+
+}  // namespace suture

@@ -1,0 +1,119 @@
+#include <suture/component/channel/credit.h>
+#include <suture/lane/carrier/client_carrier.h>
+#include <suture/rt/counter.h>
+
+namespace suture {
+
+// The first subscription says once more what the provider's channel was made with, so that the lane
+// hears of this end.
+ClientCarrier::ClientCarrier(Channel& channel, Wire& wire)
+    : channel_(channel),
+      wire_(wire),
+      events_(channel.subscribed()),
+      since_(channel.info.events.size()),
+      lent_(channel.info.commands.size()) {
+  channel_.takeJoining();
+}
+
+void ClientCarrier::give() {
+  giveSubscription();
+  giveCommands();
+}
+
+void ClientCarrier::giveSubscription() {
+  const rt::ColumnSet columns = channel_.state->demand();
+  const bool known = subscription_ != 0 && columns == columns_ && channel_.subscribed() == events_;
+  if ((known && !channel_.joining()) || !wire_.hasRoom()) return;
+  ++subscription_;
+  const EventSet joining = channel_.takeJoining();
+  events_ = channel_.subscribed();  // after it: has all that join
+  columns_ = columns;
+  for (std::size_t i = 0; i < since_.size(); ++i) {
+    if (joining >> i & 1) since_[i] = subscription_;
+  }
+  wire_.send(Interest{subscription_, events_, joining, columns_});
+}
+
+// Without room, commands stay with the client, where its credits bound them or newer ones replace
+// them.
+void ClientCarrier::giveCommands() {
+  rt::Mailbox& commands = channel_.commands;
+  if (!wire_.hasRoom() || !commands.pending()) return;
+  commands.fixCut();
+  giveSubscription();  // ahead of commands that were sent later
+  while (wire_.hasRoom()) {
+    const rt::CommandRecord* const record = commands.next();
+    if (record == nullptr) return;
+    if (begin(*record)) wire_.send(*record);
+  }
+}
+
+/// Returns false if its client has cancelled it.
+bool ClientCarrier::begin(const rt::CommandRecord& record) {
+  const std::uint16_t number = record.command;
+  if (record.call != 0 && !channel_.claimCall(record.call)) {
+    channel_.replyError(record.call, Errc::Cancelled);
+    channel_.ends.client->ring(rt::RungFor::Arrival);
+    rt::increment(channel_.commands.counters.cancelled);
+    commandSent();
+    channel_.commands.returnCredit(number);
+    return false;
+  }
+  if (record.call != 0) placeOf(record.call) = {record.call, number};
+  if (usesCredit(channel_.info.commands[number], record.call)) ++lent_[number];
+  return true;
+}
+
+std::optional<std::uint16_t> ClientCarrier::commandOf(std::uint32_t call) const {
+  const Call& place = calls_[call % calls_.size()];
+  if (call == 0 || place.number != call) return std::nullopt;
+  return place.command;
+}
+
+void ClientCarrier::replyError(std::uint32_t call, Errc error) {
+  if (!commandOf(call)) return;
+  channel_.replyError(call, error);
+  placeOf(call).number = 0;
+  arrival_ = true;
+}
+
+bool ClientCarrier::event(std::uint16_t event, std::uint32_t subscription, Time stamp,
+                          const std::byte* payload) {
+  if (subscription < since_[event]) return true;
+  const EventInfo& info = channel_.info.events[event];
+  if (!channel_.admits(info, payload)) return false;
+  channel_.events.push(event, stamp, {payload, info.payloadSize});
+  arrival_ = true;
+  return true;
+}
+
+void ClientCarrier::row(Time stamp, rt::RowColumns columns,
+                        std::span<const rt::StateTable::Value> values) {
+  columns.keep(columns_);
+  if (!columns.any()) return;
+  if (values.empty()) {
+    channel_.state->publish(stamp, columns);
+  } else {
+    channel_.state->publish(stamp, columns, values);
+  }
+  news_ = news_ || channel_.wantsRows.isUp(std::memory_order_relaxed);
+}
+
+bool ClientCarrier::credits(std::uint16_t command, std::uint32_t count) {
+  if (command >= lent_.size() || count > lent_[command]) return false;
+  lent_[command] -= count;
+  for (std::uint32_t i = 0; i < count; ++i) channel_.commands.returnCredit(command);
+  news_ = news_ || channel_.wantsRows.isUp(std::memory_order_relaxed);  // another lane waits
+  return true;
+}
+
+void ClientCarrier::ringClient() {
+  if (news_) {
+    channel_.ends.client->ring();
+  } else if (arrival_) {
+    channel_.ends.client->ring(rt::RungFor::Arrival);
+  }
+  arrival_ = news_ = false;
+}
+
+}  // namespace suture

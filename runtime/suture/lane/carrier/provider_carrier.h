@@ -1,0 +1,142 @@
+#pragma once
+// The client endpoint of a channel whose client is beyond a lane.
+
+#include <suture/component/channel/channel.h>
+#include <suture/lane/carrier/interest.h>
+#include <suture/rt/counter.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace suture {
+
+/// Puts the commands that arrive into the provider's channel in their order, and sends what the
+/// provider answers, emits and publishes. One thread, the lane's.
+class ProviderCarrier {
+ public:
+  /// Stands for a command that the contract does not have.
+  static constexpr std::uint16_t kUnknown = 0xffff;
+
+  enum class Message : std::uint8_t { Reply, Credits, Tally, Event, Row };
+
+  /// How a lane sends it.
+  class Wire {
+   public:
+    /// True if one more such message may be sent.
+    virtual bool hasRoom(Message message) const = 0;
+    /// The answer stays as it is until replySent(), which has to come before the next one.
+    virtual void send(const ReplyRecord& reply) = 0;
+    /// So many more of a command may be sent, which the client gives this number.
+    virtual void sendCredits(std::uint16_t command, std::uint32_t count) = 0;
+    /// What has become of all commands so far.
+    virtual void send(const Tally& tally) = 0;
+    /// The event stays as it is until eventSent(), which has to come before the next one.
+    virtual void send(const rt::EventRecord& event, std::uint32_t subscription) = 0;
+    /// Sends the newest row, if it is another one than row `last`, and sets that to its number;
+    /// perhaps rows between the two. Returns true if it goes on at the next turn.
+    virtual bool sendRow(rt::ColumnSet columns, std::uint64_t& last) = 0;
+
+   protected:
+    ~Wire() = default;
+  };
+
+  /// Both outlive this. `commands`: by the number that the client gives a command, its number here,
+  /// or kUnknown; empty if the two have the same numbers.
+  ProviderCarrier(Channel& channel, Wire& wire, std::vector<std::uint16_t> commands = {});
+
+  /// From now on only what reads is taken: a command is refused (Errc::NotPermitted).
+  void setReadOnly() { readOnly_ = true; }
+
+  // --- from the client
+
+  /// The number here of a command that the client gives this number.
+  std::uint16_t commandAt(std::uint16_t theirs) const {
+    return theirs < commands_.size() ? commands_[theirs] : kUnknown;
+  }
+  std::size_t commands() const { return commands_.size(); }
+  /// A command of this number uses a credit, which goes back to the client when it has been taken,
+  /// or will never be.
+  void lend(std::uint16_t theirs) { ++waiting_[theirs]; }
+  std::uint32_t lent(std::uint16_t theirs) const { return waiting_[theirs]; }
+
+  /// Why a command was not put in.
+  struct Refusal {
+    Errc error{};         ///< 0: it was
+    FieldPath invalid{};  ///< what is, of Errc::Invalid
+  };
+  /// Puts in a command; `decode(std::byte* arguments)` fills in its arguments and returns an Errc,
+  /// 0 for success. They are judged before the provider sees them.
+  template <class Decode>
+  Refusal post(std::uint16_t command, Time stamp, std::uint32_t call, const Decode& decode);
+  /// Counts a command that is not put in.
+  Refusal refuse(Errc error);
+  void subscribe(const Interest& interest);
+  /// Wakes the provider for what has come.
+  void ringProvider();
+
+  // --- to the client
+
+  /// Sends what there is, as far as there is room; true: it goes on at the next turn.
+  bool give();
+  void giveReplies();
+  void giveTally();
+  void giveEvents();
+  bool giveRow();
+  /// What the wire got has left.
+  void replySent() { channel_.popReply(); }
+  void eventSent() { channel_.events.pop(); }
+
+ private:
+  Errc whyNot(std::uint16_t command) const;
+  template <class Decode>
+  Refusal put(std::uint16_t command, Time stamp, std::uint32_t call, const Decode& decode);
+  void giveCredits();
+  bool wanted(const rt::EventRecord& record) const;
+
+  Channel& channel_;
+  Wire& wire_;
+  bool readOnly_ = false;
+  bool work_ = false;  // the provider is to be rung
+  const std::vector<std::uint16_t> commands_;
+  std::vector<std::uint32_t> waiting_;  // by the client's number of a command: credits that the
+                                        // client has not got back
+  Tally tally_;                         // as the client has been told
+  std::uint32_t subscription_ = 0;
+  std::vector<Time> since_;  // by event: when it was subscribed to
+  rt::ColumnSet columns_ = 0;
+  std::uint64_t lastRow_ = 0;
+};
+
+template <class Decode>
+ProviderCarrier::Refusal ProviderCarrier::post(std::uint16_t command, Time stamp,
+                                               std::uint32_t call, const Decode& decode) {
+  const Refusal refusal = put(command, stamp, call, decode);
+  if (refusal.error == Errc{}) {
+    work_ = true;
+  } else {
+    rt::increment(channel_.counts->turnedAway);
+  }
+  return refusal;
+}
+
+template <class Decode>
+ProviderCarrier::Refusal ProviderCarrier::put(std::uint16_t command, Time stamp, std::uint32_t call,
+                                              const Decode& decode) {
+  if (const Errc error = whyNot(command); error != Errc{}) return {error};
+  const auto slot = channel_.commands.claim(command, stamp, call);
+  if (!slot) return {slot.error()};
+  Refusal refusal{decode(*slot)};
+  if (refusal.error == Errc{} && !channel_.info.commands[command].admits(*slot, &refusal.invalid)) {
+    refusal.error = Errc::Invalid;
+    channel_.lastInvalid.note(refusal.invalid);
+  }
+  if (refusal.error == Errc{}) {
+    channel_.countSent(channel_.commands.commit());
+  } else {
+    channel_.commands.abandon();
+  }
+  return refusal;
+}
+
+}  // namespace suture
