@@ -9,6 +9,8 @@ struct Subscription {
   events @0 :Capability;   # receives them: of the contract's events interface
   eventMask @1 :UInt64;    # bit i: event i
   stateMask @2 :UInt64;    # bit i: column i
+  joinMask @3 :UInt64;     # of the events: those that are wanted anew, the last value first if they are latched; so are
+                           # those that were not wanted before
 }
 
 struct Sent {

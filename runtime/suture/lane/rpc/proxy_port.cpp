@@ -1,10 +1,10 @@
 #include <suture/base/slots/shared_slot.h>
+#include <suture/component/channel/credit.h>
 #include <suture/framing/remote_error.h>
+#include <suture/lane/carrier/arrival_stamp.h>
 #include <suture/lane/rpc/proxy_port.h>
 #include <suture/lane/rpc/receiver.h>
-#include <suture/rt/counter.h>
 #include <suture/wire/codec.h>
-#include <suture/wire/stamps.h>
 
 #include <algorithm>
 
@@ -26,14 +26,13 @@ ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
       control_(control),
       counters_(std::move(counters)),
       payload_(mostWords(channel_->info)),
+      carrier_(*channel_, *this),
       calls_(*this) {}
 
 ProxyPort::~ProxyPort() noexcept(false) { close(ChannelStatus::Closed); }
 
 void ProxyPort::open(capnp::Capability::Client provider) {
   provider_ = kj::mv(provider);
-  channel_->takeJoining();  // the provider has been told with the request to connect
-  subscribe(channel_->subscribed(), channel_->state->demand());
   control_.add(*this);
   pump();
 }
@@ -44,22 +43,25 @@ void ProxyPort::ending() {
   releaseAcknowledgement();
 }
 
-// Bounds stamps by now, since what has not happened yet would have a negative age.
-Time ProxyPort::here(std::int64_t stamp) const {
-  const Time received = now();
-  return stamp == 0 ? received : std::min(received, fromNanoseconds(shifted(stamp, shift())));
+void ProxyPort::countBytes() {
+  channel_->bytesSent.store(counters_->sentBytes, std::memory_order_relaxed);
+  channel_->bytesReceived.store(counters_->receivedBytes, std::memory_order_relaxed);
 }
+
+// ---- from the provider
 
 // A row of another process is judged where the client reads it.
 void ProxyPort::publish(capnp::AnyPointer::Reader in) {
   if (isClosed()) return;
   const RowCodec& row = info().codec().row;
   const rt::RowColumns columns = row.decode(in, info().wireColumns, shift(), *channel_->state);
-  channel_->state->publish(here(row.stamp(in)), columns);
-  if (channel_->wantsRows.isUp(std::memory_order_relaxed)) channel_->ends.client->ring();
+  carrier_.row(arrivalStamp(*channel_, row.stamp(in)), columns);
+  carrier_.ringClient();
 }
 
-kj::Promise<void> ProxyPort::event(std::uint16_t event, capnp::AnyPointer::Reader in) {
+kj::Promise<void> ProxyPort::event(std::uint16_t event, std::uint32_t subscription,
+                                   capnp::AnyPointer::Reader in) {
+  if (isClosed()) return kj::READY_NOW;
   const EventInfo& known = info().events[event];
   auto* const slot = reinterpret_cast<std::byte*>(payload_.data());
   if (known.sharedPayload) putSharedSlot(slot, nullptr);
@@ -67,22 +69,16 @@ kj::Promise<void> ProxyPort::event(std::uint16_t event, capnp::AnyPointer::Reade
   const EventCodec& codec = info().codec().events[event];
   const Errc error = codec.payload.decode(in, slot, shift());
   if (error != Errc{}) return remoteError(error);
-  if (!channel_->admits(known, slot)) {
+  const Time stamp = arrivalStamp(*channel_, codec.stamp.of(in));
+  if (!carrier_.event(event, subscription, stamp, slot)) {
     return remoteError(Errc::Invalid, channel_->lastInvalid.read());
   }
-  push(event, slot, codec.stamp.of(in));
+  carrier_.ringClient();
   return acknowledge();
-}
-
-void ProxyPort::push(std::uint16_t event, const std::byte* slot, std::int64_t stamp) {
-  if (isClosed() || (leaving_ >> event & 1) != 0) return;
-  channel_->events.push(event, here(stamp), {slot, channel_->info.events[event].payloadSize});
-  channel_->ends.client->ring(rt::RungFor::Arrival);
 }
 
 kj::Promise<void> ProxyPort::acknowledge() {
   releaseAcknowledgement();
-  if (isClosed()) return kj::READY_NOW;
   auto pair = kj::newPromiseAndFulfiller<void>();
   acknowledgement_ = kj::mv(pair.fulfiller);
   return kj::mv(pair.promise);
@@ -93,122 +89,69 @@ void ProxyPort::releaseAcknowledgement() {
   acknowledgement_ = nullptr;
 }
 
-void ProxyPort::countBytes() {
-  channel_->bytesSent.store(counters_->sentBytes, std::memory_order_relaxed);
-  channel_->bytesReceived.store(counters_->receivedBytes, std::memory_order_relaxed);
-}
-
-void ProxyPort::pump() {
-  countBytes();
-  pumpSubscription();
-  pumpCommands();
-}
-
-void ProxyPort::pumpSubscription() {
-  const rt::ColumnSet columns = channel_->state->demand();
-  const EventSet joining = channel_->takeJoining(), events = channel_->subscribed();
-  if (isClosed() || (columns == columns_ && events == events_ && joining == 0)) return;
-  if (const EventSet again = joining & events_; again != 0) leave(again);
-  subscribe(events, columns);
-}
-
-// Leaves events that the client has left and subscribed to again since this end last asked.
-void ProxyPort::leave(EventSet events) {
-  leaving_ |= events;
-  ++farewellsUnderWay_;
-  calls_.add(ask(events_ & ~events, columns_).then([this] {
-    if (--farewellsUnderWay_ == 0) leaving_ = 0;
-  }));
-}
-
-void ProxyPort::subscribe(EventSet events, rt::ColumnSet columns) {
-  events_ = events;
-  columns_ = columns;
-  calls_.add(ask(events_, columns_).then([this] { countBytes(); }));
-}
-
-// Asks for these events and columns, in place of what was asked for before.
-kj::Promise<void> ProxyPort::ask(EventSet events, rt::ColumnSet columns) {
-  KJ_IF_MAYBE (provider, provider_) {
-    auto request = provider->typelessRequest(info().codec().contract, 0, nullptr);
-    auto out = request.initAs<wire::Subscription>();
-    out.setEvents(kj::heap<Receiver>(kj::addRef(*this)));
-    out.setEventMask(toWireNumbers(info().wireEvents, events));
-    out.setStateMask(toWireNumbers(info().wireColumns, columns));
-    return request.send().ignoreResult();
-  }
-  return kj::READY_NOW;
-}
-
-void ProxyPort::pumpCommands() {
-  rt::Mailbox& commands = channel_->commands;
-  if (isClosed() || latestInFlight_ >= kWindow || !commands.pending()) return;
-  commands.fixCut();
-  pumpSubscription();  // ahead of commands that were sent later
-  while (const rt::CommandRecord* record = commands.next()) {
-    transmit(*record);
-    commands.pop();
-  }
-}
-
-void ProxyPort::transmit(const rt::CommandRecord& record) {
-  const std::uint16_t command = record.command;
-  const std::uint32_t call = record.call;
-  if (call != 0 && !channel_->claimCall(call)) {
-    answer(call, Errc::Cancelled);
-    channel_->commands.returnCredit(command);
-    rt::increment(channel_->commands.counters.cancelled);
-    return;
-  }
-  if (channel_->info.commands[command].latest && call == 0) ++latestInFlight_;
-  releaseAcknowledgement();
-  KJ_IF_MAYBE (provider, provider_) {
-    calls_.add(send(*provider, record)
-                   .then([this, command, call] { returned(command, call, Errc{}); },
-                         [this, command, call](kj::Exception&& e) {
-                           returned(command, call, errcOf(e));
-                         }));
-  }
-}
-
-// Rejects with remoteError(), or as a broken link does.
-kj::Promise<void> ProxyPort::send(capnp::Capability::Client& provider,
-                                  const rt::CommandRecord& record) {
-  const CommandCodec& codec = info().codec().commands[record.command];
-  auto request = provider.typelessRequest(codec.interface, codec.method, nullptr);
-  codec.arguments.encode(record.arguments(), request);
-  wire::Sent::Builder sent = codec.sent.in(request);
-  sent.setStamp(toNanoseconds(record.stamp));
-  sent.setAnswer(record.call != 0);
-  return request.send().then([this, command = record.command, call = record.call](auto&& response) {
-    if (call != 0) answer(command, call, response);
-  });
-}
-
 void ProxyPort::answer(std::uint16_t command, std::uint32_t call,
                        capnp::AnyPointer::Reader results) {
   if (isClosed()) return;
-  const CommandInfo& known = info().commands[command];
   const CommandCodec& codec = info().codec().commands[command];
-  const auto decode = [&](std::byte* slot) { return codec.result.decode(results, slot, shift()); };
-  channel_->reply(call, {known.resultSize, known.sharedResult}, decode,
-                  here(codec.stamp.of(results)));
-  channel_->ends.client->ring(rt::RungFor::Arrival);
-}
-
-void ProxyPort::answer(std::uint32_t call, Errc error) {
-  if (isClosed()) return;
-  channel_->replyError(call, error);
-  channel_->ends.client->ring(rt::RungFor::Arrival);
+  const Time stamp = arrivalStamp(*channel_, codec.stamp.of(results));
+  carrier_.reply(call, stamp,
+                 [&](std::byte* slot) { return codec.result.decode(results, slot, shift()); });
+  carrier_.ringClient();
 }
 
 void ProxyPort::returned(std::uint16_t command, std::uint32_t call, Errc error) {
-  if (error != Errc{} && call != 0) answer(call, error);
-  if (channel_->info.commands[command].latest && call == 0) {
-    if (latestInFlight_-- == kWindow) pumpCommands();
-  } else {
-    channel_->commands.returnCredit(command);
+  if (error != Errc{} && !isClosed()) carrier_.replyError(call, error);
+  if (usesCredit(info().commands[command], call)) {
+    carrier_.credits(command, 1);
+    carrier_.ringClient();
+  } else if (latestInFlight_-- == kWindow) {
+    carrier_.give();
   }
+}
+
+// ---- to the provider
+
+void ProxyPort::pump() {
+  countBytes();
+  carrier_.give();
+}
+
+bool ProxyPort::hasRoom() const { return !isClosed() && latestInFlight_ < kWindow; }
+
+// Events come through the capability of the subscription that they were emitted for.
+void ProxyPort::send(const Interest& interest) {
+  KJ_IF_MAYBE (provider, provider_) {
+    auto request = provider->typelessRequest(info().codec().contract, 0, nullptr);
+    auto out = request.initAs<wire::Subscription>();
+    out.setEvents(kj::heap<Receiver>(kj::addRef(*this), interest.number));
+    out.setEventMask(toWireNumbers(info().wireEvents, interest.events));
+    out.setJoinMask(toWireNumbers(info().wireEvents, interest.joining));
+    out.setStateMask(toWireNumbers(info().wireColumns, interest.columns));
+    calls_.add(request.send().ignoreResult().then([this] { countBytes(); }));
+  }
+}
+
+// The call is rejected with remoteError(), or as a broken link does.
+void ProxyPort::send(const rt::CommandRecord& record) {
+  const std::uint16_t command = record.command;
+  const std::uint32_t call = record.call;
+  if (!usesCredit(info().commands[command], call)) ++latestInFlight_;
+  releaseAcknowledgement();
+  KJ_IF_MAYBE (provider, provider_) {
+    const CommandCodec& codec = info().codec().commands[command];
+    auto request = provider->typelessRequest(codec.interface, codec.method, nullptr);
+    codec.arguments.encode(record.arguments(), request);
+    wire::Sent::Builder sent = codec.sent.in(request);
+    sent.setStamp(toNanoseconds(record.stamp));
+    sent.setAnswer(call != 0);
+    auto answered = request.send().then([this, command, call](auto&& response) {
+      if (call != 0) answer(command, call, response);
+    });
+    calls_.add(answered.then(
+        [this, command, call] { returned(command, call, Errc{}); },
+        [this, command, call](kj::Exception&& e) { returned(command, call, errcOf(e)); }));
+  }
+  carrier_.commandSent();
 }
 
 // Only a subscription ends here: the link is breaking, and whoever watches it closes this.

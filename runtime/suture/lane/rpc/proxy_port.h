@@ -8,6 +8,7 @@
 #include <kj/async.h>
 #include <suture/component/channel/channel.h>
 #include <suture/framing/message_stream.h>
+#include <suture/lane/carrier/client_carrier.h>
 #include <suture/lane/client_end.h>
 #include <suture/loop/control_thread.h>
 
@@ -17,10 +18,12 @@
 
 namespace suture::rpc {
 
-/// Takes the commands of one client out of its mailbox in their order and sends each as a call;
-/// puts answers, events and rows that arrive where the client looks for them. Belongs to the
-/// control thread; shared by the connection and by the capability that receives events.
-class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::ErrorHandler {
+/// Sends each command of a client as a call, whose return gives its credit back. Belongs to the
+/// control thread; shared by the connection and by the capabilities that receive events.
+class ProxyPort final : public ClientEnd,
+                        private ClientCarrier::Wire,
+                        private Pump,
+                        private kj::TaskSet::ErrorHandler {
  public:
   /// With so many newest-wins commands under way, the next wait in their cells, where newer ones
   /// replace them.
@@ -38,13 +41,13 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
 
   /// A row has come.
   void publish(capnp::AnyPointer::Reader in);
-  /// Event `event` has come. The promise is the answer to the provider; see acknowledge().
-  kj::Promise<void> event(std::uint16_t event, capnp::AnyPointer::Reader in);
+  /// Event `event` has come for `subscription`. The promise is the answer to the provider; see
+  /// acknowledge().
+  kj::Promise<void> event(std::uint16_t event, std::uint32_t subscription,
+                          capnp::AnyPointer::Reader in);
 
  private:
   Duration shift() const { return channel_->clockShift(); }
-  Time here(std::int64_t stamp) const;
-  void push(std::uint16_t event, const std::byte* slot, std::int64_t stamp);
   /// The newest event is answered with the next command, or when another event arrives: a message
   /// of its own would cost both processes a wake-up, and the provider does not wait for it before
   /// ServantPort::kWindow of them.
@@ -53,15 +56,10 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   void ending() override;
   void pump() override;
   void countBytes();
-  void pumpSubscription();
-  void leave(EventSet events);
-  void subscribe(EventSet events, rt::ColumnSet columns);
-  kj::Promise<void> ask(EventSet events, rt::ColumnSet columns);
-  void pumpCommands();
-  void transmit(const rt::CommandRecord& record);
-  kj::Promise<void> send(capnp::Capability::Client& provider, const rt::CommandRecord& record);
+  bool hasRoom() const override;
+  void send(const Interest& interest) override;
+  void send(const rt::CommandRecord& command) override;
   void answer(std::uint16_t command, std::uint32_t call, capnp::AnyPointer::Reader results);
-  void answer(std::uint32_t call, Errc error);
   void returned(std::uint16_t command, std::uint32_t call, Errc error);
   void taskFailed(kj::Exception&& exception) override;
 
@@ -69,12 +67,9 @@ class ProxyPort final : public ClientEnd, private Pump, private kj::TaskSet::Err
   const std::shared_ptr<const LinkCounters> counters_;
   kj::Maybe<capnp::Capability::Client> provider_;
   unsigned latestInFlight_ = 0;
-  EventSet events_ = 0;
-  rt::ColumnSet columns_ = 0;
   std::vector<std::uint64_t> payload_;  // of the event that comes
-  EventSet leaving_ = 0;            // what of these comes was emitted for an earlier subscription
-  unsigned farewellsUnderWay_ = 0;  // messages after whose answer no more of it comes
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;
+  ClientCarrier carrier_;
   kj::TaskSet calls_;  // last: cancelled first
 };
 

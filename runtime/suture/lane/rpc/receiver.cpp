@@ -21,7 +21,7 @@ capnp::Capability::Server::DispatchCallResult Receiver::dispatchCall(
     return internalUnimplemented(contract.name, interface, method);
   }
   const auto number = static_cast<std::uint16_t>(found - codec.events.begin());
-  return {port_->event(number, call.getParams()), false};
+  return {port_->event(number, subscription_, call.getParams()), false};
 }
 
 }  // namespace suture::rpc

@@ -8,10 +8,11 @@
 
 namespace suture::rpc {
 
-/// Passes them to `port`. Belongs to the control thread.
+/// Passes them to `port`, as what `subscription` has asked for. Belongs to the control thread.
 class Receiver final : public capnp::Capability::Server {
  public:
-  explicit Receiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+  Receiver(kj::Own<ProxyPort> port, std::uint32_t subscription)
+      : port_(kj::mv(port)), subscription_(subscription) {}
 
   DispatchCallResult dispatchCall(
       std::uint64_t interface, std::uint16_t method,
@@ -19,6 +20,7 @@ class Receiver final : public capnp::Capability::Server {
 
  private:
   kj::Own<ProxyPort> port_;
+  const std::uint32_t subscription_;
 };
 
 }  // namespace suture::rpc

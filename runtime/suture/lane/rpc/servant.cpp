@@ -33,8 +33,9 @@ const InterfaceInfo* Servant::contractOf(std::uint64_t interface) const {
 void Servant::subscribe(const InterfaceInfo& contract, AnyCall call) {
   const auto in = call.getParams().getAs<wire::Subscription>();
   port_->subscribe(Subscriber(in.getEvents(), contract),
-                   fromWireNumbers(contract.wireEvents, in.getEventMask()),
-                   fromWireNumbers(contract.wireColumns, in.getStateMask()));
+                   {.events = fromWireNumbers(contract.wireEvents, in.getEventMask()),
+                    .joining = fromWireNumbers(contract.wireEvents, in.getJoinMask()),
+                    .columns = fromWireNumbers(contract.wireColumns, in.getStateMask())});
 }
 
 }  // namespace suture::rpc

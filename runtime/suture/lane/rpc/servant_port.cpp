@@ -1,9 +1,9 @@
 #include <suture/component/channel/call_limit.h>
+#include <suture/component/channel/credit.h>
+#include <suture/lane/carrier/arrival_stamp.h>
 #include <suture/lane/rpc/servant_port.h>
 #include <suture/loop/deadline.h>
-#include <suture/rt/counter.h>
 #include <suture/wire/codec.h>
-#include <suture/wire/stamps.h>
 
 #include <algorithm>
 
@@ -31,14 +31,9 @@ ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channe
       counters_(std::move(counters)),
       taken_(channel_->info.commands.size()),
       calls_(callLimitOf(channel_->info).calls),
-      since_(channel_->info.events.size(), now()),
+      row_(channel_->info),
+      carrier_(*channel_, *this),
       sending_(*this) {
-  for (unsigned i = 0; i < channel_->state->columns(); ++i) {
-    rowSlots_.emplace_back((channel_->state->columnSize(i) + 7) / 8);
-    rowPointers_.push_back(nullptr);
-  }
-  // This also tells when commands have been taken, if a provider publishes no rows.
-  channel_->wantsRows.raise();
   control_.add(*this);
 }
 
@@ -63,10 +58,11 @@ kj::Promise<void> ServantPort::command(std::uint16_t command, AnyCall call) {
 
 kj::Promise<void> ServantPort::await(std::uint16_t command, AnyCall call) {
   PendingCall* const pending = openCall(command);
-  if (pending == nullptr) return turnedAway({Errc::TooManyCalls});
+  if (pending == nullptr) return turnedAway(carrier_.refuse(Errc::TooManyCalls));
   const Refusal refusal = post(command, call.getParams(), pending->number);
   if (refusal.error != Errc{}) return turnedAway(refusal);
-  taken_[command].emplace_back();  // it uses a credit, and does not wait for it
+  carrier_.lend(command);
+  taken_[command].emplace_back();  // it does not wait for its credit
   auto pair = kj::newPromiseAndFulfiller<void>();
   pending->done = kj::mv(pair.fulfiller);
   pending->call = call;
@@ -75,68 +71,36 @@ kj::Promise<void> ServantPort::await(std::uint16_t command, AnyCall call) {
 
 ServantPort::Refusal ServantPort::post(std::uint16_t command, capnp::AnyPointer::Reader in,
                                        std::uint32_t call) {
-  if (const Errc error = errorOf(channel_->status.load(std::memory_order_acquire));
-      error != Errc{}) {
-    return {error};
-  }
-  const CommandInfo& info = channel_->info.commands[command];
   const CommandCodec& codec = channel_->info.codec().commands[command];
-  if (readOnly_ && !info.reads()) return {Errc::NotPermitted};
-  const auto slot = channel_->commands.claim(command, stampOf(codec.sent.of(in)), call);
-  if (!slot) return {slot.error()};
-  Refusal refusal{codec.arguments.decode(in, *slot, channel_->clockShift())};
-  if (refusal.error == Errc{} && !info.admits(*slot, &refusal.invalid)) {
-    refusal.error = Errc::Invalid;
-    channel_->lastInvalid.note(refusal.invalid);
-  }
-  if (refusal.error != Errc{}) {
-    channel_->commands.abandon();
-    return refusal;
-  }
-  channel_->commands.commit();
-  channel_->ends.provider->ring();
-  return {};
+  const Time sent = arrivalStamp(*channel_, codec.sent.of(in).getStamp());
+  const Refusal refusal = carrier_.post(command, sent, call, [&](std::byte* arguments) {
+    return codec.arguments.decode(in, arguments, channel_->clockShift());
+  });
+  carrier_.ringProvider();
+  return refusal;
 }
 
-void ServantPort::subscribe(Subscriber subscriber, EventSet events, rt::ColumnSet columns) {
+void ServantPort::subscribe(Subscriber subscriber, Interest interest) {
   subscriber_ = kj::mv(subscriber);
-  const EventSet joining = events & ~channel_->subscribed();
-  for (std::size_t i = 0; i < since_.size(); ++i) {
-    if (joining >> i & 1) since_[i] = now();
-  }
-  channel_->subscribe(events, joining);
-  columns_ = columns;
-  lastRow_ = 0;
-  bool first = joining != 0;
-  for (unsigned i = 0; i < rowSlots_.size(); ++i) {
-    const bool wanted = (columns >> i & 1) != 0;
-    rowPointers_[i] = wanted ? reinterpret_cast<std::byte*>(rowSlots_[i].data()) : nullptr;
-    first = (wanted && channel_->state->ask(i)) || first;
-  }
-  if (first) channel_->ends.provider->ring();
+  interest.joining = interest.events & (interest.joining | ~channel_->subscribed());
+  carrier_.subscribe(interest);
+  carrier_.ringProvider();
   answering_ = true;
   sending_.add(kj::evalLast([this] {
     answering_ = false;
-    pumpEvents();
-    pumpRow();
+    carrier_.giveEvents();
+    carrier_.giveRow();
   }));
 }
 
 kj::Promise<void> ServantPort::turnedAway(const Refusal& refusal) {
-  rt::increment(channel_->counts->turnedAway);
-  pumpTally();
+  carrier_.giveTally();
   return remoteError(refusal.error, refusal.invalid);
 }
 
-// Bounds stamps by now, since a command from the future would never be late.
-Time ServantPort::stampOf(wire::Sent::Reader sent) const {
-  const Time received = now();
-  if (sent.getStamp() == 0) return received;
-  return std::min(received, fromNanoseconds(shifted(sent.getStamp(), channel_->clockShift())));
-}
-
 kj::Promise<void> ServantPort::whenTaken(std::uint16_t command) {
-  if (channel_->info.commands[command].latest) return kj::READY_NOW;
+  if (!usesCredit(channel_->info.commands[command], 0)) return kj::READY_NOW;
+  carrier_.lend(command);
   auto pair = kj::newPromiseAndFulfiller<void>();
   taken_[command].push_back(kj::mv(pair.fulfiller));
   return kj::mv(pair.promise);
@@ -155,27 +119,32 @@ ServantPort::PendingCall* ServantPort::openCall(std::uint16_t command) {
 void ServantPort::pump() {
   channel_->bytesSent.store(counters_->sentBytes, std::memory_order_relaxed);
   channel_->bytesReceived.store(counters_->receivedBytes, std::memory_order_relaxed);
-  pumpReplies();
-  pumpCredits();
-  pumpTally();
-  pumpEvents();
-  pumpRow();
+  carrier_.give();
   pumpStatus();
 }
 
-void ServantPort::pumpReplies() {
-  while (const ReplyRecord* const reply = channel_->nextReply()) {
-    for (PendingCall& call : calls_) {
-      if (call.number != reply->call || call.done.get() == nullptr) continue;
-      if (reply->error == Errc{}) {
-        answer(call, *reply);
-      } else {
-        call.done->reject(failureOf(call, reply->error));
-      }
-      call = PendingCall{};
-    }
-    channel_->popReply();
+bool ServantPort::hasRoom(Message message) const {
+  switch (message) {
+    case Message::Reply:
+    case Message::Credits: return true;
+    case Message::Tally: return listener_ != nullptr && !tallyInFlight_;
+    case Message::Event: return isHeard() && eventsInFlight_ < kWindow;
+    case Message::Row: return isHeard() && rowsInFlight_ < kWindow;
   }
+  return false;
+}
+
+void ServantPort::send(const ReplyRecord& reply) {
+  for (PendingCall& call : calls_) {
+    if (call.number != reply.call || call.done.get() == nullptr) continue;
+    if (reply.error == Errc{}) {
+      answer(call, reply);
+    } else {
+      call.done->reject(failureOf(call, reply.error));
+    }
+    call = PendingCall{};
+  }
+  carrier_.replySent();
 }
 
 void ServantPort::answer(PendingCall& pending, const ReplyRecord& reply) {
@@ -197,107 +166,88 @@ kj::Exception ServantPort::failureOf(const PendingCall& call, Errc error) const 
   return remoteError(error, isOfThis ? last : FieldPath());
 }
 
-void ServantPort::pumpCredits() {
-  for (std::uint16_t command = 0; command < taken_.size(); ++command) {
-    auto& calls = taken_[command];
-    if (calls.empty()) continue;
-    for (auto waiting = channel_->commands.waiting(command); calls.size() > waiting;) {
-      if (calls.front().get() != nullptr) calls.front()->fulfill();
-      calls.pop_front();
-    }
+void ServantPort::sendCredits(std::uint16_t command, std::uint32_t count) {
+  auto& calls = taken_[command];
+  for (; count > 0; --count) {
+    if (calls.front().get() != nullptr) calls.front()->fulfill();
+    calls.pop_front();
   }
 }
 
-void ServantPort::pumpTally() {
+void ServantPort::send(const Tally& tally) {
   KJ_IF_MAYBE (listener, listener_) {
-    const Tally tally = channel_->counts->own(ConnectionEnd::Provider);
-    if (tallyInFlight_ || tally == tally_) return;
-    tally_ = tally;
     tallyInFlight_ = true;
     sending_.add((*listener)
                      ->tallies(tally)
                      .then([this] { return control_.timer().afterDelay(toKj(kTallyPause)); })
                      .then([this] {
                        tallyInFlight_ = false;
-                       pumpTally();
+                       carrier_.giveTally();
                      }));
   }
 }
 
-void ServantPort::pumpEvents() {
+void ServantPort::send(const rt::EventRecord& event, std::uint32_t) {
   KJ_IF_MAYBE (subscriber, subscriber_) {
-    while (!answering_ && eventsInFlight_ < kWindow) {
-      const rt::EventRecord* record = channel_->events.next();
-      if (record == nullptr) return;
-      if (wanted(*record)) sendEvent(*subscriber, *record);
-      channel_->events.pop();
-    }
+    ++eventsInFlight_;
+    sending_.add(subscriber->event(event).then([this] { eventTaken(); },
+                                               [this](kj::Exception&& failure) {
+                                                 throwIfGone(kj::mv(failure));
+                                                 channel_->events.countDropped();
+                                                 eventTaken();
+                                               }));
   }
+  carrier_.eventSent();
 }
 
-// The value of a latched event may be older than its subscription, for it is a replay.
-bool ServantPort::wanted(const rt::EventRecord& record) const {
-  if ((channel_->subscribed() >> record.event & 1) == 0) return false;
-  return record.stamp >= since_[record.event] || channel_->info.events[record.event].latched;
-}
-
-void ServantPort::sendEvent(Subscriber& subscriber, const rt::EventRecord& record) {
-  ++eventsInFlight_;
-  sending_.add(subscriber.event(record).then([this] { eventSent(); },
-                                             [this](kj::Exception&& failure) {
-                                               throwIfGone(kj::mv(failure));
-                                               channel_->events.countDropped();
-                                               eventSent();
-                                             }));
-}
-
-void ServantPort::eventSent() {
+void ServantPort::eventTaken() {
   --eventsInFlight_;
-  pumpEvents();
+  carrier_.giveEvents();
 }
 
-void ServantPort::pumpRow() {
+bool ServantPort::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
+  if (channel_->state->rows() == last) return false;
   KJ_IF_MAYBE (subscriber, subscriber_) {
-    if (columns_ == 0 || rowsInFlight_ == kWindow || channel_->state->rows() == lastRow_) return;
-    rt::StateTable::Row row = channel_->state->readRow(rowPointers_);
-    lastRow_ = row.sequence;
-    row.keep(columns_);
+    rt::StateTable::Row row = channel_->state->readRow(row_.of(columns));
+    last = row.sequence;
+    row.keep(columns);
     if (row.any()) sendRow(*subscriber, row);
     releaseRow();
   }
+  return false;
 }
 
 void ServantPort::sendRow(Subscriber& subscriber, const rt::StateTable::Row& row) {
   ++rowsInFlight_;
-  sending_.add(subscriber.row(row, rowPointers_)
-                   .then(
-                       [this] {
-                         --rowsInFlight_;
-                         pumpRow();
-                       },
-                       [this, row](kj::Exception&& failure) {
-                         --rowsInFlight_;
-                         const bool tooLarge = errcOf(failure) == Errc::TooLarge;
-                         throwIfGone(kj::mv(failure));
-                         if (!tooLarge) return pumpRow();
-                         rt::StateTable::Row told = row;  // the client learns that much
-                         told.tooLarge |= std::exchange(told.valid, 0);
-                         KJ_IF_MAYBE (still, subscriber_) sendRow(*still, told);
-                       }));
+  sending_.add(subscriber.row(row, row_.slots())
+                   .then([this] { rowTaken(); },
+                         [this, row](kj::Exception&& failure) {
+                           const bool tooLarge = errcOf(failure) == Errc::TooLarge;
+                           throwIfGone(kj::mv(failure));
+                           if (!tooLarge) return rowTaken();
+                           --rowsInFlight_;
+                           rt::StateTable::Row told = row;  // the client learns that much
+                           told.tooLarge |= std::exchange(told.valid, 0);
+                           KJ_IF_MAYBE (still, subscriber_) sendRow(*still, told);
+                         }));
+}
+
+void ServantPort::rowTaken() {
+  --rowsInFlight_;
+  carrier_.giveRow();
 }
 
 void ServantPort::releaseRow() {
-  for (unsigned i = 0; i < rowPointers_.size(); ++i) {
-    if (rowPointers_[i] != nullptr && channel_->state->isShared(i)) {
-      releaseSharedSlot(rowPointers_[i]);
-    }
+  const auto slots = row_.slots();
+  for (unsigned i = 0; i < slots.size(); ++i) {
+    if (slots[i] != nullptr && channel_->state->isShared(i)) releaseSharedSlot(slots[i]);
   }
 }
 
 void ServantPort::changed(ChannelStatus status) {
   const Errc end = endOfCalls(status);
   if (end == Errc{}) return;
-  pumpReplies();  // an answer may have come just before the end
+  carrier_.giveReplies();  // an answer may have come just before the end
   failAll(end);
 }
 
@@ -309,8 +259,8 @@ void ServantPort::failAll(Errc error) {
   for (auto& calls : taken_) {
     for (auto& call : calls) {
       if (call.get() != nullptr) call->reject(remoteError(error));
+      call = Taken();  // it still uses its credit
     }
-    calls.clear();
   }
 }
 
