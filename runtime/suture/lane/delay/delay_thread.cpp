@@ -57,10 +57,7 @@ void DelayThread::takeOver() {
 bool DelayThread::awaitCycle() {
   const Time begin = now();
   Time due = begin + std::chrono::seconds(1);
-  for (const auto& one : carried_) {
-    due = std::min(due, one->due());
-    if (one->awaitsCredits()) due = std::min<Time>(due, begin + std::chrono::milliseconds(1));
-  }
+  for (const auto& one : carried_) due = std::min(due, one->due());
   if (!ending() && now() < due) doorbell().waitUntil(due);
   return !ending();
 }

@@ -1,3 +1,4 @@
+#include <suture/component/channel/credit.h>
 #include <suture/lane/delay/delayed_connection.h>
 #include <suture/rt/counter.h>
 
@@ -17,9 +18,18 @@ constexpr Duration kMarkPeriod = std::chrono::milliseconds(50);
 // The kinds of messages of a connection: each meets faults of its own.
 enum Stream : std::uint64_t { kCommands, kAnswers, kEvents, kRows };
 
-struct RowRecord {
+struct EventMessage {
+  std::uint64_t subscription;
+  rt::EventRecord record;  // the payload follows
+
+  static std::size_t size(const EventInfo& event) {
+    return sizeof(EventMessage) + event.payloadSize;
+  }
+};
+
+struct RowMessage {
   Time stamp;
-  rt::RowColumns columns;
+  rt::RowColumns columns;  // the values follow, each at a word
 };
 
 std::size_t largestCommand(const InterfaceInfo& info) {
@@ -36,13 +46,13 @@ std::size_t largestAnswer(const InterfaceInfo& info) {
 }
 
 std::size_t largestEvent(const InterfaceInfo& info) {
-  std::size_t size = 0;
-  for (const EventInfo& one : info.events) size = std::max<std::size_t>(size, one.payloadSize);
-  return sizeof(rt::EventRecord) + size;
+  std::size_t size = sizeof(EventMessage);
+  for (const EventInfo& one : info.events) size = std::max(size, EventMessage::size(one));
+  return size;
 }
 
 std::size_t largestRow(const rt::StateTable& state) {
-  std::size_t size = sizeof(RowRecord);
+  std::size_t size = sizeof(RowMessage);
   for (unsigned i = 0; i < state.columns(); ++i) size += wordBytes(state.columnSize(i));
   return size;
 }
@@ -61,31 +71,23 @@ DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_
       events_(largestEvent(near_->info), kUnderWay, delay.faults, kEvents, near_->delivery),
       rows_(largestRow(*near_->state), kUnderWay, delay.faults, kRows, near_->delivery),
       statuses_(sizeof(ChannelStatus), kUnderWay),
-      underWay_(near_->info.commands.size()),
-      lent_(near_->info.commands.size()),
-      nextRow_(std::max<std::uint64_t>(far_->state->rows(), 1)) {
-  for (unsigned i = 0; i < near_->state->columns(); ++i) {
-    slots_.emplace_back(wordBytes(near_->state->columnSize(i)) / 8);
-    slotPointers_.push_back(reinterpret_cast<std::byte*>(slots_.back().data()));
-  }
-  far_->wantsRows.raise();
-  near_->takeJoining();  // as the far channel, it was made with what is subscribed to
-}
+      nextRow_(std::max<std::uint64_t>(far_->state->rows(), 1)),
+      row_(near_->info),
+      values_(near_->state->columns()),
+      client_(*near_, *this),
+      provider_(*far_, *this) {}
 
 void DelayedConnection::pump(Time now) {
-  passDemandOn();
-  takeCommands();
-  passSubscriptionsOn();  // ahead of commands that were sent later
+  client_.give();
   deliverCommands(now);
-  returnCredits();
-  takeAnswers();
-  takeEvents();
-  takeRows();
+  provider_.ringProvider();
+  provider_.give();
   takeStatus();
   sendMarks(now);
   deliverAnswers(now);
   deliverEvents(now);
   deliverRows(now);
+  client_.ringClient();
   deliverStatus(now);
   countBytes();
   countCommands();
@@ -95,10 +97,6 @@ Time DelayedConnection::due() {
   const Time marks = expectsMarks() ? nextMarks_ : Time::max();
   return std::min(
       {commands_.next(), answers_.next(), events_.next(), rows_.next(), statuses_.next(), marks});
-}
-
-bool DelayedConnection::awaitsCredits() const {
-  return std::any_of(lent_.begin(), lent_.end(), [](std::uint32_t count) { return count > 0; });
 }
 
 bool DelayedConnection::over() const {
@@ -111,33 +109,205 @@ void DelayedConnection::end() {
   far_->ends.provider->ring();
 }
 
-// A newest-wins command without an answer travels in its cell.
-bool DelayedConnection::usesCredit(const rt::CommandRecord& record) const {
-  return !near_->info.commands[record.command].latest || record.call != 0;
+// ---- from the client
+
+void DelayedConnection::send(const Interest& interest) { provider_.subscribe(interest); }
+
+void DelayedConnection::send(const rt::CommandRecord& record) {
+  const CommandInfo& command = near_->info.commands[record.command];
+  const std::size_t size = sizeof(record) + command.argumentsSize;
+  std::memcpy(commands_.claim(record.stamp + delay_.commands, size), &record, size);
+  commands_.commit();
+  if (record.call != 0) calls_.sent(record.call, commands_.sent());
+  if (usesCredit(command, record.call)) outstanding_.push_back({commands_.sent(), record.command});
+  client_.commandSent();
 }
 
-// Without room, commands stay with the client, where its credits bound them or newer ones replace
-// them.
-void DelayedConnection::takeCommands() {
-  rt::Mailbox& commands = near_->commands;
-  if (!commands.pending()) return;
-  commands.fixCut();
-  while (commands_.hasRoom()) {
-    const rt::CommandRecord* record = commands.next();
-    if (record == nullptr) return;
-    const std::size_t size = near_->info.commands[record->command].argumentsSize;
-    std::byte* memory = commands_.claim(record->stamp + delay_.commands, sizeof(*record) + size);
-    std::memcpy(memory, record, sizeof(*record) + size);
-    commands_.commit();
-    if (record->call != 0) calls_.sent(record->call, commands_.sent());
-    if (usesCredit(*record)) {
-      outstanding_.push_back({commands_.sent(), record->command});
-      ++underWay_[record->command];
-      ++lent_[record->command];
+void DelayedConnection::deliverCommands(Time now) {
+  while (const std::byte* memory = commands_.due(now)) {
+    if (commands_.isMark()) {
+      giveUp(commands_.reached());
+    } else {
+      giveUp(commands_.reached() - 1);
+      deliver(*reinterpret_cast<const rt::CommandRecord*>(memory));
+      ++delivered_;
     }
-    commands.pop();
+    commands_.pop();
   }
 }
+
+void DelayedConnection::deliver(const rt::CommandRecord& record) {
+  const CommandInfo& command = near_->info.commands[record.command];
+  const auto copy = [&](std::byte* arguments) {
+    std::memcpy(arguments, record.arguments(), command.argumentsSize);
+    return Errc{};
+  };
+  const Errc error = provider_.post(record.command, record.stamp, record.call, copy).error;
+  if (usesCredit(command, record.call)) {
+    outstanding_.pop_front();
+    provider_.lend(record.command);
+  }
+  if (record.call == 0) return;
+  if (error == Errc{}) {
+    calls_.given(record.call);
+  } else {
+    refuse(record.call, error);
+  }
+}
+
+// Commands up to this number have been lost, if they have not arrived: they give their credits
+// back.
+void DelayedConnection::giveUp(std::uint64_t sequence) {
+  for (; !outstanding_.empty() && outstanding_.front().sequence <= sequence;
+       outstanding_.pop_front()) {
+    client_.credits(outstanding_.front().command, 1);
+  }
+}
+
+void DelayedConnection::refuse(std::uint32_t call, Errc error) {
+  if (calls_.end(call)) client_.replyError(call, error);
+}
+
+// ---- from the provider
+
+// Without room, answers and events stay in the provider's queues, which drop and count as without
+// delay. countCommands() tells the client of its commands.
+bool DelayedConnection::hasRoom(Message message) const {
+  switch (message) {
+    case Message::Reply: return answers_.hasRoom();
+    case Message::Event: return events_.hasRoom();
+    case Message::Tally: return false;
+    case Message::Credits:
+    case Message::Row: return true;
+  }
+  return false;
+}
+
+void DelayedConnection::send(const ReplyRecord& reply) {
+  const std::size_t size = far_->replies.frontSize();
+  far_->countReceived(rt::SpscRing::recordSize(size));
+  const std::size_t kept = std::min(size, largestAnswer(near_->info));
+  std::memcpy(answers_.claim(now() + delay_.answers, kept), &reply, kept);
+  answers_.commit();
+  calls_.answered(reply.call);
+  provider_.replySent();
+}
+
+void DelayedConnection::sendCredits(std::uint16_t command, std::uint32_t count) {
+  client_.credits(command, count);
+}
+
+void DelayedConnection::send(const rt::EventRecord& event, std::uint32_t subscription) {
+  const std::size_t payload = near_->info.events[event.event].payloadSize;
+  std::byte* const memory =
+      events_.claim(event.stamp + delay_.answers, sizeof(EventMessage) + payload);
+  auto* const message = new (memory) EventMessage{subscription, event};
+  std::memcpy(message + 1, event.payload(), payload);
+  events_.commit();
+  far_->countReceived(sizeof(event) + payload);
+  provider_.eventSent();
+}
+
+bool DelayedConnection::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
+  const std::uint64_t newest = far_->state->rows(), capacity = far_->state->capacity();
+  if (newest == last) return false;
+  if (last == 0) nextRow_ = std::min(nextRow_, newest);  // its columns may be others now
+  if (newest > capacity) nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of those kept
+  for (; nextRow_ <= newest; ++nextRow_) {
+    rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, row_.of(columns));
+    if (row.sequence == 0) continue;
+    far_->countReceived(far_->state->rowBytes());
+    row.keep(columns);
+    if (row.any()) keepRow(row, now() + delay_.answers);
+  }
+  last = newest;
+  return false;
+}
+
+// Without room a row is left out: a state thins out where a queue would overflow.
+void DelayedConnection::keepRow(const rt::StateTable::Row& row, Time due) {
+  std::byte* memory = rows_.claim(due, largestRow(*near_->state));
+  if (memory == nullptr) return;
+  new (memory) RowMessage{row.stamp, row};
+  memory += sizeof(RowMessage);
+  const auto slots = row_.slots();
+  for (unsigned i = 0; i < slots.size(); ++i) {
+    if (row.hasValue(i)) std::memcpy(memory, slots[i], row_.sizeOf(i));
+    memory += wordBytes(row_.sizeOf(i));
+  }
+  rows_.commit();
+}
+
+// Delays a status as answers are, so that it comes behind those that came before it.
+void DelayedConnection::takeStatus() {
+  const ChannelStatus status = far_->status.load(std::memory_order_acquire);
+  if (status == status_) return;
+  std::byte* memory = statuses_.claim(now() + delay_.answers, sizeof(status));
+  if (memory == nullptr) return;
+  new (memory) ChannelStatus(status);
+  statuses_.commit();
+  status_ = status;
+}
+
+void DelayedConnection::deliverAnswers(Time now) {
+  while (const std::byte* memory = answers_.due(now)) {
+    if (answers_.isMark()) {
+      settleCalls(*reinterpret_cast<const CallsMark*>(memory));
+    } else {
+      deliverAnswer(*reinterpret_cast<const ReplyRecord*>(memory));
+    }
+    answers_.pop();
+  }
+}
+
+void DelayedConnection::deliverAnswer(const ReplyRecord& answer) {
+  const auto command = client_.commandOf(answer.call);
+  if (!calls_.end(answer.call) || !command) return;
+  const std::size_t size = near_->info.commands[*command].resultSize;
+  Errc error = answer.error;
+  // A foreign provider may say that its answer has any size.
+  if (error == Errc{} && answers_.size() < sizeof(answer) + size) error = Errc::Invalid;
+  if (error != Errc{}) return client_.replyError(answer.call, error);
+  client_.reply(answer.call, answer.stamp, [&](std::byte* result) {
+    std::memcpy(result, answer.result(), size);
+    return Errc{};
+  });
+}
+
+void DelayedConnection::deliverEvents(Time now) {
+  while (const std::byte* memory = events_.due(now)) {
+    const auto& message = *reinterpret_cast<const EventMessage*>(memory);
+    const rt::EventRecord& event = message.record;
+    const auto subscription = static_cast<std::uint32_t>(message.subscription);
+    if (!client_.event(event.event, subscription, event.stamp, memory + sizeof(message))) {
+      near_->events.countDropped();
+    }
+    events_.pop();
+  }
+}
+
+void DelayedConnection::deliverRows(Time now) {
+  while (const std::byte* memory = rows_.due(now)) {
+    const auto& message = *reinterpret_cast<const RowMessage*>(memory);
+    memory += sizeof(RowMessage);
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+      values_[i] = {.bytes = memory};
+      memory += wordBytes(row_.sizeOf(i));
+    }
+    client_.row(message.stamp, message.columns, values_);
+    rows_.pop();
+  }
+}
+
+void DelayedConnection::deliverStatus(Time now) {
+  while (const std::byte* memory = statuses_.due(now)) {
+    const auto status = *reinterpret_cast<const ChannelStatus*>(memory);
+    statuses_.pop();
+    near_->tell(status);
+  }
+}
+
+// ---- what may have been lost
 
 // Marks settle what has been lost, so there are none where nothing can be.
 bool DelayedConnection::expectsMarks() const {
@@ -158,203 +328,10 @@ void DelayedConnection::sendMarks(Time now) {
   callsMark_ = calls_.mark(commands_.reached());
 }
 
-void DelayedConnection::deliverCommands(Time now) {
-  bool any = false;
-  while (const std::byte* memory = commands_.due(now)) {
-    if (!commands_.isMark()) {
-      deliver(*reinterpret_cast<const rt::CommandRecord*>(memory));
-      ++delivered_;
-      any = true;
-    }
-    commands_.pop();
-  }
-  if (any) far_->ends.provider->ring();
-}
-
-void DelayedConnection::deliver(const rt::CommandRecord& record) {
-  if (record.call != 0 && !near_->claimCall(record.call)) {
-    rt::increment(near_->commands.counters.cancelled);
-    refuse(record.call, Errc::Cancelled);
-    return;
-  }
-  const auto slot = far_->commands.claim(record.command, record.stamp, record.call);
-  if (!slot) {
-    // There is no room only if the provider's end gives no credit back: nobody serves it any more.
-    rt::increment(near_->commands.counters.refused);
-    if (record.call != 0) refuse(record.call, slot.error());
-    return;
-  }
-  if (record.call != 0) calls_.given(record.call);
-  std::memcpy(*slot, record.arguments(), near_->info.commands[record.command].argumentsSize);
-  far_->countSent(far_->commands.commit());
-}
-
-void DelayedConnection::refuse(std::uint32_t call, Errc error) {
-  if (!calls_.end(call)) return;
-  near_->replyError(call, error);
-  near_->ends.client->ring(rt::RungFor::Arrival);
-}
-
-// Lost commands give their credits back like those that have arrived: neither arrive any more.
-void DelayedConnection::returnCredits() {
-  while (!outstanding_.empty() && outstanding_.front().sequence <= commands_.reached()) {
-    --underWay_[outstanding_.front().command];
-    outstanding_.pop_front();
-  }
-  for (std::uint16_t command = 0; command < lent_.size(); ++command) {
-    const std::uint32_t kept = underWay_[command] + far_->commands.waiting(command);
-    for (; lent_[command] > kept; --lent_[command]) near_->commands.returnCredit(command);
-  }
-}
-
-void DelayedConnection::passDemandOn() {
-  const rt::ColumnSet demand = near_->state->demand();
-  if (demand == asked_) return;
-  bool first = false;
-  for (unsigned i = 0; i < near_->state->columns(); ++i) {
-    if ((demand & ~asked_) >> i & 1) first = far_->state->ask(i) || first;
-  }
-  asked_ = demand;
-  if (first) far_->ends.provider->ring();
-}
-
-void DelayedConnection::passSubscriptionsOn() {
-  const EventSet joining = near_->takeJoining();
-  if (joining == 0 && near_->subscribed() == far_->subscribed()) return;
-  far_->subscribe(near_->subscribed(), joining);
-  far_->ends.provider->ring();
-}
-
-void DelayedConnection::takeAnswers() {
-  while (const std::byte* answer = far_->replies.front()) {
-    const std::size_t size = far_->replies.frontSize();
-    std::byte* memory = answers_.claim(now() + delay_.answers, size);
-    if (memory == nullptr) return;
-    std::memcpy(memory, answer, size);
-    answers_.commit();
-    calls_.answered(reinterpret_cast<const ReplyRecord*>(answer)->call);
-    far_->countReceived(rt::SpscRing::recordSize(size));
-    far_->replies.pop();
-  }
-}
-
-void DelayedConnection::deliverAnswers(Time now) {
-  bool any = false;
-  while (const std::byte* memory = answers_.due(now)) {
-    if (answers_.isMark()) {
-      settleCalls(*reinterpret_cast<const CallsMark*>(memory));
-    } else {
-      deliverAnswer(*reinterpret_cast<const ReplyRecord*>(memory));
-      any = true;
-    }
-    answers_.pop();
-  }
-  if (any) near_->ends.client->ring(rt::RungFor::Arrival);
-}
-
-void DelayedConnection::deliverAnswer(const ReplyRecord& answer) {
-  if (!calls_.end(answer.call)) return;
-  const auto size = static_cast<std::uint32_t>(answers_.size() - sizeof(ReplyRecord));
-  const auto copy = [&](std::byte* result) {
-    std::memcpy(result, answer.result(), size);
-    return answer.error;
-  };
-  near_->reply(answer.call, {.size = size}, copy, answer.stamp);
-}
-
 // The client's end cannot tell a command that was lost from an answer that was.
 void DelayedConnection::settleCalls(const CallsMark& mark) {
-  calls_.settle(mark, [this](std::uint32_t call) {
-    near_->replyError(call, Errc::OutcomeUnknown);
-    near_->ends.client->ring(rt::RungFor::Arrival);
-  });
-}
-
-// Without room, events stay in the provider's queue, which drops and counts as without delay.
-void DelayedConnection::takeEvents() {
-  while (events_.hasRoom()) {
-    const rt::EventRecord* record = far_->events.next();
-    if (record == nullptr) return;
-    const std::size_t size = near_->info.events[record->event].payloadSize;
-    std::byte* memory = events_.claim(record->stamp + delay_.answers, sizeof(*record) + size);
-    std::memcpy(memory, record, sizeof(*record) + size);
-    events_.commit();
-    far_->countReceived(sizeof(*record) + size);
-    far_->events.pop();
-  }
-}
-
-void DelayedConnection::deliverEvents(Time now) {
-  bool any = false;
-  while (const std::byte* memory = events_.due(now)) {
-    const auto& record = *reinterpret_cast<const rt::EventRecord*>(memory);
-    const std::size_t size = near_->info.events[record.event].payloadSize;
-    near_->events.push(record.event, record.stamp, std::span(record.payload(), size));
-    events_.pop();
-    any = true;
-  }
-  if (any) near_->ends.client->ring(rt::RungFor::Arrival);
-}
-
-void DelayedConnection::takeRows() {
-  const std::uint64_t newest = far_->state->rows(), capacity = far_->state->capacity();
-  if (newest > capacity) nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of those kept
-  for (; nextRow_ <= newest; ++nextRow_) {
-    rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, slotPointers_);
-    if (row.sequence == 0) continue;
-    far_->countReceived(far_->state->rowBytes());
-    row.keep(asked_);
-    if (row.any()) keepRow(row, now() + delay_.answers);
-  }
-}
-
-// Without room a row is left out: a state thins out where a queue would overflow.
-void DelayedConnection::keepRow(const rt::StateTable::Row& row, Time due) {
-  std::byte* memory = rows_.claim(due, largestRow(*near_->state));
-  if (memory == nullptr) return;
-  new (memory) RowRecord{row.stamp, row};
-  memory += sizeof(RowRecord);
-  for (unsigned i = 0; i < slotPointers_.size(); ++i) {
-    if (row.hasValue(i)) std::memcpy(memory, slotPointers_[i], near_->state->columnSize(i));
-    memory += wordBytes(near_->state->columnSize(i));
-  }
-  rows_.commit();
-}
-
-void DelayedConnection::deliverRows(Time now) {
-  bool any = false;
-  while (const std::byte* memory = rows_.due(now)) {
-    const auto& row = *reinterpret_cast<const RowRecord*>(memory);
-    memory += sizeof(RowRecord);
-    for (unsigned i = 0; i < slotPointers_.size(); ++i) {
-      const std::uint32_t size = near_->state->columnSize(i);
-      if (row.columns.hasValue(i)) std::memcpy(near_->state->draft(i), memory, size);
-      memory += wordBytes(size);
-    }
-    near_->state->publish(row.stamp, row.columns);
-    rows_.pop();
-    any = true;
-  }
-  if (any && near_->wantsRows.isUp(std::memory_order_relaxed)) near_->ends.client->ring();
-}
-
-// Delays a status as answers are, so that it comes behind those that came before it.
-void DelayedConnection::takeStatus() {
-  const ChannelStatus status = far_->status.load(std::memory_order_acquire);
-  if (status == status_) return;
-  std::byte* memory = statuses_.claim(now() + delay_.answers, sizeof(status));
-  if (memory == nullptr) return;
-  new (memory) ChannelStatus(status);
-  statuses_.commit();
-  status_ = status;
-}
-
-void DelayedConnection::deliverStatus(Time now) {
-  while (const std::byte* memory = statuses_.due(now)) {
-    const auto status = *reinterpret_cast<const ChannelStatus*>(memory);
-    statuses_.pop();
-    near_->tell(status);
-  }
+  calls_.settle(mark,
+                [this](std::uint32_t call) { client_.replyError(call, Errc::OutcomeUnknown); });
 }
 
 // Adds what was told from beyond, since the provider's end may be another lane's client.

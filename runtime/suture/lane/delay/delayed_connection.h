@@ -1,7 +1,9 @@
 #pragma once
 // One connection with a delay, or with faults.
 
-#include <suture/component/channel/channel.h>
+#include <suture/lane/carrier/client_carrier.h>
+#include <suture/lane/carrier/provider_carrier.h>
+#include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/delay/calls_under_way.h>
 #include <suture/lane/delay/connection_delay.h>
 #include <suture/lane/delay/message_line.h>
@@ -23,7 +25,7 @@ namespace suture {
 ///
 /// With faults, messages may be lost, come twice or out of order; docs/lanes.md says what holds all
 /// the same. near->delivery counts what was noticed.
-class DelayedConnection {
+class DelayedConnection final : private ClientCarrier::Wire, private ProviderCarrier::Wire {
  public:
   DelayedConnection(std::shared_ptr<Channel> near, std::shared_ptr<Channel> far,
                     const ConnectionDelay& delay);
@@ -32,38 +34,45 @@ class DelayedConnection {
   void pump(Time now);
   /// When something is due next.
   Time due();
-  /// True if credits are lent, since nobody may ring when the provider's end gives them back.
-  bool awaitsCredits() const;
   /// True if the client has let go; there is nothing to carry any more.
   bool over() const;
   /// Tells both ends that nothing is carried any more.
   void end();
 
  private:
-  void takeCommands();
-  void sendMarks(Time now);
-  bool expectsMarks() const;
+  using Message = ProviderCarrier::Message;
+
+  // From the client.
+  bool hasRoom() const override { return commands_.hasRoom(); }
+  void send(const Interest& interest) override;
+  void send(const rt::CommandRecord& command) override;
   void deliverCommands(Time now);
-  void deliver(const rt::CommandRecord& record);
-  void returnCredits();
-  void passDemandOn();
-  void passSubscriptionsOn();
-  void takeAnswers();
+  void deliver(const rt::CommandRecord& command);
+  void giveUp(std::uint64_t sequence);
+  void refuse(std::uint32_t call, Errc error);
+
+  // From the provider.
+  bool hasRoom(Message message) const override;
+  void send(const ReplyRecord& reply) override;
+  void sendCredits(std::uint16_t command, std::uint32_t count) override;
+  void send(const Tally&) override {}
+  void send(const rt::EventRecord& event, std::uint32_t subscription) override;
+  bool sendRow(rt::ColumnSet columns, std::uint64_t& last) override;
+  void keepRow(const rt::StateTable::Row& row, Time due);
+  void takeStatus();
   void deliverAnswers(Time now);
   void deliverAnswer(const ReplyRecord& answer);
-  void settleCalls(const CallsMark& mark);
-  void refuse(std::uint32_t call, Errc error);
-  void takeEvents();
   void deliverEvents(Time now);
-  void takeRows();
-  void keepRow(const rt::StateTable::Row& row, Time due);
   void deliverRows(Time now);
-  void takeStatus();
   void deliverStatus(Time now);
+
+  // What may have been lost.
+  bool expectsMarks() const;
+  void sendMarks(Time now);
+  void settleCalls(const CallsMark& mark);
+
   void countBytes();
   void countCommands();
-
-  bool usesCredit(const rt::CommandRecord& record) const;
 
   const std::shared_ptr<Channel> near_, far_;
   const ConnectionDelay delay_;
@@ -75,9 +84,6 @@ class DelayedConnection {
     std::uint16_t command;
   };
   std::deque<Outstanding> outstanding_;  // as many as there are credits at most
-  // By command: how many credits are used by what is under way here, and how many by that and by
-  // what the provider has.
-  std::vector<std::uint32_t> underWay_, lent_;
   CallsUnderWay calls_;
   // What was so when the last marks were sent, which the next ones say: what takes no longer than
   // the time between the two is not given up.
@@ -86,10 +92,11 @@ class DelayedConnection {
   CallsMark callsMark_{};
   Time nextMarks_{};
   std::uint64_t nextRow_ = 1;
-  rt::ColumnSet asked_ = 0;
-  std::vector<std::vector<std::uint64_t>> slots_;  // by column
-  std::vector<std::byte*> slotPointers_;
+  RowSlots row_;                                     // that is being taken
+  std::vector<rt::StateTable::Value> values_;        // of the row that is delivered
   ChannelStatus status_ = ChannelStatus::Connected;  // as far as it has been taken
+  ClientCarrier client_;
+  ProviderCarrier provider_;
 };
 
 }  // namespace suture
