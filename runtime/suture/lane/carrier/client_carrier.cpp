@@ -96,15 +96,25 @@ void ClientCarrier::row(Time stamp, rt::RowColumns columns,
   } else {
     channel_.state->publish(stamp, columns, values);
   }
-  news_ = news_ || channel_.wantsRows.isUp(std::memory_order_relaxed);
+  tellLane();
 }
 
 bool ClientCarrier::credits(std::uint16_t command, std::uint32_t count) {
   if (command >= lent_.size() || count > lent_[command]) return false;
   lent_[command] -= count;
   for (std::uint32_t i = 0; i < count; ++i) channel_.commands.returnCredit(command);
-  news_ = news_ || channel_.wantsRows.isUp(std::memory_order_relaxed);  // another lane waits
+  tellLane();
   return true;
+}
+
+void ClientCarrier::tally(const Tally& tally) {
+  channel_.counts->told.store(tally);
+  tellLane();
+}
+
+// A component looks by itself; a lane that leads from here to the client has to be told.
+void ClientCarrier::tellLane() {
+  news_ = news_ || channel_.wantsRows.isUp(std::memory_order_relaxed);
 }
 
 void ClientCarrier::ringClient() {

@@ -58,6 +58,8 @@ class ClientCarrier {
   void row(Time stamp, rt::RowColumns columns, std::span<const rt::StateTable::Value> values = {});
   /// So many commands have been taken; false if there are not so many under way.
   bool credits(std::uint16_t command, std::uint32_t count);
+  /// What the provider's end has counted.
+  void tally(const Tally& tally);
   /// Wakes the client for what has come.
   void ringClient();
 
@@ -70,6 +72,7 @@ class ClientCarrier {
   void giveSubscription();
   void giveCommands();
   bool begin(const rt::CommandRecord& command);
+  void tellLane();
   Call& placeOf(std::uint32_t call) { return calls_[call % calls_.size()]; }
 
   Channel& channel_;

@@ -33,11 +33,6 @@ Errc ProviderCarrier::whyNot(std::uint16_t command) const {
   return withheld ? Errc::NotPermitted : Errc{};
 }
 
-ProviderCarrier::Refusal ProviderCarrier::refuse(Errc error) {
-  rt::increment(channel_.counts->turnedAway);
-  return {error};
-}
-
 void ProviderCarrier::subscribe(const Interest& interest) {
   subscription_ = interest.number;
   for (std::size_t i = 0; i < since_.size(); ++i) {

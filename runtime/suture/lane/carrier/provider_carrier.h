@@ -66,11 +66,11 @@ class ProviderCarrier {
     FieldPath invalid{};  ///< what is, of Errc::Invalid
   };
   /// Puts in a command; `decode(std::byte* arguments)` fills in its arguments and returns an Errc,
-  /// 0 for success. They are judged before the provider sees them.
+  /// 0 for success. They are judged before the provider sees them. What is refused is not counted.
   template <class Decode>
   Refusal post(std::uint16_t command, Time stamp, std::uint32_t call, const Decode& decode);
-  /// Counts a command that is not put in.
-  Refusal refuse(Errc error);
+  /// Counts a command that was not put in.
+  void countRefused() { rt::increment(channel_.counts->turnedAway); }
   void subscribe(const Interest& interest);
   /// Wakes the provider for what has come.
   void ringProvider();
@@ -89,8 +89,6 @@ class ProviderCarrier {
 
  private:
   Errc whyNot(std::uint16_t command) const;
-  template <class Decode>
-  Refusal put(std::uint16_t command, Time stamp, std::uint32_t call, const Decode& decode);
   void giveCredits();
   bool wanted(const rt::EventRecord& record) const;
 
@@ -111,18 +109,6 @@ class ProviderCarrier {
 template <class Decode>
 ProviderCarrier::Refusal ProviderCarrier::post(std::uint16_t command, Time stamp,
                                                std::uint32_t call, const Decode& decode) {
-  const Refusal refusal = put(command, stamp, call, decode);
-  if (refusal.error == Errc{}) {
-    work_ = true;
-  } else {
-    rt::increment(channel_.counts->turnedAway);
-  }
-  return refusal;
-}
-
-template <class Decode>
-ProviderCarrier::Refusal ProviderCarrier::put(std::uint16_t command, Time stamp, std::uint32_t call,
-                                              const Decode& decode) {
   if (const Errc error = whyNot(command); error != Errc{}) return {error};
   const auto slot = channel_.commands.claim(command, stamp, call);
   if (!slot) return {slot.error()};
@@ -133,6 +119,7 @@ ProviderCarrier::Refusal ProviderCarrier::put(std::uint16_t command, Time stamp,
   }
   if (refusal.error == Errc{}) {
     channel_.countSent(channel_.commands.commit());
+    work_ = true;
   } else {
     channel_.commands.abandon();
   }

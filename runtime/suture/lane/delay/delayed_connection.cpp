@@ -147,11 +147,11 @@ void DelayedConnection::deliver(const rt::CommandRecord& record) {
     outstanding_.pop_front();
     provider_.lend(record.command);
   }
-  if (record.call == 0) return;
-  if (error == Errc{}) {
-    calls_.given(record.call);
-  } else {
+  if (error != Errc{}) {
+    rt::increment(near_->commands.counters.refused);
     refuse(record.call, error);
+  } else if (record.call != 0) {
+    calls_.given(record.call);
   }
 }
 
@@ -165,7 +165,7 @@ void DelayedConnection::giveUp(std::uint64_t sequence) {
 }
 
 void DelayedConnection::refuse(std::uint32_t call, Errc error) {
-  if (calls_.end(call)) client_.replyError(call, error);
+  if (call != 0 && calls_.end(call)) client_.replyError(call, error);
 }
 
 // ---- from the provider

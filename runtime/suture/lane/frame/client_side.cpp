@@ -74,7 +74,7 @@ bool ClientSide::takeTally(std::span<const std::byte> payload) {
   Tally tally;
   if (payload.size() != sizeof(tally)) return false;
   std::memcpy(&tally, payload.data(), sizeof(tally));
-  channel_->counts->told.store(tally);
+  carrier_.tally(tally);
   return true;
 }
 

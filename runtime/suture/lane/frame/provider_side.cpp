@@ -30,7 +30,7 @@ bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payloa
   const std::uint16_t number = carrier_.commandAt(header.number);
   if (number == kUnknown) {
     carrier_.lend(header.number);
-    return tellRefused(header, carrier_.refuse(Errc::NotImplemented).error);
+    return tellRefused(header, Errc::NotImplemented);
   }
   const CommandInfo& command = channel_->info.commands[number];
   if (usesCredit(command, header.call)) {
@@ -49,7 +49,9 @@ bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payloa
 }
 
 bool ProviderSide::tellRefused(const Header& header, Errc error) {
-  if (error == Errc{} || header.call == 0) return true;
+  if (error == Errc{}) return true;
+  carrier_.countRefused();
+  if (header.call == 0) return true;
   if (refusedCallCount_ == refusedCalls_.size()) return false;
   refusedCalls_[refusedCallCount_++] = {header.call, error};
   return true;

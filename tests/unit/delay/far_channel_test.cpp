@@ -1,0 +1,135 @@
+// What a delay does with what its far channel brings: the provider's end of it may be foreign.
+#include <gtest/gtest.h>
+#include <suture/lane/delay/delayed_connection.h>
+
+#include <cstring>
+#include <limits>
+#include <memory>
+
+#include "reference/played_channel.h"
+
+namespace suture {
+namespace {
+
+using namespace std::chrono_literals;
+
+// As the contract numbers them.
+constexpr std::uint16_t kHold = 2, kReset = 8, kMode = 0, kMoved = 3;
+constexpr EventSet kModeOnly = EventSet{1} << kMode;
+
+/// A delayed connection both of whose ends are played.
+struct FarChannel : testing::Test {
+  /// Everything that is under way arrives.
+  void arrive() { connection.pump(now() + 1s); }
+  void turn() { connection.pump(now()); }
+
+  void send(std::uint16_t command, std::uint32_t call) {
+    ASSERT_TRUE(near->commands.claim(command, now(), call));
+    near->commands.commit();
+    arrive();
+  }
+  /// The provider answers call 1 of reset() with so many bytes.
+  Errc answer(std::uint32_t size) {
+    send(kReset, 1);
+    far->reply(1, {.size = size, .command = kReset}, [size](std::byte* result) {
+      std::memset(result, 1, size);
+      return Errc{};
+    });
+    turn();
+    arrive();
+    const ReplyRecord* const reply = near->nextReply();
+    return reply == nullptr ? Errc::Timeout : reply->error;
+  }
+  void emitMode() {
+    const reference::Mode mode{};
+    far->events.push(kMode, now(), std::as_bytes(std::span(&mode, 1)));
+    turn();
+  }
+
+  const std::shared_ptr<Channel> near = reference::armChannel(reference::playedEnds(), "near"),
+                                 far = reference::armChannel(reference::playedEnds(), "far");
+  DelayedConnection connection{near, far, {.answers = 10ms}};
+};
+
+TEST_F(FarChannel, AnAnswerOfTheRightSizeArrives) {
+  EXPECT_EQ(answer(sizeof(std::uint32_t)), Errc{});
+  std::uint32_t result = 0;
+  std::memcpy(&result, near->nextReply()->result(), sizeof(result));
+  EXPECT_EQ(result, 0x01010101u);
+}
+
+TEST_F(FarChannel, AnAnswerThatIsTooShortIsInvalid) { EXPECT_EQ(answer(0), Errc::Invalid); }
+
+TEST_F(FarChannel, OfAnAnswerThatIsTooLongNoMoreArrivesThanHasRoom) {
+  EXPECT_EQ(answer(4096), Errc{});
+  EXPECT_EQ(near->replies.frontSize(), sizeof(ReplyRecord) + sizeof(std::uint32_t));
+}
+
+TEST_F(FarChannel, AnAnswerToNoCallIsDropped) {
+  far->replyError(7, Errc::Late);
+  turn();
+  arrive();
+  EXPECT_EQ(near->nextReply(), nullptr);
+}
+
+TEST_F(FarChannel, AnEventOfAnEarlierSubscriptionIsDropped) {
+  turn();
+  emitMode();
+  near->subscribe(kModeOnly, kModeOnly);  // the client has left it, and joins it again
+  turn();
+  arrive();
+  EXPECT_EQ(near->events.next(), nullptr);
+  emitMode();
+  arrive();
+  EXPECT_NE(near->events.next(), nullptr);
+}
+
+TEST_F(FarChannel, AnEventThatTheContractDoesNotAdmitIsDroppedAndCounted) {
+  turn();
+  const EventInfo& moved = near->info.events[kMoved];
+  std::vector<std::byte> payload(moved.payloadSize, std::byte{0xff});  // of NaN
+  far->events.push(kMoved, now(), payload);
+  turn();
+  arrive();
+  EXPECT_EQ(near->events.next(), nullptr);
+  EXPECT_EQ(near->events.dropped(), 1u);
+  EXPECT_EQ(near->lastInvalid.read().text().rfind("moved", 0), 0u);
+}
+
+TEST_F(FarChannel, ACommandThatCannotBePutInGivesItsCreditBackAndIsAnswered) {
+  far->tell(ChannelStatus::Suspended);
+  send(kHold, 3);
+  EXPECT_EQ(far->commands.pending(), false);
+  ASSERT_NE(near->nextReply(), nullptr);
+  EXPECT_EQ(near->nextReply()->error, Errc::Suspended);
+  EXPECT_EQ(near->commands.waiting(kHold), 0u);
+  EXPECT_EQ(near->counts->own(ConnectionEnd::Client).refused, 1u);
+  EXPECT_EQ(near->counts->told.load().refused, 0u) << "the provider has not seen it";
+}
+
+TEST_F(FarChannel, ACreditComesBackWhenTheProviderHasTakenTheCommand) {
+  send(kHold, 0);
+  EXPECT_EQ(near->commands.waiting(kHold), 1u);
+  far->commands.fixCut();
+  ASSERT_NE(far->commands.next(), nullptr);
+  far->commands.pop();
+  far->commands.returnCredit(kHold);
+  turn();
+  EXPECT_EQ(near->commands.waiting(kHold), 0u);
+}
+
+// Its provider may be beyond another lane, whose thread rings whoever gets credits.
+TEST_F(FarChannel, WhoeverWaitsForRowsIsRungForCredits) {
+  near->wantsRows.raise();
+  send(kHold, 0);
+  near->ends.client->takeRing();
+  far->commands.fixCut();
+  ASSERT_NE(far->commands.next(), nullptr);
+  far->commands.pop();
+  far->commands.returnCredit(kHold);
+  turn();
+  EXPECT_EQ(near->ends.client->takeRing(), rt::RungFor::Work);
+}
+
+}  // namespace
+}  // namespace suture
