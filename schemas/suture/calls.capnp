@@ -4,6 +4,8 @@
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
+using Peer = import "/suture/peer.capnp";
+
 struct CallsRequest {
   socket @0 :UInt32;  # the number of the session's socket that is to carry them
 }
@@ -15,6 +17,11 @@ struct CallsAnswer {
 interface Calls {
   # The bootstrap interface of a socket for calls.
 
-  contract @0 (connection :UInt32) -> (contract :Capability);
-  # The capability of the contract's own interface (its generated schema).
+  contract @0 (connection :UInt32, counts :CommandCounts) -> (contract :Capability);
+  # The capability of the contract's own interface (its generated schema). counts: wants to be told what becomes of its commands.
+}
+
+interface CommandCounts {
+  tell @0 (tally :Peer.Tally) -> ();
+  # What the provider's end has counted so far.
 }

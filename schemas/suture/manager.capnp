@@ -5,7 +5,7 @@
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
-const protocolVersion :UInt16 = 6;
+const protocolVersion :UInt16 = 7;
 # It counts the changes of manager.capnp, peer.capnp, what lanes say (calls, frame, shm), frames and shared memory. Both sides say theirs in hello; a difference
 # is a refusal.
 

@@ -139,9 +139,7 @@ interface Notices {
   lapsed @4 ();
   # The provider has heard nothing of the client for as long as the client waits, and executes nothing of this
   # connection any more: it has to be made anew.
-  tallied @5 (tally :Tally) -> ();
-  # What the provider's end has counted so far, where neither frames nor shared memory tell it.
-  earlier @6 (earlier :Earlier) -> ();
+  earlier @5 (earlier :Earlier) -> ();
   # The last word on the connections of the same name before.
 }
 

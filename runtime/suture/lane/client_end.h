@@ -17,8 +17,6 @@ class ClientEnd : public kj::Refcounted {
 
   /// Tells the client how it stands with the provider's component.
   void tell(ChannelStatus status) { channel_->tell(status); }
-  /// Takes over what the provider's end has counted.
-  void tally(const Tally& tally) { channel_->counts->told.store(tally); }
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);

@@ -21,9 +21,7 @@ class ProviderEnd : public kj::Refcounted {
   struct Listener {
     virtual ~Listener() noexcept(false) = default;
     virtual void told(ChannelStatus status) = 0;
-    /// Passes on what has become of the client's commands. Resolves when the client has heard.
-    virtual kj::Promise<void> tallies(const Tally& tally) = 0;
-    /// Passes on what has become of those of the connections before.
+    /// Passes on what has become of the commands of the connections before.
     virtual void tells(const Earlier& earlier) = 0;
   };
 

@@ -1,5 +1,6 @@
 #include <suture/lane/mirrored_channel.h>
 #include <suture/lane/rpc/calls_client.h>
+#include <suture/lane/rpc/counts_receiver.h>
 #include <suture/lane/rpc/proxy_port.h>
 #include <suture/net/socket.h>
 #include <suture/wiring/memory_layout.h>
@@ -39,7 +40,8 @@ class CallsAttempt final : public LaneAttempt {
     auto channel =
         mirroredChannel(std::move(connection), "rpc", control_.sharedDoorbell(), control_);
     auto port = kj::refcounted<ProxyPort>(control_, channel, link_->counters());
-    port->open(link_->contract(answer.getAs<wire::CallsAnswer>().getConnection()));
+    port->open(link_->contract(answer.getAs<wire::CallsAnswer>().getConnection(),
+                               kj::heap<CountsReceiver>(kj::addRef(*port))));
     auto broken = link_->whenBroken().attach(std::shared_ptr(link_));
     return OpenedEnd{kj::mv(port), std::move(channel), kj::mv(broken)};
   }
@@ -64,9 +66,11 @@ CallsLink::CallsLink(ControlThread& control, LaneSocket socket)
                       })
                       .fork()) {}
 
-capnp::Capability::Client CallsLink::contract(std::uint32_t connection) {
+capnp::Capability::Client CallsLink::contract(std::uint32_t connection,
+                                              wire::CommandCounts::Client counts) {
   auto request = peer_.contractRequest();
   request.setConnection(connection);
+  request.setCounts(kj::mv(counts));
   return request.send().getContract();
 }
 

@@ -21,8 +21,9 @@ class CallsLink {
   /// Resolves with the reason, in words.
   kj::Promise<std::string> whenBroken() { return whenBroken_.addBranch(); }
   std::shared_ptr<const LinkCounters> counters() const { return link_.counters(); }
-  /// Returns the capability of a connection's contract.
-  capnp::Capability::Client contract(std::uint32_t connection);
+  /// Returns the capability of a connection's contract; `counts` is told what becomes of its
+  /// commands.
+  capnp::Capability::Client contract(std::uint32_t connection, wire::CommandCounts::Client counts);
   /// How long the kernel waits for an answer to what was sent.
   void bear(Duration silence) const;
 

@@ -23,8 +23,10 @@ class CallsServer::Bootstrap final : public wire::Calls::Server {
     if (found == contracts_->end()) {
       return failure(Type::FAILED, "no such connection has been accepted on this socket");
     }
-    context.getResults().setContract(kj::mv(found->second.contract));
+    kj::Own<ServantPort> port = kj::mv(found->second.port);
     contracts_->erase(found);
+    if (context.getParams().hasCounts()) port->tellCounts(context.getParams().getCounts());
+    context.getResults().setContract(kj::heap<Servant>(kj::mv(port)));
     return kj::READY_NOW;
   }
 
@@ -63,7 +65,7 @@ kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
   auto channel = callsChannel(session_.control(), connection);
   auto port = serveCalls(session_.control(), connection, channel, found->second.link->counters());
   const std::uint32_t number = ++latest_;
-  found->second.contracts->emplace(number, Offered{channel, kj::heap<Servant>(kj::addRef(*port))});
+  found->second.contracts->emplace(number, Offered{channel, kj::addRef(*port)});
   answer.initAs<wire::CallsAnswer>().setConnection(number);
   return AcceptedEnd{kj::mv(port), std::move(channel)};
 }

@@ -31,7 +31,7 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
   /// A connection of one socket, until its client asks for the contract.
   struct Offered {
     std::shared_ptr<Channel> channel;
-    capnp::Capability::Client contract;
+    kj::Own<ServantPort> port;
   };
   using Contracts = std::map<std::uint32_t, Offered>;
   class Bootstrap;

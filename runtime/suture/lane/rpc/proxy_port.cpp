@@ -50,6 +50,11 @@ void ProxyPort::countBytes() {
 
 // ---- from the provider
 
+void ProxyPort::tally(const Tally& tally) {
+  carrier_.tally(tally);
+  if (!isClosed()) carrier_.ringClient();
+}
+
 // A row of another process is judged where the client reads it.
 void ProxyPort::publish(capnp::AnyPointer::Reader in) {
   if (isClosed()) return;

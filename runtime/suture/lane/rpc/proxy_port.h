@@ -39,6 +39,8 @@ class ProxyPort final : public ClientEnd,
   void open(capnp::Capability::Client provider);
   const InterfaceInfo& info() const { return channel_->info; }
 
+  /// What the provider's end has counted has come.
+  void tally(const Tally& tally);
   /// A row has come.
   void publish(capnp::AnyPointer::Reader in);
   /// Event `event` has come for `subscription`. The promise is the answer to the provider; see

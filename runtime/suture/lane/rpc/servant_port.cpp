@@ -4,6 +4,7 @@
 #include <suture/lane/rpc/servant_port.h>
 #include <suture/loop/deadline.h>
 #include <suture/wire/codec.h>
+#include <suture/wire/tallies.h>
 
 #include <algorithm>
 
@@ -42,6 +43,7 @@ ServantPort::~ServantPort() noexcept(false) { close(); }
 void ServantPort::ending() {
   control_.remove(*this);
   subscriber_ = nullptr;
+  counts_ = nullptr;
   for (auto& waiting : taken_) waiting.clear();
   for (PendingCall& call : calls_) call = PendingCall{};
 }
@@ -58,7 +60,7 @@ kj::Promise<void> ServantPort::command(std::uint16_t command, AnyCall call) {
 
 kj::Promise<void> ServantPort::await(std::uint16_t command, AnyCall call) {
   PendingCall* const pending = openCall(command);
-  if (pending == nullptr) return turnedAway(carrier_.refuse(Errc::TooManyCalls));
+  if (pending == nullptr) return turnedAway({Errc::TooManyCalls});
   const Refusal refusal = post(command, call.getParams(), pending->number);
   if (refusal.error != Errc{}) return turnedAway(refusal);
   carrier_.lend(command);
@@ -94,6 +96,7 @@ void ServantPort::subscribe(Subscriber subscriber, Interest interest) {
 }
 
 kj::Promise<void> ServantPort::turnedAway(const Refusal& refusal) {
+  carrier_.countRefused();
   carrier_.giveTally();
   return remoteError(refusal.error, refusal.invalid);
 }
@@ -127,7 +130,7 @@ bool ServantPort::hasRoom(Message message) const {
   switch (message) {
     case Message::Reply:
     case Message::Credits: return true;
-    case Message::Tally: return listener_ != nullptr && !tallyInFlight_;
+    case Message::Tally: return counts_ != nullptr && !tallyInFlight_;
     case Message::Event: return isHeard() && eventsInFlight_ < kWindow;
     case Message::Row: return isHeard() && rowsInFlight_ < kWindow;
   }
@@ -175,10 +178,13 @@ void ServantPort::sendCredits(std::uint16_t command, std::uint32_t count) {
 }
 
 void ServantPort::send(const Tally& tally) {
-  KJ_IF_MAYBE (listener, listener_) {
+  KJ_IF_MAYBE (counts, counts_) {
     tallyInFlight_ = true;
-    sending_.add((*listener)
-                     ->tallies(tally)
+    auto request = counts->tellRequest();
+    toWire(tally, request.initTally());
+    sending_.add(request.send()
+                     .ignoreResult()
+                     .catch_([](kj::Exception&&) {})
                      .then([this] { return control_.timer().afterDelay(toKj(kTallyPause)); })
                      .then([this] {
                        tallyInFlight_ = false;

@@ -5,6 +5,7 @@
 
 #include <kj/async.h>
 #include <kj/function.h>
+#include <suture/calls.capnp.h>
 #include <suture/framing/message_stream.h>
 #include <suture/framing/remote_error.h>
 #include <suture/lane/carrier/provider_carrier.h>
@@ -42,6 +43,8 @@ class ServantPort final : public ProviderEnd,
 
   /// From now on only what reads is taken: a command is refused (Errc::NotPermitted).
   void setReadOnly() { carrier_.setReadOnly(); }
+  /// From now on `counts` is told what becomes of the commands.
+  void tellCounts(wire::CommandCounts::Client counts) { counts_ = kj::mv(counts); }
   const InterfaceInfo& info() const { return channel_->info; }
   /// A call of command `command`. A void or write command returns when the provider has taken it,
   /// or executed it if the sender asked for an answer; all others when the provider has answered.
@@ -96,6 +99,7 @@ class ServantPort final : public ProviderEnd,
 
   kj::Maybe<Subscriber> subscriber_;
   bool answering_ = false;  // subscribe(): nothing is sent before its answer
+  kj::Maybe<wire::CommandCounts::Client> counts_;
   bool tallyInFlight_ = false;
   unsigned eventsInFlight_ = 0;
   unsigned rowsInFlight_ = 0;

@@ -1,5 +1,5 @@
 #include <suture/session/client/notices_receiver.h>
-#include <suture/session/tallies.h>
+#include <suture/wire/tallies.h>
 
 namespace suture {
 
@@ -16,10 +16,6 @@ void ProviderNews::close() {
 void ProviderNews::lapse() {
   lapsed_.fulfiller->fulfill(
       "silent: the provider has not heard of this process for longer than its \"silence\" allows");
-}
-
-void ProviderNews::tally(const Tally& tally) {
-  KJ_IF_MAYBE (end, end_) (*end)->tally(tally);
 }
 
 void ProviderNews::passOnTo(kj::Own<rpc::ClientEnd> end) {
@@ -40,11 +36,6 @@ kj::Promise<void> NoticesReceiver::suspended(SuspendedContext) {
 
 kj::Promise<void> NoticesReceiver::resumed(ResumedContext) {
   news_->tell(ChannelStatus::Connected);
-  return kj::READY_NOW;
-}
-
-kj::Promise<void> NoticesReceiver::tallied(TalliedContext context) {
-  news_->tally(fromWire(context.getParams().getTally()));
   return kj::READY_NOW;
 }
 

@@ -18,7 +18,6 @@ class ProviderNews final : public kj::Refcounted {
   void tell(ChannelStatus status);
   void close();
   void lapse();
-  void tally(const Tally& tally);
 
   void passOnTo(kj::Own<rpc::ClientEnd> end);
   /// Resolves, in words for people, when the provider has given this client up. Call it once.
@@ -44,7 +43,6 @@ class NoticesReceiver final : public wire::Notices::Server {
   kj::Promise<void> suspended(SuspendedContext context) override;
   kj::Promise<void> resumed(ResumedContext context) override;
   kj::Promise<void> lapsed(LapsedContext context) override;
-  kj::Promise<void> tallied(TalliedContext context) override;
   kj::Promise<void> earlier(EarlierContext context) override;
   kj::Promise<void> closed(ClosedContext context) override;
 

@@ -3,7 +3,7 @@
 #include <suture/loop/failure.h>
 #include <suture/session/client/notices_receiver.h>
 #include <suture/session/client/remote_connection.h>
-#include <suture/session/tallies.h>
+#include <suture/wire/tallies.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 #include <suture/session/provider/notices_sender.h>
-#include <suture/session/tallies.h>
+#include <suture/wire/tallies.h>
 
 namespace suture {
 
@@ -12,12 +12,6 @@ void NoticesSender::told(ChannelStatus status) {
     case ChannelStatus::Lost:
     case ChannelStatus::Closed: return send(client_.closedRequest());
   }
-}
-
-kj::Promise<void> NoticesSender::tallies(const Tally& tally) {
-  auto request = client_.talliedRequest();
-  toWire(tally, request.initTally());
-  return request.send().ignoreResult().catch_([](kj::Exception&&) {});
 }
 
 void NoticesSender::tells(const Earlier& earlier) {

@@ -14,7 +14,6 @@ class NoticesSender final : public rpc::ProviderEnd::Listener {
       : control_(control), client_(kj::mv(client)) {}
 
   void told(ChannelStatus status) override;
-  kj::Promise<void> tallies(const Tally& tally) override;
   void tells(const Earlier& earlier) override;
 
  private:

@@ -8,9 +8,9 @@
 #include <suture/session/provider/explain.h>
 #include <suture/session/provider/notices_sender.h>
 #include <suture/session/provider/peer_server.h>
-#include <suture/session/tallies.h>
 #include <suture/session/task_activity.h>
 #include <suture/wire/stamps.h>
+#include <suture/wire/tallies.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/frames.h>
 #include <suture/wiring/memory_layout.h>

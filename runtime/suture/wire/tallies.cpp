@@ -1,4 +1,4 @@
-#include <suture/session/tallies.h>
+#include <suture/wire/tallies.h>
 
 namespace suture {
 

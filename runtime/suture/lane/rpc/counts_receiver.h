@@ -1,0 +1,25 @@
+#pragma once
+// The capability that hears what has become of a client's commands.
+
+#include <suture/calls.capnp.h>
+#include <suture/lane/rpc/proxy_port.h>
+#include <suture/wire/tallies.h>
+
+namespace suture::rpc {
+
+/// Passes it to `port`. Belongs to the control thread.
+class CountsReceiver final : public wire::CommandCounts::Server {
+ public:
+  explicit CountsReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}
+
+ protected:
+  kj::Promise<void> tell(TellContext context) override {
+    port_->tally(fromWire(context.getParams().getTally()));
+    return kj::READY_NOW;
+  }
+
+ private:
+  kj::Own<ProxyPort> port_;
+};
+
+}  // namespace suture::rpc
