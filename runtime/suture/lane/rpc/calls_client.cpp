@@ -1,3 +1,4 @@
+#include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/mirrored_channel.h>
 #include <suture/lane/rpc/calls_client.h>
 #include <suture/lane/rpc/counts_receiver.h>
@@ -16,13 +17,8 @@ constexpr std::size_t kMostShared = std::size_t{256} << 10;
 
 bool isLarge(const InterfaceInfo& contract) {
   if (!whyUnbounded(contract).empty()) return true;
-  std::size_t row = 0, most = 0;
-  for (const CommandInfo& one : contract.commands) {
-    most = std::max<std::size_t>({most, one.argumentsSize, one.resultSize});
-    if (one.column >= 0) row += one.resultSize;
-  }
-  for (const EventInfo& one : contract.events) most = std::max<std::size_t>(most, one.payloadSize);
-  return std::max(row, most) > kMostShared;
+  const std::size_t most = std::max<std::size_t>(largestSlot(contract), RowSlots(contract).bytes());
+  return most > kMostShared;
 }
 
 /// The link lives as long as the client's end.

@@ -1,4 +1,5 @@
 #include <suture/base/slots/shared_slot.h>
+#include <suture/base/words.h>
 #include <suture/component/channel/credit.h>
 #include <suture/framing/remote_error.h>
 #include <suture/lane/carrier/arrival_stamp.h>
@@ -6,26 +7,14 @@
 #include <suture/lane/rpc/receiver.h>
 #include <suture/wire/codec.h>
 
-#include <algorithm>
-
 namespace suture::rpc {
-namespace {
-
-/// Returns how many words the largest payload of an event takes.
-std::size_t mostWords(const InterfaceInfo& contract) {
-  std::uint32_t most = 0;
-  for (const EventInfo& one : contract.events) most = std::max(most, one.payloadSize);
-  return (most + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t);
-}
-
-}  // namespace
 
 ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
                      std::shared_ptr<const LinkCounters> counters)
     : ClientEnd(std::move(channel)),
       control_(control),
       counters_(std::move(counters)),
-      payload_(mostWords(channel_->info)),
+      payload_(wordBytes(largestSlot(channel_->info)) / sizeof(std::uint64_t)),
       carrier_(*channel_, *this),
       calls_(*this) {}
 
