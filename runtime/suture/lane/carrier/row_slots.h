@@ -1,5 +1,5 @@
 #pragma once
-// This has room for the values of a row.
+// RowSlots has room for the values of a row.
 
 #include <suture/component/contract/interface_info.h>
 #include <suture/rt/state/row_columns.h>
@@ -19,6 +19,7 @@ class RowSlots {
   explicit RowSlots(const InterfaceInfo& contract, std::size_t head = 0);
 
   /// Returns where the values of `columns` go, without room for those of others; null for these.
+  /// All is zero when the columns are others than the last time.
   std::span<std::byte* const> of(rt::ColumnSet columns);
   /// Returns what the last of() did.
   std::span<std::byte* const> slots() const { return slots_; }
@@ -35,6 +36,7 @@ class RowSlots {
   const std::size_t head_;
   std::size_t bytes_;
   std::vector<std::uint32_t> sizes_;  // by column
+  rt::ColumnSet columns_ = 0;         // for which there is room
   std::vector<std::uint64_t> memory_;
   std::vector<std::byte*> slots_;
 };
