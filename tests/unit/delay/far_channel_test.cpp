@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include "reference/arm_numbers.h"
 #include "reference/played_channel.h"
 
 namespace suture {
@@ -13,15 +14,24 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// As the contract numbers them.
-constexpr std::uint16_t kHold = 2, kReset = 8, kMode = 0, kMoved = 3;
-constexpr EventSet kModeOnly = EventSet{1} << kMode;
+using reference::kHold;
+using reference::kMode;
+using reference::kModeOnly;
+using reference::kReset;
+using reference::kServo;
+using reference::kStopped;
+
+constexpr std::uint16_t kMoved = 3;
 
 /// A delayed connection both of whose ends are played.
 struct FarChannel : testing::Test {
-  /// Everything that is under way arrives.
-  void arrive() { connection.pump(now() + 1s); }
+  /// Takes what there is.
   void turn() { connection.pump(now()); }
+  /// Everything that is under way arrives.
+  void arrive() {
+    turn();
+    connection.pump(now() + 1s);
+  }
 
   void send(std::uint16_t command, std::uint32_t call) {
     ASSERT_TRUE(near->commands.claim(command, now(), call));
@@ -129,6 +139,65 @@ TEST_F(FarChannel, WhoeverWaitsForRowsIsRungForCredits) {
   far->commands.returnCredit(kHold);
   turn();
   EXPECT_EQ(near->ends.client->takeRing(), rt::RungFor::Work);
+}
+
+TEST_F(FarChannel, TheProviderIsRungForACommand) {
+  far->ends.provider->takeRing();
+  send(kHold, 0);
+  EXPECT_EQ(far->ends.provider->takeRing(), rt::RungFor::Work);
+}
+
+// The far channel is attached to its provider before a delay stands between.
+TEST_F(FarChannel, AnEventFromBeforeTheDelayArrives) {
+  const auto earlier = reference::armChannel(reference::playedEnds(), "far");
+  earlier->events.push(kStopped, now(), {});
+  DelayedConnection late(near, earlier, {.answers = 10ms});
+  late.pump(now());
+  late.pump(now() + 1s);
+  EXPECT_NE(near->events.next(), nullptr);
+}
+
+TEST_F(FarChannel, ACommandThatMeetsAnEndedConnectionIsLost) {
+  far->tell(ChannelStatus::Lost);
+  send(kHold, 3);
+  ASSERT_NE(near->nextReply(), nullptr);
+  EXPECT_EQ(near->nextReply()->error, Errc::Lost);
+  EXPECT_EQ(near->commands.waiting(kHold), 0u);
+  EXPECT_EQ(near->counts->lost.load(), 1u);
+  EXPECT_EQ(near->counts->own(ConnectionEnd::Client).refused, 0u);
+}
+
+/// The delay has taken as many commands as it has room for, and there is one more.
+struct FullLine : FarChannel {
+  FullLine() {
+    for (unsigned i = 0; i < 2 * kMost; ++i) {
+      if (!near->commands.claim(kServo, now(), 0)) break;
+      near->commands.commit();
+      slow.pump(now());
+    }
+  }
+
+  static constexpr unsigned kMost = 4096;
+  const std::shared_ptr<Channel> provider =
+      reference::armChannel(reference::playedEnds(), "provider");
+  DelayedConnection slow{near, provider, {.commands = 1h}};
+};
+
+TEST_F(FullLine, KeepsTheNewestCommandWithTheClient) {
+  EXPECT_TRUE(near->commands.pending());
+  EXPECT_FALSE(provider->commands.pending());
+}
+
+TEST_F(FullLine, IsTakenFromAgainInTheTurnThatMakesRoom) {
+  slow.pump(now() + 2h);
+  EXPECT_TRUE(provider->commands.pending());
+  EXPECT_FALSE(near->commands.pending());
+}
+
+TEST_F(FullLine, LetsASubscriptionPass) {
+  near->subscribe(kModeOnly, kModeOnly);
+  slow.pump(now());
+  EXPECT_EQ(provider->subscribed(), kModeOnly);
 }
 
 }  // namespace

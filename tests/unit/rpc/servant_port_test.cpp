@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "reference/arm_like.capnp.h"
+#include "reference/arm_numbers.h"
 #include "reference/played_channel.h"
 #include "support/patience.h"
 
@@ -82,6 +83,106 @@ TEST(ServantPort, AFaultIsTold) {
               provider.channel->tell(ChannelStatus::Faulted);
             }),
             Errc::Faulted);
+}
+
+using reference::kHold;
+using reference::kSetMode;
+using reference::kStopped;
+using reference::kStoppedOnly;
+using ArmEvents = reference::wire::ArmLikeEvents;
+
+/// Hears of events and rows, or is in a process that has gone.
+class Hearer final : public ArmEvents::Server {
+ public:
+  explicit Hearer(int* heard) : heard_(heard) {}
+
+ protected:
+  kj::Promise<void> stopped(StoppedContext) override { return hear(); }
+  kj::Promise<void> state(StateContext) override { return hear(); }
+
+ private:
+  kj::Promise<void> hear() {
+    if (heard_ == nullptr) return KJ_EXCEPTION(DISCONNECTED, "its process has gone");
+    ++*heard_;
+    return kj::READY_NOW;
+  }
+
+  int* const heard_;  // nullptr: gone
+};
+
+/// Resolves when nothing else is left to do.
+kj::Promise<void> restOf(ControlThread& control) {
+  return control.timer().afterDelay(0 * kj::NANOSECONDS);
+}
+
+/// There is an event and a row for whoever subscribes now, as long as the hearer lives.
+kj::Promise<void> emitTo(ControlThread& control, Provider& provider, int* heard) {
+  provider.channel->events.push(kStopped, now(), {});
+  rt::RowColumns columns;
+  columns.valid = 1;
+  provider.channel->state->publish(now(), columns);
+  provider.port->subscribe(
+      Subscriber(ArmEvents::Client(kj::heap<Hearer>(heard)), provider.port->info()),
+      {.events = kStoppedOnly, .joining = 0, .columns = 1});
+  return restOf(control);
+}
+
+TEST(ServantPort, SubscribersThatAreGoneTakeNoPlacesOfALaterOne) {
+  ControlThread control;
+  int heard = 0;
+  control.run(kPatience, [&] {
+    auto provider = kj::heap<Provider>(control);
+    kj::Promise<void> emitted = kj::READY_NOW;
+    for (unsigned i = 0; i < ServantPort::kWindow; ++i) {
+      emitted =
+          emitted.then([&, &provider = *provider] { return emitTo(control, provider, nullptr); });
+    }
+    return emitted.then([&, &provider = *provider] { return emitTo(control, provider, &heard); })
+        .attach(kj::mv(provider));
+  });
+  EXPECT_EQ(heard, 2);
+}
+
+// What a fault has rejected still waits in the mailbox.
+TEST(ServantPort, ACommandBeforeAFaultGivesNoLaterOneItsCredit) {
+  ControlThread control;
+  bool second = false, early = false;
+  control.run(kPatience, [&] {
+    auto provider = kj::heap<Provider>(control);
+    Provider& it = *provider;
+    const auto take = [&](std::uint16_t command) {
+      it.channel->commands.fixCut();
+      ASSERT_NE(it.channel->commands.next(), nullptr);
+      it.channel->commands.pop();
+      it.channel->commands.returnCredit(command);
+      control.doorbell().ring();
+    };
+    auto first = it.arm.holdRequest().send().ignoreResult().catch_([](kj::Exception&&) {});
+    return restOf(control)
+        .then([&, first = kj::mv(first)]() mutable {
+          it.channel->tell(ChannelStatus::Faulted);
+          control.doorbell().ring();
+          return kj::mv(first);
+        })
+        .then([&, take] {
+          it.channel->tell(ChannelStatus::Connected);
+          auto mode = it.arm.setModeRequest().send().ignoreResult();
+          auto hold = it.arm.holdRequest().send().then([&](auto&&) { second = true; });
+          auto taken = restOf(control).then([take, mode = kj::mv(mode)]() mutable {
+            take(kHold);
+            take(kSetMode);
+            return kj::mv(mode);
+          });
+          return taken.then([&, take, hold = kj::mv(hold)]() mutable {
+            early = second;
+            take(kHold);
+            return kj::mv(hold);
+          });
+        })
+        .attach(kj::mv(provider));
+  });
+  EXPECT_FALSE(early);
+  EXPECT_TRUE(second);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <memory>
 
+#include "reference/arm_numbers.h"
 #include "reference/played_channel.h"
 #include "support/eventually.h"
 #include "support/patience.h"
@@ -20,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::uint16_t kStopped = 2;
+using reference::kStopped;
 
 /// A channel of which one end belongs to the control thread, to a process whose clock stands so to
 /// this one's.

@@ -1,5 +1,5 @@
 #pragma once
-// When a value that comes from a peer was made.
+// This says when a value that comes from a peer was made.
 
 #include <suture/component/channel/channel.h>
 #include <suture/wire/stamps.h>
@@ -9,9 +9,9 @@
 
 namespace suture {
 
-/// A stamp of the peer on this process's clock, but not later than now: what has not happened yet
-/// would have a negative age, and such a command would never be late. 0: the peer does not say.
-/// Any thread.
+/// Any thread: turns a stamp of the peer to this process's clock, but not later than now: what has
+/// not happened yet would have a negative age, and such a command would never be late. It is now
+/// for 0, with which the peer does not say.
 inline Time arrivalStamp(const Channel& channel, std::int64_t stamp) {
   const Time received = now();
   if (stamp == 0) return received;

@@ -2,6 +2,8 @@
 #include <suture/lane/carrier/client_carrier.h>
 #include <suture/rt/counter.h>
 
+#include <cstring>
+
 namespace suture {
 
 // The first subscription says once more what the provider's channel was made with, so that the lane
@@ -23,7 +25,7 @@ void ClientCarrier::give() {
 void ClientCarrier::giveSubscription() {
   const rt::ColumnSet columns = channel_.state->demand();
   const bool known = subscription_ != 0 && columns == columns_ && channel_.subscribed() == events_;
-  if ((known && !channel_.joining()) || !wire_.hasRoom()) return;
+  if ((known && !channel_.joining()) || !wire_.hasRoom(Message::Interest)) return;
   ++subscription_;
   const EventSet joining = channel_.takeJoining();
   events_ = channel_.subscribed();  // after it: has all that join
@@ -38,10 +40,10 @@ void ClientCarrier::giveSubscription() {
 // them.
 void ClientCarrier::giveCommands() {
   rt::Mailbox& commands = channel_.commands;
-  if (!wire_.hasRoom() || !commands.pending()) return;
+  if (!wire_.hasRoom(Message::Command) || !commands.pending()) return;
   commands.fixCut();
   giveSubscription();  // ahead of commands that were sent later
-  while (wire_.hasRoom()) {
+  while (wire_.hasRoom(Message::Command)) {
     const rt::CommandRecord* const record = commands.next();
     if (record == nullptr) return;
     if (begin(*record)) wire_.send(*record);
@@ -70,8 +72,15 @@ std::optional<std::uint16_t> ClientCarrier::commandOf(std::uint32_t call) const 
   return place.command;
 }
 
-void ClientCarrier::replyError(std::uint32_t call, Errc error) {
+void ClientCarrier::reply(std::uint32_t call, Time stamp, Errc error,
+                          std::span<const std::byte> result) {
   if (!commandOf(call)) return;
+  if (error == Errc{}) {
+    return reply(call, stamp, [&](std::byte* memory) {
+      if (!result.empty()) std::memcpy(memory, result.data(), result.size());
+      return Errc{};
+    });
+  }
   channel_.replyError(call, error);
   placeOf(call).number = 0;
   arrival_ = true;

@@ -1,5 +1,5 @@
 #pragma once
-// The provider endpoint of a channel whose provider is beyond a lane.
+// ClientCarrier plays the provider's end of a channel whose provider is beyond a lane.
 
 #include <suture/component/channel/channel.h>
 #include <suture/lane/carrier/interest.h>
@@ -13,15 +13,17 @@
 
 namespace suture {
 
-/// Sends what a client has put into its channel, and puts there what comes from its provider. One
-/// thread, the lane's.
+/// One thread, the lane's, uses this. It sends what a client has put into its channel, and puts
+/// there what comes from its provider.
 class ClientCarrier {
  public:
-  /// How a lane sends it.
+  enum class Message : std::uint8_t { Interest, Command };
+
+  /// A lane implements this, and so sends what the client has.
   class Wire {
    public:
-    /// True if one more message may be sent.
-    virtual bool hasRoom() const = 0;
+    /// True if one more such message may be sent.
+    virtual bool hasRoom(Message message) const = 0;
     virtual void send(const Interest& interest) = 0;
     /// The command stays as it is until commandSent(), which has to come before the next one.
     virtual void send(const rt::CommandRecord& command) = 0;
@@ -44,21 +46,23 @@ class ClientCarrier {
 
   /// Returns the command that `call` has asked an answer of; none if no answer to it is awaited.
   std::optional<std::uint16_t> commandOf(std::uint32_t call) const;
-  /// The answer to a call, which is dropped if it is not awaited. `produce(std::byte* result)`
-  /// fills in the result and returns an Errc, 0 for success.
+  /// Passes an answer on, unless it is not awaited. `produce(std::byte* result)` fills in the
+  /// result and returns an Errc, 0 for success.
   template <class Produce>
   void reply(std::uint32_t call, Time stamp, const Produce& produce);
-  /// The same of a call that has no result.
-  void replyError(std::uint32_t call, Errc error);
-  /// An event that was emitted for `subscription`: dropped if that is an earlier one than the
-  /// client's present wish for it. False: the contract does not admit the payload.
+  /// Does the same with an error, or with the bytes of a result of the right size.
+  void reply(std::uint32_t call, Time stamp, Errc error, std::span<const std::byte> result);
+  void replyError(std::uint32_t call, Errc error) { reply(call, now(), error, {}); }
+  /// Passes an event on that was emitted for `subscription`, unless the client has joined it anew
+  /// since. Returns false if the contract does not admit the payload.
   bool event(std::uint16_t event, std::uint32_t subscription, Time stamp, const std::byte* payload);
-  /// A row: what it does not bring in `values` lies in the draft of the channel's state. A reader
-  /// judges what it reads of it.
+  /// Publishes a row, whose values are `values`, or lie in the draft of the channel's state if
+  /// there are none. A reader judges what it reads of it.
   void row(Time stamp, rt::RowColumns columns, std::span<const rt::StateTable::Value> values = {});
-  /// So many commands have been taken; false if there are not so many under way.
+  /// Gives credits back, since so many commands have been taken. Returns false if there are not so
+  /// many under way.
   bool credits(std::uint16_t command, std::uint32_t count);
-  /// What the provider's end has counted.
+  /// Takes over what the provider's end has counted.
   void tally(const Tally& tally);
   /// Wakes the client for what has come.
   void ringClient();

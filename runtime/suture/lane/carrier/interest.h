@@ -1,5 +1,5 @@
 #pragma once
-// What a client wants to hear of, as this process numbers it.
+// Interest says what a client wants to hear of, as this process numbers it.
 
 #include <suture/component/contract/interface_info.h>
 #include <suture/rt/state/row_columns.h>

@@ -19,7 +19,7 @@ ProviderCarrier::ProviderCarrier(Channel& channel, Wire& wire, std::vector<std::
       wire_(wire),
       commands_(commands.empty() ? sameNumbers(channel.info) : std::move(commands)),
       waiting_(commands_.size()),
-      since_(channel.info.events.size(), now()) {
+      since_(channel.info.events.size()) {
   // This also tells when commands have been taken, if a provider publishes no rows.
   channel_.wantsRows.raise();
 }
@@ -34,11 +34,12 @@ Errc ProviderCarrier::whyNot(std::uint16_t command) const {
 }
 
 void ProviderCarrier::subscribe(const Interest& interest) {
+  const EventSet joining = interest.joining & interest.events;
   subscription_ = interest.number;
   for (std::size_t i = 0; i < since_.size(); ++i) {
-    if (interest.joining >> i & 1) since_[i] = now();
+    if (joining >> i & 1) since_[i] = now();
   }
-  channel_.subscribe(interest.events, interest.joining);
+  channel_.subscribe(interest.events, joining);
   columns_ = channel_.state->existing(interest.columns);
   lastRow_ = 0;
   channel_.state->askAll(columns_);

@@ -1,5 +1,5 @@
 #pragma once
-// The client endpoint of a channel whose client is beyond a lane.
+// ProviderCarrier plays the client's end of a channel whose client is beyond a lane.
 
 #include <suture/component/channel/channel.h>
 #include <suture/lane/carrier/interest.h>
@@ -11,8 +11,8 @@
 
 namespace suture {
 
-/// Puts the commands that arrive into the provider's channel in their order, and sends what the
-/// provider answers, emits and publishes. One thread, the lane's.
+/// One thread, the lane's, uses this. It puts the commands that arrive into the provider's channel
+/// in their order, and sends what the provider answers, emits and publishes.
 class ProviderCarrier {
  public:
   /// Stands for a command that the contract does not have.
@@ -20,16 +20,16 @@ class ProviderCarrier {
 
   enum class Message : std::uint8_t { Reply, Credits, Tally, Event, Row };
 
-  /// How a lane sends it.
+  /// A lane implements this, and so sends what the provider has.
   class Wire {
    public:
     /// True if one more such message may be sent.
     virtual bool hasRoom(Message message) const = 0;
     /// The answer stays as it is until replySent(), which has to come before the next one.
     virtual void send(const ReplyRecord& reply) = 0;
-    /// So many more of a command may be sent, which the client gives this number.
+    /// Tells that so many more of a command may be sent, which the client gives this number.
     virtual void sendCredits(std::uint16_t command, std::uint32_t count) = 0;
-    /// What has become of all commands so far.
+    /// Tells what has become of all commands so far.
     virtual void send(const Tally& tally) = 0;
     /// The event stays as it is until eventSent(), which has to come before the next one.
     virtual void send(const rt::EventRecord& event, std::uint32_t subscription) = 0;
@@ -50,7 +50,7 @@ class ProviderCarrier {
 
   // --- from the client
 
-  /// The number here of a command that the client gives this number.
+  /// Returns the number here of a command that the client gives this number.
   std::uint16_t commandAt(std::uint16_t theirs) const {
     return theirs < commands_.size() ? commands_[theirs] : kUnknown;
   }
@@ -60,7 +60,7 @@ class ProviderCarrier {
   void lend(std::uint16_t theirs) { ++waiting_[theirs]; }
   std::uint32_t lent(std::uint16_t theirs) const { return waiting_[theirs]; }
 
-  /// Why a command was not put in.
+  /// This tells why a command was not put in.
   struct Refusal {
     Errc error{};         ///< 0: it was
     FieldPath invalid{};  ///< what is, of Errc::Invalid
@@ -83,7 +83,7 @@ class ProviderCarrier {
   void giveTally();
   void giveEvents();
   bool giveRow();
-  /// What the wire got has left.
+  /// The wire says with these that what it got has left.
   void replySent() { channel_.popReply(); }
   void eventSent() { channel_.events.pop(); }
 
@@ -101,7 +101,7 @@ class ProviderCarrier {
                                         // client has not got back
   Tally tally_;                         // as the client has been told
   std::uint32_t subscription_ = 0;
-  std::vector<Time> since_;  // by event: when it was subscribed to
+  std::vector<Time> since_;  // by event: when it was joined anew, if it was
   rt::ColumnSet columns_ = 0;
   std::uint64_t lastRow_ = 0;
 };

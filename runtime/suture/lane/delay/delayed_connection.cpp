@@ -77,18 +77,20 @@ DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_
       client_(*near_, *this),
       provider_(*far_, *this) {}
 
+// Delivers first, which makes room for what there is to take.
 void DelayedConnection::pump(Time now) {
-  client_.give();
   deliverCommands(now);
-  provider_.ringProvider();
-  provider_.give();
-  takeStatus();
-  sendMarks(now);
   deliverAnswers(now);
   deliverEvents(now);
   deliverRows(now);
   client_.ringClient();
   deliverStatus(now);
+  client_.give();
+  provider_.ringProvider();
+  provider_.give();
+  client_.ringClient();  // for credits
+  takeStatus();
+  sendMarks(now);
   countBytes();
   countCommands();
 }
@@ -130,13 +132,19 @@ void DelayedConnection::deliverCommands(Time now) {
     } else {
       giveUp(commands_.reached() - 1);
       deliver(*reinterpret_cast<const rt::CommandRecord*>(memory));
-      ++delivered_;
     }
     commands_.pop();
   }
 }
 
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
+  // What meets a connection that is over is lost, as on the way: nobody has refused it.
+  const ChannelStatus beyond = far_->status.load(std::memory_order_acquire);
+  if (isOver(beyond)) {
+    giveUp(commands_.reached());
+    return refuse(record.call, errorOf(beyond));
+  }
+  ++delivered_;
   const CommandInfo& command = near_->info.commands[record.command];
   const auto copy = [&](std::byte* arguments) {
     std::memcpy(arguments, record.arguments(), command.argumentsSize);
@@ -267,11 +275,7 @@ void DelayedConnection::deliverAnswer(const ReplyRecord& answer) {
   Errc error = answer.error;
   // A foreign provider may say that its answer has any size.
   if (error == Errc{} && answers_.size() < sizeof(answer) + size) error = Errc::Invalid;
-  if (error != Errc{}) return client_.replyError(answer.call, error);
-  client_.reply(answer.call, answer.stamp, [&](std::byte* result) {
-    std::memcpy(result, answer.result(), size);
-    return Errc{};
-  });
+  client_.reply(answer.call, answer.stamp, error, {answer.result(), size});
 }
 
 void DelayedConnection::deliverEvents(Time now) {

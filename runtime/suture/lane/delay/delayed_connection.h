@@ -43,7 +43,9 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   using Message = ProviderCarrier::Message;
 
   // From the client.
-  bool hasRoom() const override { return commands_.hasRoom(); }
+  bool hasRoom(ClientCarrier::Message message) const override {
+    return message == ClientCarrier::Message::Interest || commands_.hasRoom();
+  }
   void send(const Interest& interest) override;
   void send(const rt::CommandRecord& command) override;
   void deliverCommands(Time now);
@@ -55,7 +57,7 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   bool hasRoom(Message message) const override;
   void send(const ReplyRecord& reply) override;
   void sendCredits(std::uint16_t command, std::uint32_t count) override;
-  void send(const Tally&) override {}
+  void send(const Tally&) override {}  // countCommands() reads all that there is
   void send(const rt::EventRecord& event, std::uint32_t subscription) override;
   bool sendRow(rt::ColumnSet columns, std::uint64_t& last) override;
   void keepRow(const rt::StateTable::Row& row, Time due);

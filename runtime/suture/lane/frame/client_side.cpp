@@ -37,15 +37,9 @@ bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
   } else if (!payload.empty()) {
     return false;
   }
-  if (result.error != Errc{}) {
-    carrier_.replyError(header.call, result.error);
-    return true;
-  }
   const std::uint32_t size = channel_->info.commands[*command].resultSize;
-  carrier_.reply(header.call, arrivalStamp(*channel_, header.stamp), [&](std::byte* memory) {
-    if (size > 0) std::memcpy(memory, result.slot, size);
-    return Errc{};
-  });
+  carrier_.reply(header.call, arrivalStamp(*channel_, header.stamp), result.error,
+                 {result.slot, result.error == Errc{} ? size : 0});
   return true;
 }
 

@@ -24,7 +24,7 @@ class ClientSide final : public Connection, private ClientCarrier::Wire {
   bool give() override;
   void letGo(Kind) override { carrier_.commandSent(); }
 
-  bool hasRoom() const override { return Connection::hasRoom(); }
+  bool hasRoom(ClientCarrier::Message) const override { return Connection::hasRoom(); }
   void send(const Interest& interest) override;
   void send(const rt::CommandRecord& command) override;
 

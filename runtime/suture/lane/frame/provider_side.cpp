@@ -62,11 +62,10 @@ bool ProviderSide::takeSubscription(const Header& header, std::span<const std::b
   if (payload.size() != sizeof(wanted)) return false;
   std::memcpy(&wanted, payload.data(), sizeof(wanted));
   const InterfaceInfo& contract = channel_->info;
-  const EventSet events = fromWireNumbers(contract.wireEvents, wanted.events);
   row_.giveUp();
   carrier_.subscribe({.number = header.call,
-                      .events = events,
-                      .joining = fromWireNumbers(contract.wireEvents, wanted.joining) & events,
+                      .events = fromWireNumbers(contract.wireEvents, wanted.events),
+                      .joining = fromWireNumbers(contract.wireEvents, wanted.joining),
                       .columns = fromWireNumbers(contract.wireColumns, wanted.columns)});
   return true;
 }

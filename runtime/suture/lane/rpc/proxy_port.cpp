@@ -110,7 +110,10 @@ void ProxyPort::pump() {
   carrier_.give();
 }
 
-bool ProxyPort::hasRoom() const { return !isClosed() && latestInFlight_ < kWindow; }
+bool ProxyPort::hasRoom(ClientCarrier::Message message) const {
+  if (isClosed()) return false;
+  return message == ClientCarrier::Message::Interest || latestInFlight_ < kWindow;
+}
 
 // Events come through the capability of the subscription that they were emitted for.
 void ProxyPort::send(const Interest& interest) {

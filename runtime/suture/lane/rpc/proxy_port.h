@@ -58,7 +58,7 @@ class ProxyPort final : public ClientEnd,
   void ending() override;
   void pump() override;
   void countBytes();
-  bool hasRoom() const override;
+  bool hasRoom(ClientCarrier::Message message) const override;
   void send(const Interest& interest) override;
   void send(const rt::CommandRecord& command) override;
   void answer(std::uint16_t command, std::uint32_t call, capnp::AnyPointer::Reader results);

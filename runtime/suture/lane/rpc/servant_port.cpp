@@ -14,15 +14,6 @@ namespace {
 // A notice for each turn of a task would make each round trip a tenth slower.
 constexpr Duration kTallyPause = std::chrono::milliseconds(5);
 
-/// An event or row that exceeds a message, or that the subscriber refuses, is lost alone, since a
-/// damaged one must not silence a connection that is told of as connected. Throws if the subscriber
-/// is gone, which ends its subscription.
-void throwIfGone(kj::Exception&& failure) {
-  if (failure.getType() == kj::Exception::Type::DISCONNECTED) {
-    kj::throwFatalException(kj::mv(failure));
-  }
-}
-
 }  // namespace
 
 ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channel,
@@ -44,7 +35,9 @@ void ServantPort::ending() {
   control_.remove(*this);
   subscriber_ = nullptr;
   counts_ = nullptr;
-  for (auto& waiting : taken_) waiting.clear();
+  for (auto& waiting : taken_) {
+    for (Taken& call : waiting) call = Taken();
+  }
   for (PendingCall& call : calls_) call = PendingCall{};
 }
 
@@ -84,7 +77,8 @@ ServantPort::Refusal ServantPort::post(std::uint16_t command, capnp::AnyPointer:
 
 void ServantPort::subscribe(Subscriber subscriber, Interest interest) {
   subscriber_ = kj::mv(subscriber);
-  interest.joining = interest.events & (interest.joining | ~channel_->subscribed());
+  interest.number = ++subscriptions_;
+  interest.joining |= ~channel_->subscribed();
   carrier_.subscribe(interest);
   carrier_.ringProvider();
   answering_ = true;
@@ -193,15 +187,14 @@ void ServantPort::send(const Tally& tally) {
   }
 }
 
-void ServantPort::send(const rt::EventRecord& event, std::uint32_t) {
+void ServantPort::send(const rt::EventRecord& event, std::uint32_t subscription) {
   KJ_IF_MAYBE (subscriber, subscriber_) {
     ++eventsInFlight_;
-    sending_.add(subscriber->event(event).then([this] { eventTaken(); },
-                                               [this](kj::Exception&& failure) {
-                                                 throwIfGone(kj::mv(failure));
-                                                 channel_->events.countDropped();
-                                                 eventTaken();
-                                               }));
+    auto fail = [this, subscription](kj::Exception&& failure) {
+      if (!isGone(failure, subscription)) channel_->events.countDropped();
+      eventTaken();
+    };
+    sending_.add(subscriber->event(event).then([this] { eventTaken(); }, kj::mv(fail)));
   }
   carrier_.eventSent();
 }
@@ -209,6 +202,15 @@ void ServantPort::send(const rt::EventRecord& event, std::uint32_t) {
 void ServantPort::eventTaken() {
   --eventsInFlight_;
   carrier_.giveEvents();
+}
+
+// An event or row that exceeds a message, or that the subscriber refuses, is lost alone, since a
+// damaged one must not silence a connection that is told of as connected. A subscriber that is gone
+// ends its subscription, but not a later one.
+bool ServantPort::isGone(const kj::Exception& failure, std::uint32_t subscription) {
+  const bool gone = failure.getType() == kj::Exception::Type::DISCONNECTED;
+  if (gone && subscription == subscriptions_) subscriber_ = nullptr;
+  return gone;
 }
 
 bool ServantPort::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
@@ -225,17 +227,17 @@ bool ServantPort::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
 
 void ServantPort::sendRow(Subscriber& subscriber, const rt::StateTable::Row& row) {
   ++rowsInFlight_;
-  sending_.add(subscriber.row(row, row_.slots())
-                   .then([this] { rowTaken(); },
-                         [this, row](kj::Exception&& failure) {
-                           const bool tooLarge = errcOf(failure) == Errc::TooLarge;
-                           throwIfGone(kj::mv(failure));
-                           if (!tooLarge) return rowTaken();
-                           --rowsInFlight_;
-                           rt::StateTable::Row told = row;  // the client learns that much
-                           told.tooLarge |= std::exchange(told.valid, 0);
-                           KJ_IF_MAYBE (still, subscriber_) sendRow(*still, told);
-                         }));
+  auto fail = [this, row, subscription = subscriptions_](kj::Exception&& failure) {
+    if (!isGone(failure, subscription)) tellTooLarge(row, failure);
+    rowTaken();
+  };
+  sending_.add(subscriber.row(row, row_.slots()).then([this] { rowTaken(); }, kj::mv(fail)));
+}
+
+void ServantPort::tellTooLarge(rt::StateTable::Row row, const kj::Exception& failure) {
+  if (errcOf(failure) != Errc::TooLarge) return;
+  row.tooLarge |= std::exchange(row.valid, 0);
+  KJ_IF_MAYBE (subscriber, subscriber_) sendRow(*subscriber, row);
 }
 
 void ServantPort::rowTaken() {

@@ -4,7 +4,6 @@
 #include <suture/loop/kj_comparisons.h>  // first
 
 #include <kj/async.h>
-#include <kj/function.h>
 #include <suture/calls.capnp.h>
 #include <suture/framing/message_stream.h>
 #include <suture/framing/remote_error.h>
@@ -15,7 +14,6 @@
 #include <suture/loop/control_thread.h>
 #include <suture/rpc.capnp.h>
 
-#include <array>
 #include <deque>
 #include <memory>
 #include <vector>
@@ -25,9 +23,9 @@ namespace suture::rpc {
 /// A call of any method, as Cap'n Proto hands it to a capability.
 using AnyCall = capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>;
 
-/// A call returns when its credit goes back or its answer is there; events and rows are calls too,
-/// with at most kWindow of each unacknowledged, so that a slow client holds up nobody. Belongs to
-/// the control thread; shared by the Servant and the connection.
+/// A call returns when its credit goes back, if it uses one, or when its answer is there; events
+/// and rows are calls too, with at most kWindow of each unacknowledged, so that a slow client holds
+/// up nobody. Belongs to the control thread; shared by the Servant and the connection.
 class ServantPort final : public ProviderEnd,
                           private ProviderCarrier::Wire,
                           private Pump,
@@ -83,7 +81,9 @@ class ServantPort final : public ProviderEnd,
   kj::Exception failureOf(const PendingCall& call, Errc error) const;
   void eventTaken();
   void sendRow(Subscriber& subscriber, const rt::StateTable::Row& row);
+  void tellTooLarge(rt::StateTable::Row row, const kj::Exception& failure);
   void rowTaken();
+  bool isGone(const kj::Exception& failure, std::uint32_t subscription);
   void releaseRow();
   void changed(ChannelStatus status) override;
   void failAll(Errc error);
@@ -98,7 +98,8 @@ class ServantPort final : public ProviderEnd,
   std::uint32_t callsOpened_ = 0;
 
   kj::Maybe<Subscriber> subscriber_;
-  bool answering_ = false;  // subscribe(): nothing is sent before its answer
+  std::uint32_t subscriptions_ = 0;  // so far
+  bool answering_ = false;           // subscribe(): nothing is sent before its answer
   kj::Maybe<wire::CommandCounts::Client> counts_;
   bool tallyInFlight_ = false;
   unsigned eventsInFlight_ = 0;
