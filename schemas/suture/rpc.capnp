@@ -5,7 +5,8 @@ using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("suture::wire");
 
 struct Subscription {
-  # The parameters of `subscribe`, method 0 of every contract; a later call replaces an earlier one.
+  # The parameters of `subscribe`, method 0 of every contract; a later call replaces an earlier one. The generated schemas leave
+  # joinMask out: a program that knows only these leaves an event, and joins it again, with two calls.
   events @0 :Capability;   # receives them: of the contract's events interface
   eventMask @1 :UInt64;    # bit i: event i
   stateMask @2 :UInt64;    # bit i: column i

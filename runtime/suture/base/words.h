@@ -1,5 +1,5 @@
 #pragma once
-// Sizes in whole words of eight bytes.
+// This counts sizes in whole words of eight bytes.
 
 #include <cstddef>
 

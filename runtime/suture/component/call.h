@@ -98,7 +98,7 @@ class [[nodiscard]] Call : CallBase {
   const Answer& within() { return within(limit_); }
 
   /// Takes the command back: true if it will not be executed, and Errc::Cancelled is the answer.
-  /// False: it is being executed or has been, or has left for another process or been answered;
+  /// False: it is being executed, has been, has left for a process or a delay, or been answered;
   /// then nothing changes, and the answer still comes. Never blocks.
   [[nodiscard]] bool cancel() {
     if (poll() || !takeBack()) return false;

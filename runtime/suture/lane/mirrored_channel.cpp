@@ -6,7 +6,7 @@
 namespace suture {
 
 std::shared_ptr<Channel> mirroredChannel(OutgoingConnection connection, const char* lane,
-                                         std::shared_ptr<rt::Doorbell> carrier,
+                                         std::shared_ptr<rt::Doorbell> bell,
                                          rpc::ControlThread& control) {
   constexpr std::size_t kMostBytes = std::size_t{64} << 20;
   auto mirror = makeStateTable(connection.contract, rt::StateTable::Readers::Here);
@@ -15,7 +15,7 @@ std::shared_ptr<Channel> mirroredChannel(OutgoingConnection connection, const ch
   if (kept > mirror->capacity()) mirror->resize(kept);
   return std::make_shared<Channel>(connection.contract, std::move(connection.terms), lane,
                                    Channel::Ends{.client = std::move(connection.client),
-                                                 .provider = std::move(carrier),
+                                                 .provider = std::move(bell),
                                                  .components = ConnectionEnd::Client,
                                                  .watcher = control.sharedDoorbell(),
                                                  .peer = std::move(connection.peer),

@@ -3,7 +3,6 @@
 
 #include <suture/loop/kj_comparisons.h>  // first
 
-#include <kj/async.h>
 #include <kj/common.h>
 #include <kj/refcount.h>
 #include <suture/component/channel/channel.h>

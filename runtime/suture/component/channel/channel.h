@@ -145,8 +145,8 @@ class Channel {
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
   /// How often the status has become Faulted: a provider may be restarted before anybody looks.
   std::atomic<std::uint32_t> faults{0};
-  /// Set by a client endpoint that must be rung whenever a row has been published: the far side of
-  /// a lane.
+  /// Set by a client endpoint that must be rung for a row, credits or a tally as well: the far side
+  /// of a lane.
   rt::SharedFlag& wantsRows;
 
   /// Age of the values read, when they were read: of each row when it is first read, and of every

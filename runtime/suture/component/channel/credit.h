@@ -1,5 +1,5 @@
 #pragma once
-// Which commands use credits.
+// This says which commands use credits.
 
 #include <suture/component/contract/interface_info.h>
 
