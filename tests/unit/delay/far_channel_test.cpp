@@ -150,7 +150,7 @@ TEST_F(FarChannel, TheProviderIsRungForACommand) {
 // The far channel is attached to its provider before a delay stands between.
 TEST_F(FarChannel, AnEventFromBeforeTheDelayArrives) {
   const auto earlier = reference::armChannel(reference::playedEnds(), "far");
-  earlier->events.push(kStopped, now(), {});
+  earlier->events.push(kStopped, now() - 1s, {});
   DelayedConnection late(near, earlier, {.answers = 10ms});
   late.pump(now());
   late.pump(now() + 1s);

@@ -167,7 +167,10 @@ TEST(ServantPort, ACommandBeforeAFaultGivesNoLaterOneItsCredit) {
         .then([&, take] {
           it.channel->tell(ChannelStatus::Connected);
           auto mode = it.arm.setModeRequest().send().ignoreResult();
-          auto hold = it.arm.holdRequest().send().then([&](auto&&) { second = true; });
+          auto hold = it.arm.holdRequest()
+                          .send()
+                          .then([&](auto&&) { second = true; })
+                          .eagerlyEvaluate(nullptr);
           auto taken = restOf(control).then([take, mode = kj::mv(mode)]() mutable {
             take(kHold);
             take(kSetMode);
