@@ -2,6 +2,7 @@
 # Plants one fault after another in a copy of the tree, and requires the fast tier to find each.
 #   tests/planted.sh [FAULT...]      lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence
 #                                    endless_lease forgotten_cut
+#   tests/planted.sh --plant-only    builds nothing: tells whether each fault can still be planted
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -19,10 +20,10 @@ plant() {
       'credits.store(credits.load(std::memory_order_relaxed) + (lastReturned_ % 8 == 7 ? 0 : 1)' ;;
     swapped_order) replace runtime/suture/rt/queue/mailbox.cpp \
       'record->sequence < earliest->sequence' 'record->sequence > earliest->sequence' ;;
-    silent_heartbeat) replace runtime/suture/session/heartbeat.cpp \
-      '    if (!asked_) ask();
-    return look();' '    if (!asked_) ask();
-    return kj::READY_NOW;' ;;
+    silent_heartbeat) replace runtime/suture/session/client/heartbeat.cpp \
+      'watch->look(present, begun);
+    return look();' 'watch->look(present, begun);
+    return kj::Promise<void>(kj::READY_NOW);' ;;
     missing_fence) replace runtime/suture/rt/queue/spsc_ring.h \
       'shared_->tail.store(tail_, std::memory_order_release)' \
       'shared_->tail.store(tail_, std::memory_order_relaxed)' ;;
@@ -46,11 +47,21 @@ open(path, "w", encoding="utf-8").write(text.replace(old, new))
 PYTHON
 }
 
+all=(lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence endless_lease forgotten_cut)
+
+if [ "${1:-}" = --plant-only ]; then
+  tree=$(mktemp -d)
+  trap 'rm -r "$tree"' EXIT
+  cp -r runtime "$tree"
+  for fault in "${all[@]}"; do plant "$fault"; done
+  exit
+fi
+
 tree=$PWD/build/planted
 trap 'git worktree remove --force "$tree"' EXIT
 git worktree add --force --detach "$tree" HEAD >/dev/null
 faults=("$@")
-[ $# -gt 0 ] || faults=(lost_wake_up dropped_credit swapped_order silent_heartbeat missing_fence endless_lease forgotten_cut)
+[ $# -gt 0 ] || faults=("${all[@]}")
 
 missed=()
 for fault in "${faults[@]}"; do
