@@ -143,6 +143,49 @@ TEST(ServantPort, SubscribersThatAreGoneTakeNoPlacesOfALaterOne) {
   EXPECT_EQ(heard, 2);
 }
 
+/// Answers when the test says so.
+class SlowHearer final : public ArmEvents::Server {
+ public:
+  explicit SlowHearer(kj::Own<kj::PromiseFulfiller<void>>& answer) : answer_(answer) {}
+
+ protected:
+  kj::Promise<void> stopped(StoppedContext) override {
+    auto pair = kj::newPromiseAndFulfiller<void>();
+    answer_ = kj::mv(pair.fulfiller);
+    return kj::mv(pair.promise);
+  }
+
+ private:
+  kj::Own<kj::PromiseFulfiller<void>>& answer_;
+};
+
+TEST(ServantPort, ASubscriberThatGoesLateEndsNoLaterSubscription) {
+  ControlThread control;
+  kj::Own<kj::PromiseFulfiller<void>> answer;
+  int heard = 0;
+  control.run(kPatience, [&] {
+    auto provider = kj::heap<Provider>(control);
+    Provider& it = *provider;
+    it.channel->events.push(kStopped, now(), {});
+    it.port->subscribe(Subscriber(ArmEvents::Client(kj::heap<SlowHearer>(answer)), it.port->info()),
+                       {.events = kStoppedOnly, .joining = 0, .columns = 0});
+    return restOf(control)
+        .then([&] { return emitTo(control, it, &heard); })
+        .then([&] {
+          answer->reject(KJ_EXCEPTION(DISCONNECTED, "its process has gone"));
+          return restOf(control);
+        })
+        .then([&] {
+          it.channel->events.push(kStopped, now(), {});
+          control.doorbell().ring();
+          return restOf(control);
+        })
+        .then([&] { return restOf(control); })
+        .attach(kj::mv(provider));
+  });
+  EXPECT_EQ(heard, 3) << "an event and a row, and the event after the other had gone";
+}
+
 // What a fault has rejected still waits in the mailbox.
 TEST(ServantPort, ACommandBeforeAFaultGivesNoLaterOneItsCredit) {
   ControlThread control;
