@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// `bell`: rung for what goes to the provider. It keeps as many rows as the provider, up to a
-/// bound: a peer must not make this process take more memory.
+/// `bell` is rung for what goes to the provider. The channel keeps as many rows as the provider, up
+/// to a bound: a peer must not make this process take more memory.
 std::shared_ptr<Channel> mirroredChannel(OutgoingConnection connection, const char* lane,
                                          std::shared_ptr<rt::Doorbell> bell,
                                          rpc::ControlThread& control);

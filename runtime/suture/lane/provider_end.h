@@ -43,6 +43,7 @@ class ProviderEnd : public kj::Refcounted {
  protected:
   explicit ProviderEnd(std::shared_ptr<Channel> channel) : channel_(std::move(channel)) {}
 
+  bool isClosed() const { return closed_; }
   /// Called before the channel is closed.
   virtual void ending() {}
   /// Called before the listener is told.

@@ -1,4 +1,4 @@
-// What a delay does with what its far channel brings: the provider's end of it may be foreign.
+// A delay judges what its far channel brings, since the provider's end of it may be foreign.
 #include <gtest/gtest.h>
 #include <suture/lane/delay/delayed_connection.h>
 

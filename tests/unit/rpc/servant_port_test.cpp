@@ -186,7 +186,7 @@ TEST(ServantPort, ASubscriberThatGoesLateEndsNoLaterSubscription) {
   EXPECT_EQ(heard, 3) << "an event and a row, and the event after the other had gone";
 }
 
-// What a fault has rejected still waits in the mailbox.
+// A command that a fault has rejected still waits in the mailbox.
 TEST(ServantPort, ACommandBeforeAFaultGivesNoLaterOneItsCredit) {
   ControlThread control;
   bool second = false, early = false;
@@ -229,6 +229,34 @@ TEST(ServantPort, ACommandBeforeAFaultGivesNoLaterOneItsCredit) {
   });
   EXPECT_FALSE(early);
   EXPECT_TRUE(second);
+}
+
+/// Tells when nobody has it any more.
+template <class Interface>
+class Kept final : public Interface::Server {
+ public:
+  explicit Kept(bool& kept) : kept_(kept) { kept_ = true; }
+  ~Kept() noexcept(false) { kept_ = false; }
+
+ private:
+  bool& kept_;
+};
+
+// The client's capabilities hold its end, and that holds the provider's.
+TEST(ServantPort, KeepsNothingOfAClientThatComesWhenItIsClosed) {
+  ControlThread control;
+  bool counts = false, events = false;
+  control.run(kPatience, [&] {
+    auto provider = kj::heap<Provider>(control);
+    provider->port->close();
+    provider->port->tellCounts(kj::heap<Kept<wire::CommandCounts>>(counts));
+    provider->port->subscribe(
+        Subscriber(ArmEvents::Client(kj::heap<Kept<ArmEvents>>(events)), provider->port->info()),
+        {.events = kStoppedOnly, .joining = 0, .columns = 1});
+    EXPECT_FALSE(counts);
+    EXPECT_FALSE(events);
+    return restOf(control).attach(kj::mv(provider));
+  });
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ void DelayedConnection::deliverCommands(Time now) {
 }
 
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
-  // What meets a connection that is over is lost, as on the way: nobody has refused it.
+  // A command that meets a connection which is over is lost: nobody has refused it.
   const ChannelStatus beyond = far_->status.load(std::memory_order_acquire);
   if (isOver(beyond)) {
     giveUp(commands_.reached());
@@ -311,7 +311,7 @@ void DelayedConnection::deliverStatus(Time now) {
   }
 }
 
-// ---- what may have been lost
+// ---- losses
 
 // Marks settle what has been lost, so there are none where nothing can be.
 bool DelayedConnection::expectsMarks() const {

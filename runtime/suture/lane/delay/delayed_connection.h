@@ -42,7 +42,7 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
  private:
   using Message = ProviderCarrier::Message;
 
-  // From the client.
+  // The client's carrier sends by these, and what is sent arrives.
   bool hasRoom(ClientCarrier::Message message) const override {
     return message == ClientCarrier::Message::Interest || commands_.hasRoom();
   }
@@ -53,7 +53,7 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   void giveUp(std::uint64_t sequence);
   void refuse(std::uint32_t call, Errc error);
 
-  // From the provider.
+  // The provider's carrier does.
   bool hasRoom(Message message) const override;
   void send(const ReplyRecord& reply) override;
   void sendCredits(std::uint16_t command, std::uint32_t count) override;
@@ -68,7 +68,7 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   void deliverRows(Time now);
   void deliverStatus(Time now);
 
-  // What may have been lost.
+  // These settle what may have been lost.
   bool expectsMarks() const;
   void sendMarks(Time now);
   void settleCalls(const CallsMark& mark);

@@ -20,7 +20,7 @@ class CallsServer::Bootstrap final : public wire::Calls::Server {
  protected:
   kj::Promise<void> contract(ContractContext context) override {
     const auto found = contracts_->find(context.getParams().getConnection());
-    if (found == contracts_->end() || found->second.channel->status == ChannelStatus::Closed) {
+    if (found == contracts_->end()) {
       return failure(Type::FAILED, "no such connection has been accepted on this socket");
     }
     kj::Own<ServantPort> port = kj::mv(found->second.port);

@@ -1,5 +1,5 @@
 #pragma once
-// The capability that hears what has become of a client's commands.
+// CountsReceiver hears what has become of a client's commands.
 
 #include <suture/calls.capnp.h>
 #include <suture/lane/rpc/proxy_port.h>

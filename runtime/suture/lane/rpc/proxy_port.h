@@ -39,11 +39,11 @@ class ProxyPort final : public ClientEnd,
   void open(capnp::Capability::Client provider);
   const InterfaceInfo& info() const { return channel_->info; }
 
-  /// What the provider's end has counted has come.
+  /// Takes over what the provider's end has counted.
   void tally(const Tally& tally);
-  /// A row has come.
+  /// Takes a row.
   void publish(capnp::AnyPointer::Reader in);
-  /// Event `event` has come for `subscription`. The promise is the answer to the provider; see
+  /// Takes event `event` of `subscription`. The promise is the answer to the provider; see
   /// acknowledge().
   kj::Promise<void> event(std::uint16_t event, std::uint32_t subscription,
                           capnp::AnyPointer::Reader in);

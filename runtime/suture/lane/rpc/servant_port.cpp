@@ -75,7 +75,13 @@ ServantPort::Refusal ServantPort::post(std::uint16_t command, capnp::AnyPointer:
   return refusal;
 }
 
+// What a port that is closed keeps might keep it in turn: a client's capabilities hold its end.
+void ServantPort::tellCounts(wire::CommandCounts::Client counts) {
+  if (!isClosed()) counts_ = kj::mv(counts);
+}
+
 void ServantPort::subscribe(Subscriber subscriber, Interest interest) {
+  if (isClosed()) return;
   subscriber_ = kj::mv(subscriber);
   interest.number = ++subscriptions_;
   interest.joining |= ~channel_->subscribed();

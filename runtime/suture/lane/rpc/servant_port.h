@@ -41,14 +41,15 @@ class ServantPort final : public ProviderEnd,
 
   /// From now on only what reads is taken: a command is refused (Errc::NotPermitted).
   void setReadOnly() { carrier_.setReadOnly(); }
-  /// From now on `counts` is told what becomes of the commands.
-  void tellCounts(wire::CommandCounts::Client counts) { counts_ = kj::mv(counts); }
+  /// From now on `counts` is told what becomes of the commands, unless the connection is over.
+  void tellCounts(wire::CommandCounts::Client counts);
   const InterfaceInfo& info() const { return channel_->info; }
   /// A call of command `command`. A void or write command returns when the provider has taken it,
   /// or executed it if the sender asked for an answer; all others when the provider has answered.
   kj::Promise<void> command(std::uint16_t command, AnyCall call);
 
-  /// Replaces the subscription; events that it did not have join it in any case.
+  /// Replaces the subscription, unless the connection is over; events that it did not have join it
+  /// in any case.
   void subscribe(Subscriber subscriber, Interest interest);
 
  private:

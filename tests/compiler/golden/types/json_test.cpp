@@ -24,7 +24,7 @@ Json shown(const Slot& slot) {
   return suture::toJson(capnp::toDynamic(out.asReader()), suture::Labels::Names);
 }
 
-/// What is shown of `value`, through its slot.
+/// Returns what is shown of `value`, through its slot.
 template <class Message, class Slot, class Value>
 Json shownOf(const Value& value) {
   const auto slot = std::make_unique<Slot>();
