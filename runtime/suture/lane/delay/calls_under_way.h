@@ -14,16 +14,13 @@ struct CallsMark {
   std::array<std::uint32_t, Channel::kMaxCalls> atProvider;  ///< not answered yet; 0: none
 };
 
-/// One thread. Sees to it that each call is answered to the client exactly once: a second answer
-/// would take the room of another one, and a call that is never answered would keep its place for
-/// ever.
+/// One thread. Sees to it that each call is answered to the client at least once: one that is never
+/// answered would keep its place for ever. A second answer is dropped by the client's carrier.
 class CallsUnderWay {
  public:
   /// The client's end sends `call` as message `sequence`.
   void sent(std::uint32_t call, std::uint64_t sequence);
-  /// The client's end has an answer. True if it awaits one.
-  bool end(std::uint32_t call);
-  /// True if it awaits any.
+  /// True if any has not been settled.
   bool any() const;
   /// The client's end has heard `mark`, and no answer that was sent before it will come any more:
   /// calls `lose(call)` for each that has been answered, or will never be executed.

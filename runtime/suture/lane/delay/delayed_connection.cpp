@@ -142,7 +142,7 @@ void DelayedConnection::deliver(const rt::CommandRecord& record) {
   const ChannelStatus beyond = far_->status.load(std::memory_order_acquire);
   if (isOver(beyond)) {
     giveUp(commands_.reached());
-    return refuse(record.call, errorOf(beyond));
+    return client_.replyError(record.call, errorOf(beyond));
   }
   ++delivered_;
   const CommandInfo& command = near_->info.commands[record.command];
@@ -157,7 +157,7 @@ void DelayedConnection::deliver(const rt::CommandRecord& record) {
   }
   if (error != Errc{}) {
     rt::increment(near_->commands.counters.refused);
-    refuse(record.call, error);
+    client_.replyError(record.call, error);
   } else if (record.call != 0) {
     calls_.given(record.call);
   }
@@ -170,10 +170,6 @@ void DelayedConnection::giveUp(std::uint64_t sequence) {
        outstanding_.pop_front()) {
     client_.credits(outstanding_.front().command, 1);
   }
-}
-
-void DelayedConnection::refuse(std::uint32_t call, Errc error) {
-  if (call != 0 && calls_.end(call)) client_.replyError(call, error);
 }
 
 // ---- from the provider
@@ -270,7 +266,7 @@ void DelayedConnection::deliverAnswers(Time now) {
 
 void DelayedConnection::deliverAnswer(const ReplyRecord& answer) {
   const auto command = client_.commandOf(answer.call);
-  if (!calls_.end(answer.call) || !command) return;
+  if (!command) return;
   const std::size_t size = near_->info.commands[*command].resultSize;
   Errc error = answer.error;
   // A foreign provider may say that its answer has any size.

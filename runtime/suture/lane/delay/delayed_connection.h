@@ -51,7 +51,6 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   void deliverCommands(Time now);
   void deliver(const rt::CommandRecord& command);
   void giveUp(std::uint64_t sequence);
-  void refuse(std::uint32_t call, Errc error);
 
   // The provider's carrier does.
   bool hasRoom(Message message) const override;
