@@ -12,7 +12,8 @@ namespace suture {
 /// The last value of a latched event: the only column of a table.
 struct ProvidedBase::Latched {
   explicit Latched(const EventInfo& event)
-      : values(std::array{event.payloadSize}, kRows, rt::ColumnSet{event.sharedPayload}) {}
+      : values(std::array{event.payloadSize}, kRows, rt::ColumnSet{event.sharedPayload},
+               rt::StateTable::Readers::Here) {}
 
   static constexpr unsigned kRows = 4;
   rt::StateTable values;

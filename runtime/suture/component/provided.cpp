@@ -77,7 +77,6 @@ ProvidedBase::ProvidedBase(Component& owner, std::string_view name, const Interf
       owner_(owner),
       info_(info),
       implementation_(implementation),
-      state_(makeStateTable(info, rt::StateTable::Readers::Elsewhere)),
       channels_(owner.ownsThread() ? ChannelList::Walkers::Owner : ChannelList::Walkers::Any),
       replayed_(payloadWords(info)) {
   for (const EventInfo& event : info.events) {
@@ -100,7 +99,7 @@ void* ProvidedBase::implementation(const InterfaceInfo& contract) const {
 
 void ProvidedBase::keepState(const StateOptions& options) {
   const std::string asked = "the state table of '" + name_ + "'";
-  if (!channels_.empty() || state_->demand() != 0) {
+  if (!channels_.empty() || demand() != 0) {
     throw SetupError(asked, "somebody uses it already",
                      "Call keepState() in the component's constructor");
   }
@@ -113,8 +112,23 @@ void ProvidedBase::keepState(const StateOptions& options) {
     throw SetupError(asked, std::to_string(options.rows) + " rows",
                      "Keep 1 to " + std::to_string(kMostRows));
   }
-  manual_ = options.manual;
-  state_->resize(options.rows);
+  options_ = options;
+  if (rt::StateTable* const table = made_.load(std::memory_order_acquire); table != nullptr) {
+    table->resize(options.rows);
+  }
+}
+
+const std::shared_ptr<rt::StateTable>& ProvidedBase::state() {
+  std::call_once(stateMade_, [this] {
+    state_ = makeStateTable(info_, rt::StateTable::Readers::Elsewhere, options_.rows);
+    made_.store(state_.get(), std::memory_order_release);
+  });
+  return state_;
+}
+
+rt::ColumnSet ProvidedBase::demand() const {
+  const rt::StateTable* const table = made_.load(std::memory_order_acquire);
+  return table == nullptr ? 0 : table->demand();
 }
 
 void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
@@ -170,8 +184,9 @@ void ProvidedBase::drain() {
   }
   channels_.forEach([this](ChannelList::Node& node) {
     Channel& channel = *node.channel;
-    if (channel.ends.asked != nullptr)
-      state_->askAll(channel.ends.asked->load(std::memory_order_acquire));
+    if (channel.ends.asked != nullptr) {
+      channel.state->askAll(channel.ends.asked->load(std::memory_order_acquire));
+    }
     const bool any = channel.commands.pending();
     // Fix the cut first, so that a command's events meet those who subscribed before they sent it.
     if (any) channel.commands.fixCut();
@@ -292,20 +307,21 @@ void ProvidedBase::noteInvalid(const FieldPath& path, Channel* asker) {
 }
 
 void ProvidedBase::publishRow() {
-  if (!manual_) advance();
+  if (!options_.manual) advance();
 }
 
 void ProvidedBase::advance() {
-  const rt::ColumnSet demand = state_->demand();
-  if (demand == 0) return;
+  const rt::ColumnSet wanted = demand();
+  if (wanted == 0) return;
+  rt::StateTable& table = *made_.load(std::memory_order_relaxed);
   rt::RowColumns columns;
   for (std::uint16_t i = 0; i < info_.commands.size(); ++i) {
     const int column = info_.commands[i].column;
-    if (column < 0 || (demand >> column & 1) == 0) continue;
+    if (column < 0 || (wanted >> column & 1) == 0) continue;
     const auto number = static_cast<unsigned>(column);
-    columns.enter(number, produce(i, nullptr, state_->draft(number), nullptr));
+    columns.enter(number, produce(i, nullptr, table.draft(number), nullptr));
   }
-  state_->publish(now(), columns);
+  table.publish(now(), columns);
   channels_.forEach([this](ChannelList::Node& node) {
     if (node.channel->wantsRows.isUp(std::memory_order_relaxed)) {
       owner_.ringLater(*node.channel->ends.client);

@@ -7,11 +7,13 @@
 #include <suture/component/component.h>
 #include <suture/component/contract/declared_frames.h>
 #include <suture/component/contract/interface_info.h>
+#include <suture/rt/state/row_columns.h>
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -45,7 +47,11 @@ class ProvidedBase {
   const std::string& name() const { return name_; }
   const InterfaceInfo& info() const { return info_; }
   Component& owner() const { return owner_; }
-  const std::shared_ptr<rt::StateTable>& state() const { return state_; }
+  /// Any thread: the values of the reads. The first call makes room for them and throws SetupError
+  /// if there is none: an interface that nobody is connected to takes no memory and no descriptor.
+  const std::shared_ptr<rt::StateTable>& state();
+  /// Any thread: the columns of it that somebody has asked for.
+  rt::ColumnSet demand() const;
   const ChannelList& channels() const { return channels_; }
   /// Any thread: which part was wrong of the last row, answer or event that this interface produced
   /// and that its contract does not admit: "measured_cp.pose". It begins with the name of the
@@ -140,8 +146,10 @@ class ProvidedBase {
   Component& owner_;
   const InterfaceInfo& info_;
   void* implementation_;
+  StateOptions options_{.rows = 0};  // 0 rows: as many as their size suggests
+  std::once_flag stateMade_;
   std::shared_ptr<rt::StateTable> state_;
-  bool manual_ = false;
+  std::atomic<rt::StateTable*> made_{nullptr};  // what state() has made
   ChannelList channels_;
   DeclaredFrames frames_;
   bool everyState_ = false;

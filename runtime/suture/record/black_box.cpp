@@ -15,7 +15,7 @@ namespace {
 /// have no history, and are left out.
 class Rows {
  public:
-  explicit Rows(const ProvidedBase& provided)
+  explicit Rows(ProvidedBase& provided)
       : table_(*provided.state()),
         from_{provided.owner().name() + "/" + provided.name(), provided.info()},
         slots_(table_.columns()) {
@@ -52,7 +52,7 @@ class Rows {
 };
 
 void keepAll(const Component& component, unsigned rows) {
-  for (const ProvidedBase* provided : component.provided()) {
+  for (ProvidedBase* provided : component.provided()) {
     rt::StateTable& state = *provided->state();
     if (rows > state.capacity()) state.resize(rows);
     for (unsigned column = 0; column < state.columns(); ++column) state.ask(column);
@@ -111,7 +111,7 @@ void BlackBox::write(const Component& component, std::uint64_t first, std::uint6
   JsonLines lines(file);
   lines.faults(component.name(), first, last, reason);
   const Time since = now() - options_.last;
-  for (const ProvidedBase* provided : component.provided()) Rows(*provided).write(since, lines);
+  for (ProvidedBase* provided : component.provided()) Rows(*provided).write(since, lines);
   if (!lines.flush()) {
     throw SetupError("writing " + file.string(), "the file system did not take all of it",
                      "Make room there");

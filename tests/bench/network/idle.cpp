@@ -1,23 +1,22 @@
 #include <linux/tcp.h>
 #include <netinet/in.h>
 #include <suture/component/channel/channel.h>
-#include <suture/component/task/event_task.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "bench/figures/table.h"
-#include "bench/local/sample_server.h"
 #include "bench/network/lanes.h"
 #include "bench/network/names.h"
+#include "bench/network/process_usage.h"
 #include "bench/network/processes/subscriber_process.h"
 #include "bench/network/processor_time.h"
 #include "bench/network/rows.h"
+#include "bench/network/sleeper.h"
 #include "bench/table2/processes/child_process.h"
 
 namespace bench {
@@ -27,19 +26,6 @@ using suture::SetupError;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-/// Serves, and sleeps until somebody asks for something.
-class Sleeper final : public suture::EventTask, public SampleServer {
- public:
-  ~Sleeper() override { stop(); }
-  void put(const robots::PoseSample&) override {}
-  void bounce(const robots::PoseSample&) override {}
-  robots::PoseSample value() const override { return {}; }
-  void run() override {}
-
- private:
-  suture::Provided<SampleServer> provided_{*this, "Samples", *this};
-};
-
 /// What a pair of processes has used, or holds.
 struct Usage {
   double processor = 0;  ///< s
@@ -48,22 +34,6 @@ struct Usage {
   double descriptors = 0;
   double resident = 0;  ///< of the client, KiB
 };
-
-double wakeUpsOf(pid_t pid) {
-  double sum = 0;
-  for (const auto& thread : fs::directory_iterator("/proc/" + std::to_string(pid) + "/task")) {
-    std::ifstream status(thread.path() / "status");
-    for (std::string line; std::getline(status, line);) {
-      if (line.starts_with("voluntary_ctxt_switches:")) sum += std::stod(line.substr(24));
-    }
-  }
-  return sum;
-}
-
-double descriptorsOf(pid_t pid) {
-  const fs::directory_iterator all("/proc/" + std::to_string(pid) + "/fd");
-  return static_cast<double>(std::distance(begin(all), end(all)));
-}
 
 double residentOf(pid_t pid) {
   double size = 0, resident = 0;

@@ -13,6 +13,7 @@ constexpr Part<NetworkOptions> kNetworkParts[] = {{"round trips", roundTripRows}
                                                   {"images", imageRows},
                                                   {"connections", linkTimeRows},
                                                   {"idle", idleRows},
+                                                  {"sleeping", sleepingRows},
                                                   {"survivors", survivorRows}};
 
 }  // namespace

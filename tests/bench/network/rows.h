@@ -41,6 +41,10 @@ std::string imageRows(const NetworkOptions& options, Report& report);
 /// client's memory beyond its queues and rows, and of time.
 std::string idleRows(const NetworkOptions& options, Report& report);
 
+/// "sleeping.10.wake_ups", ...: how often the threads of 10, 100 and 1,000 components that nobody
+/// is connected to wake up within the window; ".descriptors": of each.
+std::string sleepingRows(const NetworkOptions& options, Report& report);
+
 /// "connect.shm", ...: from nothing to a connection; "killed.shm", "silence.shm", ...: until a
 /// killed or a stopped process counts as lost, ".ratio": to the bound on silence; "threads.shm".
 std::string linkTimeRows(const NetworkOptions& options, Report& report);

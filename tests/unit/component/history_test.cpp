@@ -3,9 +3,11 @@
 #include <suture/base/errors.h>
 #include <suture/component/device.h>
 #include <suture/component/read_together.h>
+#include <suture/component/task/event_task.h>
 #include <suture/rt/state/state_table.h>
 #include <suture/wiring/connect.h>
 
+#include "support/resources.h"
 #include "unit/component/arm_client.h"
 #include "unit/component/driven_arm.h"
 
@@ -152,6 +154,12 @@ class CountingArmDevice final : public Device {
   Provided<ArmLike> port{*this, "Arm", arm};
 };
 
+struct SleepingArm final : EventTask, CountingArm {
+  ~SleepingArm() override { stop(); }
+  void run() override {}
+  Provided<ArmLike> port{*this, "Arm", *this};
+};
+
 TEST(DeviceHistory, ADeviceHasNone) {
   CountingArmDevice device;
   ArmClient client;
@@ -161,6 +169,20 @@ TEST(DeviceHistory, ADeviceHasNone) {
   EXPECT_TRUE(client.arm.measured_cp.at(now() + 1h));
   EXPECT_EQ(client.arm.measured_cp.delayed(1ms).error(), Errc::TooOld);
   EXPECT_TRUE(readTogether(client.arm.measured_cp, client.arm.measured_js));
+}
+
+TEST(KeepState, TakesNoDescriptorUntilSomebodyIsConnected) {
+  ArmClient first, second;
+  const std::size_t before = openMemory();
+  SleepingArm arm;
+  arm.port.keepState({.rows = 128});
+  EXPECT_EQ(openMemory(), before + 1) << "its bell";
+  EXPECT_EQ(arm.port.demand(), 0u);
+  connectLocally(first.arm, arm.port, "first");
+  EXPECT_EQ(openMemory(), before + 2) << "its rows";
+  EXPECT_EQ(arm.port.state()->capacity(), 128u);
+  connectLocally(second.arm, arm.port, "second");
+  EXPECT_EQ(openMemory(), before + 2) << "one table for both";
 }
 
 TEST(KeepState, RefusesMoreRowsThanAreOfUse) {

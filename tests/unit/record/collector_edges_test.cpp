@@ -26,7 +26,7 @@ template <class Kind>
 struct Providing final : Kind, private Lifecycle {
   using Kind::Kind;
   ~Providing() override { Kind::stop(); }
-  std::uint64_t produced() const { return port.state()->rows(); }
+  std::uint64_t produced() { return port.state()->rows(); }
 
  private:
   void run() override {}

@@ -227,7 +227,7 @@ ChannelStatus statusIn(ComponentState state) {
 }
 
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,
-                                               rt::StateTable::Readers readers) {
+                                               rt::StateTable::Readers readers, unsigned rows) {
   std::vector<std::uint32_t> sizes;
   rt::ColumnSet shared = 0;
   for (const CommandInfo& command : info.commands) {
@@ -236,7 +236,8 @@ std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,
     sizes.push_back(command.resultSize);
   }
   if (shared != 0) readers = rt::StateTable::Readers::Here;  // pointers mean nothing elsewhere
-  return std::make_shared<rt::StateTable>(sizes, rowsOf(sizes), shared, readers);
+  if (rows == 0) rows = rowsOf(sizes);
+  return std::make_shared<rt::StateTable>(sizes, rows, shared, readers);
 }
 
 }  // namespace suture

@@ -272,7 +272,8 @@ Errc endOfCalls(ChannelStatus status);
 ChannelStatus statusIn(ComponentState state);
 
 /// A contract's state table: one column a read. `readers`: whether another process may map it.
+/// `rows`: at least so many; 0: as many as their size suggests.
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,
-                                               rt::StateTable::Readers readers);
+                                               rt::StateTable::Readers readers, unsigned rows = 0);
 
 }  // namespace suture

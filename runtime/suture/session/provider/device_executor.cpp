@@ -33,7 +33,7 @@ void DeviceExecutor::takeOver() {
 bool DeviceExecutor::awaitCycle() {
   Time due = now() + std::chrono::seconds(1);
   for (const Served& served : served_) {
-    if (served.interface->state()->demand() != 0) due = std::min(due, served.rowDue);
+    if (served.interface->demand() != 0) due = std::min(due, served.rowDue);
   }
   const bool waiting = std::any_of(served_.begin(), served_.end(), [](const Served& served) {
     return served.interface->pending();
