@@ -27,10 +27,10 @@ plant() {
     missing_fence) replace runtime/suture/rt/queue/spsc_ring.h \
       'shared_->tail.store(tail_, std::memory_order_release)' \
       'shared_->tail.store(tail_, std::memory_order_relaxed)' ;;
-    endless_lease) replace runtime/suture/component/channel/channel.cpp \
+    endless_lease) replace runtime/suture/component/channel/channel_provider.cpp \
       'looksAtClock && lease.lapsed()' 'looksAtClock && false' ;;
     forgotten_cut) replace runtime/suture/lane/client_end.cpp \
-      '  channel_->cut();
+      '  channel_->client.cut();
 ' '' ;;
     *) echo "there is no planted fault '$1'" >&2; exit 2 ;;
   esac

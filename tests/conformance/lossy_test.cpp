@@ -50,7 +50,7 @@ class Losses : public Conformance {
   }
   /// The receivers have found out what the lane does.
   bool isNoticed() const {
-    const suture::DeliveryCounters& seen = channel()->delivery;
+    const suture::DeliveryCounters& seen = channel()->client.delivery;
     switch (GetParam().filter) {
       case Filter::Duplicates: return seen.duplicated > 0;
       case Filter::Reordering: return seen.overtaken > 0;

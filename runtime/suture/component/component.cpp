@@ -48,12 +48,12 @@ void Component::ringLater(rt::Doorbell& bell) {
 }
 
 void Component::ringForArrival(Channel& channel) {
-  channel.untaken.raise(std::memory_order_release);
+  channel.provider.untaken().raise(std::memory_order_release);
   rt::Doorbell& bell = *channel.ends.client;
   if (!ownsThread()) {
     bell.ring(rt::RungFor::Arrival);
   } else {
-    dueBells_.add(bell, rt::RungFor::Arrival, &channel.untaken);
+    dueBells_.add(bell, rt::RungFor::Arrival, &channel.provider.untaken());
   }
 }
 

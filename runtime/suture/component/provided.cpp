@@ -35,8 +35,8 @@ class ProvidedBase::Turn {
   ~Turn() {
     if (owner_.ownsThread()) owner_.caller_ = nullptr;
     release();
-    if (call_ != 0 && !answered) channel_.replyError(call_, error);
-    if (channel_.wantsRows.isUp(std::memory_order_relaxed)) {  // what has been taken, too
+    if (call_ != 0 && !answered) channel_.provider.replyError(call_, error);
+    if (channel_.provider.rowsAreWanted()) {  // what has been taken, too
       owner_.ringLater(*channel_.ends.client);
     } else if (call_ != 0) {
       owner_.ringForArrival(channel_);
@@ -199,7 +199,7 @@ void ProvidedBase::drain() {
 void ProvidedBase::greet(ChannelList::Node& node) {
   Channel& channel = *node.channel;
   if (channel.ends.device != nullptr) return;
-  const EventSet joining = channel.takeJoining();
+  const EventSet joining = channel.provider.takeJoining();
   node.served = channel.subscribed();
   node.direct = channel.direct.events();
   if (joining != 0) replay(channel, joining & node.served, replayed_);
@@ -207,7 +207,7 @@ void ProvidedBase::greet(ChannelList::Node& node) {
 
 void ProvidedBase::greetLocal(Channel& channel) {
   if (channel.ends.device != this) return;
-  const EventSet joining = channel.takeJoining() & channel.subscribed();
+  const EventSet joining = channel.provider.takeJoining() & channel.subscribed();
   if (joining == 0) return;
   std::vector<std::uint64_t> memory(replayed_.size());
   replay(channel, joining, memory);
@@ -228,7 +228,7 @@ void ProvidedBase::drain(ChannelList::Node& node) {
   while (const rt::CommandRecord* record = channel.commands.next()) {
     const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
     // A client that shares memory tells of a loss there: do not read the clock for each command.
-    const Errc over = channel.begin(first || hasTtl || !channel.foreign);
+    const Errc over = channel.provider.begin(first || hasTtl || !channel.foreign);
     if (over != Errc{}) {
       turnAway(channel, *record, over);
     } else if (const Errc refused = refusal(); refused != Errc{}) {
@@ -260,7 +260,7 @@ void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record,
     turn.error = Errc::Late;
     return;
   }
-  if (record.call != 0 && !channel.claimCall(record.call)) {
+  if (record.call != 0 && !channel.provider.claim(record.call)) {
     turn.outcome = &channel.commands.counters.cancelled;
     turn.error = Errc::Cancelled;
     return;
@@ -274,14 +274,14 @@ void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record,
   if (VirtualTime* const time = virtualTime(); time != nullptr) {
     time->note(VirtualTime::Kind::Execute, name_.c_str(), command.name, record.sequence);
   }
-  channel.commandAge->record(commandAge_);
+  channel.provider.commandAge->record(commandAge_);
   turn.begin(node.client);
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);
     turn.outcome = &channel.commands.counters.executed;
   } else {
     const ResultForm form{command.resultSize, command.sharedResult, record.command};
-    channel.reply(record.call, form, [&](std::byte* result) {
+    channel.provider.reply(record.call, form, [&](std::byte* result) {
       const Errc error = produce(record.command, record.arguments(), result, &channel);
       turn.outcome = &channel.commands.counters.executed;
       turn.release();
@@ -323,7 +323,7 @@ void ProvidedBase::advance() {
   }
   table.publish(now(), columns);
   channels_.forEach([this](ChannelList::Node& node) {
-    if (node.channel->wantsRows.isUp(std::memory_order_relaxed)) {
+    if (node.channel->provider.rowsAreWanted()) {
       owner_.ringLater(*node.channel->ends.client);
     }
   });
@@ -333,7 +333,7 @@ bool ProvidedBase::pending() const {
   bool any = false;
   channels_.forEach([&any, hears = hears()](ChannelList::Node& node) {
     const Channel& channel = *node.channel;
-    const bool newcomer = channel.joining() && channel.ends.device == nullptr;
+    const bool newcomer = channel.provider.joining() && channel.ends.device == nullptr;
     any = any || newcomer || channel.commands.pending() || (hears && isNews(node));
   });
   return any;

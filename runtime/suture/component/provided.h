@@ -3,6 +3,7 @@
 
 #include <suture/base/errors.h>
 #include <suture/component/channel/channel_list.h>
+#include <suture/component/channel/channel_status.h>
 #include <suture/component/channel/last_invalid.h>
 #include <suture/component/component.h>
 #include <suture/component/contract/declared_frames.h>
@@ -25,8 +26,6 @@ struct CommandRecord;
 }  // namespace suture::rt
 
 namespace suture {
-
-enum class ChannelStatus : std::uint8_t;
 
 /// How a provided interface keeps the values of its reads.
 struct StateOptions {

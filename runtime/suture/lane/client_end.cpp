@@ -6,7 +6,7 @@ void ClientEnd::close(ChannelStatus why) {
   if (closed_) return;
   closed_ = true;
   ending();
-  channel_->cut();
+  channel_->client.cut();
   channel_->status.store(why, std::memory_order_release);
   channel_->noteStatus(why);
   channel_->ends.client->ring();

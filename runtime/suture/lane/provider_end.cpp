@@ -15,7 +15,7 @@ void ProviderEnd::tellEarlier() {
 }
 
 BootTime ProviderEnd::endOfLease() const {
-  return isOver(channel_->status.load()) ? BootTime::max() : channel_->lease.end();
+  return isOver(channel_->status.load()) ? BootTime::max() : channel_->provider.lease.end();
 }
 
 void ProviderEnd::lapse() {

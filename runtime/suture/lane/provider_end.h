@@ -6,7 +6,7 @@
 #include <kj/common.h>
 #include <kj/refcount.h>
 #include <suture/component/channel/channel.h>
-#include <suture/component/channel/ledger.h>
+#include <suture/component/channel/counts/ledger.h>
 
 #include <memory>
 

@@ -310,7 +310,7 @@ void Manager::resumeConnection(std::string_view requiredName) {
   const std::string asked = "resuming connection '" + std::string(requiredName) + "'";
   const auto channel = connectionOf(Endpoint::parse(requiredName).toString());
   if (channel == nullptr) throw SetupError(asked, "it is not connected", "Connect it first");
-  switch (channel->resume()) {
+  switch (channel->client.resume()) {
     case ResumeOutcome::NotAwaiting:
       throw SetupError(asked, "it does not await an operator", "Nothing has to be done");
     case ResumeOutcome::ProviderLost:

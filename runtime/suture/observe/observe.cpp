@@ -1,4 +1,4 @@
-#include <suture/component/channel/ledger.h>
+#include <suture/component/channel/counts/ledger.h>
 #include <suture/component/task/task.h>
 #include <suture/observe/observe.h>
 #include <suture/rt/counter.h>
@@ -61,11 +61,12 @@ ConnectionReport reportOf(const std::shared_ptr<Channel>& shared) {
   report.contract = contractOf(channel);
   putSums(sumsOf(shared), report);
   report.lastInvalid = channel.lastInvalid.read().text();
-  report.messagesLost = rt::count(channel.delivery.lost);
-  report.messagesDuplicated = rt::count(channel.delivery.duplicated);
-  report.messagesOvertaken = rt::count(channel.delivery.overtaken);
-  if (channel.readAge != nullptr) report.readAge = distribution(*channel.readAge);
-  if (channel.commandAge != nullptr) report.commandAge = distribution(*channel.commandAge);
+  report.messagesLost = rt::count(channel.client.delivery.lost);
+  report.messagesDuplicated = rt::count(channel.client.delivery.duplicated);
+  report.messagesOvertaken = rt::count(channel.client.delivery.overtaken);
+  if (channel.client.readAge != nullptr) report.readAge = distribution(*channel.client.readAge);
+  if (channel.provider.commandAge != nullptr)
+    report.commandAge = distribution(*channel.provider.commandAge);
   return report;
 }
 

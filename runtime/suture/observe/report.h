@@ -4,7 +4,7 @@
 
 #include <suture/base/time.h>
 #include <suture/component/channel/channel.h>
-#include <suture/component/channel/tally.h>
+#include <suture/component/channel/counts/tally.h>
 #include <suture/component/component.h>
 #include <suture/component/task/task_window.h>
 #include <suture/net/refusals.h>

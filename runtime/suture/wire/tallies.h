@@ -1,7 +1,7 @@
 #pragma once
 // What two processes tell each other of the commands of a connection, as messages.
 
-#include <suture/component/channel/ledger.h>
+#include <suture/component/channel/counts/ledger.h>
 #include <suture/peer.capnp.h>
 
 namespace suture {

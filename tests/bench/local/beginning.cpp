@@ -35,7 +35,7 @@ class ProvidersEnd {
 
   Statistics measure(const LocalOptions& options, bool looksAtClock) {
     return timedLoops(options.count(200), 100'000, [&] {
-      suture::Errc over = channel_.begin(looksAtClock);
+      suture::Errc over = channel_.provider.begin(looksAtClock);
       keep(over);
     });
   }

@@ -46,7 +46,7 @@ TEST_F(Client, TellsItsInterestOnceUntilThatChanges) {
   EXPECT_EQ(interests_[0].number, 1u);
   EXPECT_EQ(interests_[0].joining, 0u) << "the provider's channel was made with these events";
   channel_->state->ask(1);
-  channel_->subscribe(kModeOnly, kModeOnly);
+  channel_->client.subscribe(kModeOnly, kModeOnly);
   carrier_.give();
   ASSERT_EQ(interests_.size(), 2u);
   EXPECT_EQ(interests_[1].events, kModeOnly);
@@ -96,20 +96,20 @@ TEST_F(Client, TakesOneAnswerToACall) {
   carrier_.reply(1, now(), Errc{}, std::as_bytes(std::span(&result, 1)));
   carrier_.replyError(1, Errc::Late);
   carrier_.replyError(17, Errc::Late);  // which would have its place
-  ASSERT_NE(channel_->nextReply(), nullptr);
-  EXPECT_EQ(channel_->nextReply()->error, Errc{});
-  EXPECT_EQ(channel_->nextReply()->command, kReset);
-  channel_->popReply();
-  EXPECT_EQ(channel_->nextReply(), nullptr);
+  ASSERT_NE(channel_->client.nextReply(), nullptr);
+  EXPECT_EQ(channel_->client.nextReply()->error, Errc{});
+  EXPECT_EQ(channel_->client.nextReply()->command, kReset);
+  channel_->client.popReply();
+  EXPECT_EQ(channel_->client.nextReply(), nullptr);
 }
 
 TEST_F(Client, SendsNoCommandThatIsCancelled) {
   put(kReset, 1);
-  ASSERT_TRUE(channel_->claimCall(1));
+  ASSERT_TRUE(channel_->client.cancel(1));
   carrier_.give();
   EXPECT_TRUE(commands_.empty());
-  ASSERT_NE(channel_->nextReply(), nullptr);
-  EXPECT_EQ(channel_->nextReply()->error, Errc::Cancelled);
+  ASSERT_NE(channel_->client.nextReply(), nullptr);
+  EXPECT_EQ(channel_->client.nextReply()->error, Errc::Cancelled);
   EXPECT_EQ(channel_->commands.waiting(kReset), 0u);
 }
 
@@ -136,7 +136,7 @@ TEST_F(Client, RingsALaneForCreditsRowsAndTallies) {
   rung();
   carrier_.tally({});
   EXPECT_EQ(rung(), rt::RungFor::Nothing) << "a component looks by itself";
-  channel_->wantsRows.raise();
+  channel_->client.askForRows();
   carrier_.tally({});
   EXPECT_EQ(rung(), rt::RungFor::Work);
   EXPECT_TRUE(carrier_.credits(kHold, 1));

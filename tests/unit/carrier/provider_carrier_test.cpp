@@ -141,10 +141,10 @@ TEST_F(Provider, SendsNoEventFromBeforeItWasJoinedUnlessItIsLatched) {
 }
 
 TEST_F(Provider, DropsEventsThatNobodyWantsAnyMore) {
-  channel_->takeJoining();
+  channel_->provider.takeJoining();
   channel_->events.push(kStopped, now(), {});
   carrier_.subscribe({.number = 1, .events = kModeOnly, .joining = kStoppedOnly, .columns = 0});
-  EXPECT_FALSE(channel_->joining()) << "who joins an event also wants it";
+  EXPECT_FALSE(channel_->provider.joining()) << "who joins an event also wants it";
   carrier_.give();
   EXPECT_TRUE(events_.empty());
   EXPECT_EQ(channel_->events.next(), nullptr);
@@ -177,8 +177,8 @@ TEST_F(Provider, TellsATallyWhenItHasChanged) {
 }
 
 TEST_F(Provider, KeepsAnswersThatHaveNoRoom) {
-  channel_->replyError(1, Errc::Late);
-  channel_->replyError(2, Errc::Late);
+  channel_->provider.replyError(1, Errc::Late);
+  channel_->provider.replyError(2, Errc::Late);
   full_ = Message::Reply;
   carrier_.give();
   EXPECT_TRUE(replies_.empty());

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
-#include <suture/component/channel/ledger.h>
+#include <suture/component/channel/counts/ledger.h>
 
 #include <memory>
 

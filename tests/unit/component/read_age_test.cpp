@@ -21,7 +21,7 @@ TEST(ReadAge, IsOfARowWhenItIsFirstRead) {
   const auto channel = channelWithRow(now());
   client.arm.attach(channel);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(client.arm.measured_cp().hasValue());
-  EXPECT_EQ(channel->readAge->count(), 1u);
+  EXPECT_EQ(channel->client.readAge->count(), 1u);
 }
 
 TEST(ReadAge, OfAnotherConnectionBeginsWithItsFirstRow) {
@@ -32,7 +32,7 @@ TEST(ReadAge, OfAnotherConnectionBeginsWithItsFirstRow) {
   const auto next = channelWithRow(stamp);
   client.arm.attach(next);
   EXPECT_TRUE(client.arm.measured_cp().hasValue());
-  EXPECT_EQ(next->readAge->count(), 1u);
+  EXPECT_EQ(next->client.readAge->count(), 1u);
 }
 
 }  // namespace

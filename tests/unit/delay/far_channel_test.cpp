@@ -41,13 +41,13 @@ struct FarChannel : testing::Test {
   /// The provider answers call 1 of reset() with so many bytes.
   Errc answer(std::uint32_t size) {
     send(kReset, 1);
-    far->reply(1, {.size = size, .command = kReset}, [size](std::byte* result) {
+    far->provider.reply(1, {.size = size, .command = kReset}, [size](std::byte* result) {
       std::memset(result, 1, size);
       return Errc{};
     });
     turn();
     arrive();
-    const ReplyRecord* const reply = near->nextReply();
+    const ReplyRecord* const reply = near->client.nextReply();
     return reply == nullptr ? Errc::Timeout : reply->error;
   }
   void emitMode() {
@@ -64,7 +64,7 @@ struct FarChannel : testing::Test {
 TEST_F(FarChannel, AnAnswerOfTheRightSizeArrives) {
   EXPECT_EQ(answer(sizeof(std::uint32_t)), Errc{});
   std::uint32_t result = 0;
-  std::memcpy(&result, near->nextReply()->result(), sizeof(result));
+  std::memcpy(&result, near->client.nextReply()->result(), sizeof(result));
   EXPECT_EQ(result, 0x01010101u);
 }
 
@@ -76,16 +76,16 @@ TEST_F(FarChannel, OfAnAnswerThatIsTooLongNoMoreArrivesThanHasRoom) {
 }
 
 TEST_F(FarChannel, AnAnswerToNoCallIsDropped) {
-  far->replyError(7, Errc::Late);
+  far->provider.replyError(7, Errc::Late);
   turn();
   arrive();
-  EXPECT_EQ(near->nextReply(), nullptr);
+  EXPECT_EQ(near->client.nextReply(), nullptr);
 }
 
 TEST_F(FarChannel, AnEventOfAnEarlierSubscriptionIsDropped) {
   turn();
   emitMode();
-  near->subscribe(kModeOnly, kModeOnly);  // the client has left it, and joins it again
+  near->client.subscribe(kModeOnly, kModeOnly);  // the client has left it, and joins it again
   turn();
   arrive();
   EXPECT_EQ(near->events.next(), nullptr);
@@ -110,8 +110,8 @@ TEST_F(FarChannel, ACommandThatCannotBePutInGivesItsCreditBackAndIsAnswered) {
   far->tell(ChannelStatus::Suspended);
   send(kHold, 3);
   EXPECT_EQ(far->commands.pending(), false);
-  ASSERT_NE(near->nextReply(), nullptr);
-  EXPECT_EQ(near->nextReply()->error, Errc::Suspended);
+  ASSERT_NE(near->client.nextReply(), nullptr);
+  EXPECT_EQ(near->client.nextReply()->error, Errc::Suspended);
   EXPECT_EQ(near->commands.waiting(kHold), 0u);
   EXPECT_EQ(near->counts->own(ConnectionEnd::Client).refused, 1u);
   EXPECT_EQ(near->counts->told.load().refused, 0u) << "the provider has not seen it";
@@ -130,7 +130,7 @@ TEST_F(FarChannel, ACreditComesBackWhenTheProviderHasTakenTheCommand) {
 
 // Its provider may be beyond another lane, whose thread rings whoever gets credits.
 TEST_F(FarChannel, WhoeverWaitsForRowsIsRungForCredits) {
-  near->wantsRows.raise();
+  near->client.askForRows();
   send(kHold, 0);
   near->ends.client->takeRing();
   far->commands.fixCut();
@@ -160,8 +160,8 @@ TEST_F(FarChannel, AnEventFromBeforeTheDelayArrives) {
 TEST_F(FarChannel, ACommandThatMeetsAnEndedConnectionIsLost) {
   far->tell(ChannelStatus::Lost);
   send(kHold, 3);
-  ASSERT_NE(near->nextReply(), nullptr);
-  EXPECT_EQ(near->nextReply()->error, Errc::Lost);
+  ASSERT_NE(near->client.nextReply(), nullptr);
+  EXPECT_EQ(near->client.nextReply()->error, Errc::Lost);
   EXPECT_EQ(near->commands.waiting(kHold), 0u);
   EXPECT_EQ(near->counts->lost.load(), 1u);
   EXPECT_EQ(near->counts->own(ConnectionEnd::Client).refused, 0u);
@@ -195,7 +195,7 @@ TEST_F(FullLine, IsTakenFromAgainInTheTurnThatMakesRoom) {
 }
 
 TEST_F(FullLine, LetsASubscriptionPass) {
-  near->subscribe(kModeOnly, kModeOnly);
+  near->client.subscribe(kModeOnly, kModeOnly);
   slow.pump(now());
   EXPECT_EQ(provider->subscribed(), kModeOnly);
 }

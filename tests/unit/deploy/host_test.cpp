@@ -175,10 +175,10 @@ TEST(Host, DelaysTheConnectionsOfWhichTheFileSaysSo) {
   ASSERT_EQ(channels.size(), 2u);
   EXPECT_EQ(channels[0]->lane, "local+delay");
   const auto deadline = suture::now() + kPatience;
-  while (channels[1]->commandAge->count() == 0 && suture::now() < deadline) {
+  while (channels[1]->provider.commandAge->count() == 0 && suture::now() < deadline) {
     std::this_thread::yield();
   }
-  EXPECT_GE(channels[1]->commandAge->max(), 20ms);
+  EXPECT_GE(channels[1]->provider.commandAge->max(), 20ms);
 }
 
 TEST(Host, UnknownClass) {

@@ -130,7 +130,7 @@ TEST(EncodedPayloads, OfACommandThatIsNotKnownAreRefusedAndCostNoCredit) {
   EXPECT_EQ(strangers.far->counts->turnedAway.load(),
             2 * armContract().commands[kHoldCommand].depth);
   ASSERT_TRUE(strangers.send(kHoldCommand, 1));
-  const ReplyRecord* const reply = strangers.near->nextReply();
+  const ReplyRecord* const reply = strangers.near->client.nextReply();
   ASSERT_NE(reply, nullptr);
   EXPECT_EQ(reply->error, Errc::NotImplemented);
 }

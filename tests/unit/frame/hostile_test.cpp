@@ -120,7 +120,7 @@ void serve(Channel& channel, unsigned& executed) {
     ++executed;
     const std::uint16_t number = record->command;
     const bool usesCredit = !command.latest || record->call != 0;
-    if (record->call != 0) channel.replyError(record->call, Errc::Timeout);
+    if (record->call != 0) channel.provider.replyError(record->call, Errc::Timeout);
     channel.commands.pop();
     if (usesCredit) channel.commands.returnCredit(number);
   }
@@ -182,7 +182,7 @@ TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
         ++events;
         played.channel->events.pop();
       }
-      while (played.channel->nextReply() != nullptr) played.channel->popReply();
+      while (played.channel->client.nextReply() != nullptr) played.channel->client.popReply();
       peer.drain();
     }
     if (side->broken()) ++ended;

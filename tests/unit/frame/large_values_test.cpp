@@ -116,10 +116,10 @@ TEST_F(LargeValues, OfAnAnswerArriveWhole) {
     std::copy(value.begin(), value.end(), result);
     return Errc{};
   };
-  easel.far->reply(1, {.size = kSize, .command = kScan}, fill);
+  easel.far->provider.reply(1, {.size = kSize, .command = kScan}, fill);
   easel.far->commands.pop();
   carryAll();
-  const ReplyRecord* const reply = easel.near->nextReply();
+  const ReplyRecord* const reply = easel.near->client.nextReply();
   ASSERT_NE(reply, nullptr);
   EXPECT_TRUE(isValue(3, reply->result()));
 }

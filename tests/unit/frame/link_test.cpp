@@ -153,9 +153,9 @@ TEST_F(LinkTest, WhoSubscribesWhileTheLaneLooksIsToldOfAsJoining) {
     }
   });
   const auto subscribe = [&](EventSet wanted) {
-    pair.near->subscribe(wanted, wanted);
+    pair.near->client.subscribe(wanted, wanted);
     for (const int before = laps; laps < before + 3;) std::this_thread::yield();
-    return pair.far->takeJoining();
+    return pair.far->provider.takeJoining();
   };
   int missed = 0;
   for (int round = 0; round < repetitions(4'000); ++round) {

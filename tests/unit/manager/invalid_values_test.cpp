@@ -193,7 +193,7 @@ class InvalidCommands : public testing::Test {
     FieldPath path;
     path.enterMember(last);
     channel_->lastInvalid.note(path);
-    channel_->replyError(record->call, Errc::Invalid);
+    channel_->provider.replyError(record->call, Errc::Invalid);
     channel_->commands.pop();
     control_.doorbell().ring();
   }

@@ -67,7 +67,7 @@ TEST(ServantPort, ACallThatIsBeingExecutedAtTheEndIsOfUnknownOutcome) {
 
 TEST(ServantPort, AnAnswerBeforeTheEndIsTold) {
   EXPECT_EQ(outcomeOf([](Provider& provider, std::uint32_t call) {
-              provider.channel->replyError(call, Errc::Late);
+              provider.channel->provider.replyError(call, Errc::Late);
               provider.port->end();
             }),
             Errc::Late);

@@ -51,10 +51,10 @@ TEST_P(Sharing, EachEndKeepsTheAgesOfWhatItsOwnComponentSees) {
   connect(GetParam().lane);
   ASSERT_TRUE(eventually([&] { return teleop.seen.load(); }));
   const auto provider = robot->channels().at(0);
-  EXPECT_NE(channel()->readAge, nullptr);
-  EXPECT_EQ(channel()->commandAge, nullptr);
-  EXPECT_EQ(provider->readAge, nullptr);
-  EXPECT_NE(provider->commandAge, nullptr);
+  EXPECT_NE(channel()->client.readAge, nullptr);
+  EXPECT_EQ(channel()->provider.commandAge, nullptr);
+  EXPECT_EQ(provider->client.readAge, nullptr);
+  EXPECT_NE(provider->provider.commandAge, nullptr);
 }
 
 /// Both ends of each socket are in this process.

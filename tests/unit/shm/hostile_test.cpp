@@ -234,7 +234,7 @@ TEST_F(HostileProvider, AnswersWhatNoClientSees) {
     while (const rt::CommandRecord* const record = commands.next()) {
       const std::uint32_t size = contract.commands[record->command].resultSize;
       if (record->call != 0 && contract.commands[record->command].name == std::string("distance")) {
-        offer.channel->reply(record->call, {.size = size}, [size](std::byte* result) {
+        offer.channel->provider.reply(record->call, {.size = size}, [size](std::byte* result) {
           std::memset(result, 0xff, size);  // no number
           return Errc{};
         });

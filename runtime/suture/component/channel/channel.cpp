@@ -4,8 +4,6 @@
 #include <suture/component/channel/memory_budget.h>
 #include <suture/component/provided.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace suture {
@@ -35,10 +33,6 @@ rt::Producers eventProducers(const Channel::Ends& ends) {
   return ofTask ? rt::Producers::One : rt::Producers::Any;
 }
 
-std::unique_ptr<rt::Histogram> agesUnless(ConnectionEnd other, ConnectionEnd components) {
-  return components == other ? nullptr : std::make_unique<rt::Histogram>();
-}
-
 std::size_t replyBytes(const InterfaceInfo& info) {
   const CallLimit limit = callLimitOf(info);
   return limit.calls * rt::SpscRing::recordSize(sizeof(ReplyRecord) + limit.largestResult);
@@ -59,18 +53,16 @@ Channel::Channel(const InterfaceInfo& contract, Terms agreed, std::string laneNa
       ends(std::move(bothEnds)),
       state(std::move(table)),
       foreign(memory.foreign()),
-      words_(memory.make<Words>()),
+      words_(memory.make<ChannelWords>()),
       commands(commandLimits(contract), memory),
       replies(replyBytes(contract), memory),
       events(eventLimits(contract), eventProducers(ends), memory),
       counts(std::make_shared<ChannelCounts>(commands.sharedCounters(), events.sharedCounters(),
                                              foreign)),
       direct(contract.events.size()),
-      wantsRows(words_->wantsRows),
-      readAge(agesUnless(ConnectionEnd::Provider, ends.components)),
-      commandAge(agesUnless(ConnectionEnd::Client, ends.components)),
-      lease(ends.peer, ends.silence),
-      untaken(words_->untaken) {
+      client(*this, *words_, ends.components != ConnectionEnd::Provider),
+      provider(*this, *words_, Lease(ends.peer, ends.silence),
+               ends.components != ConnectionEnd::Client) {
   if (!memory.fresh()) return;
   words_->subscribed.store(subscribedEvents, std::memory_order_relaxed);
   words_->joining.store(subscribedEvents, std::memory_order_relaxed);
@@ -78,7 +70,7 @@ Channel::Channel(const InterfaceInfo& contract, Terms agreed, std::string laneNa
 
 std::size_t Channel::bytesFor(const InterfaceInfo& info) {
   Arena memory = Arena::measuring();
-  memory.take(sizeof(Words));
+  memory.take(sizeof(ChannelWords));
   const rt::Mailbox commands(commandLimits(info), memory);
   const rt::SpscRing replies(replyBytes(info), memory);
   const rt::EventQueue events(eventLimits(info), rt::Producers::Any, memory);
@@ -116,15 +108,6 @@ Duration Channel::clockError() const {
   return compared == Duration{0} ? compared : compared + clockDrift(ends.silence);
 }
 
-void Channel::subscribe(EventSet wanted, EventSet newlyWanted) {
-  words_->subscribed.store(wanted, std::memory_order_release);
-  if (newlyWanted != 0) words_->joining.fetch_or(newlyWanted, std::memory_order_release);
-}
-
-EventSet Channel::takeJoining() {
-  return joining() ? words_->joining.exchange(0, std::memory_order_acquire) : 0;
-}
-
 void Channel::tell(ChannelStatus news) {
   ChannelStatus present = status.load(std::memory_order_acquire);
   do {
@@ -145,85 +128,9 @@ void Channel::noteStatus(ChannelStatus news) const {
              static_cast<std::uint64_t>(news));
 }
 
-Errc Channel::begin(bool looksAtClock) {
-  if (foreign && words_->cut.isUp(std::memory_order_seq_cst)) return Errc::Lost;
-  if (looksAtClock && lease.lapsed()) tell(ChannelStatus::Lapsed);
-  const ChannelStatus present = status.load(std::memory_order_acquire);
-  return isOver(present) ? errorOf(present) : Errc{};
-}
-
-ResumeOutcome Channel::resume() {
-  if (terms.watch == nullptr || !terms.watch->awaitsOperator) return ResumeOutcome::NotAwaiting;
-  if (errorOf(status.load(std::memory_order_acquire)) != Errc{}) return ResumeOutcome::ProviderLost;
-  terms.watch->awaitsOperator = false;
-  return ResumeOutcome::Resumed;
-}
-
-void Channel::replyError(std::uint32_t call, Errc error) {
-  reply(call, {}, [error](std::byte*) { return error; });
-}
-
 // Releases the answers that nobody took; in foreign memory, no result owns memory.
 Channel::~Channel() {
-  while (!foreign && nextReply() != nullptr) popReply();
-}
-
-ReplyRecord* Channel::nextReply() {
-  for (;;) {
-    std::byte* const memory = const_cast<std::byte*>(replies.front());
-    if (memory == nullptr || !foreign) return reinterpret_cast<ReplyRecord*>(memory);
-    if (replies.frontSize() >= sizeof(ReplyRecord)) return makePossible(memory);
-    replies.pop();
-  }
-}
-
-// The peer controls this memory: never release a pointer that it chose, and clamp its stamp.
-ReplyRecord* Channel::makePossible(std::byte* memory) {
-  memory[offsetof(ReplyRecord, shared)] = std::byte{0};
-  auto* const reply = reinterpret_cast<ReplyRecord*>(memory);
-  reply->stamp = std::clamp(reply->stamp, Time{}, now());
-  return reply;
-}
-
-void Channel::popReply() {
-  ReplyRecord* const reply = nextReply();
-  if (reply->shared) releaseSharedSlot(reply->result());
-  replies.pop();
-}
-
-bool isOver(ChannelStatus status) {
-  return status == ChannelStatus::Lost || status == ChannelStatus::Closed ||
-         status == ChannelStatus::Lapsed;
-}
-
-Errc errorOf(ChannelStatus status) {
-  switch (status) {
-    case ChannelStatus::Connected: return Errc{};
-    case ChannelStatus::Lost:
-    case ChannelStatus::Lapsed: return Errc::Lost;
-    case ChannelStatus::Faulted: return Errc::Faulted;
-    case ChannelStatus::Closed: return Errc::NotConnected;
-    case ChannelStatus::Suspended: return Errc::Suspended;
-  }
-  return Errc::NotConnected;
-}
-
-Errc endOfCalls(ChannelStatus status) {
-  switch (status) {
-    case ChannelStatus::Connected:
-    case ChannelStatus::Suspended: return Errc{};
-    case ChannelStatus::Faulted: return Errc::Faulted;
-    default: return Errc::OutcomeUnknown;
-  }
-}
-
-ChannelStatus statusIn(ComponentState state) {
-  switch (state) {
-    case ComponentState::Suspended:
-    case ComponentState::Stopped: return ChannelStatus::Suspended;
-    case ComponentState::Faulted: return ChannelStatus::Faulted;
-    default: return ChannelStatus::Connected;
-  }
+  while (!foreign && client.nextReply() != nullptr) client.popReply();
 }
 
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,

@@ -27,7 +27,7 @@ ChannelList::~ChannelList() {
 }
 
 void ChannelList::add(std::shared_ptr<Channel> channel) {
-  const std::string_view client = channel->client();
+  const std::string_view client = channel->clientName();
   auto* node = new Node{std::move(channel), ConnectedClient(client)};
   Node* next = head_.load(std::memory_order_relaxed);
   do {

@@ -11,7 +11,7 @@ namespace {
 // The provider lets go in its own time.
 void giveUp(const std::shared_ptr<Channel>& channel) {
   if (channel == nullptr) return;
-  channel->cut();
+  channel->client.cut();
   channel->status = ChannelStatus::Closed;
   channel->direct.clear();
   channel->ends.provider->ring();
@@ -78,7 +78,7 @@ void Attachment::lookAt() {
   const auto seen = losses();
   adopt();
   noticeLoss();
-  if (asked && channel_ != nullptr && seen == losses()) channel_->resume();
+  if (asked && channel_ != nullptr && seen == losses()) channel_->client.resume();
 }
 
 Errc Attachment::unusable() {
@@ -113,7 +113,7 @@ ResumeOutcome Attachment::resume() {
   const auto seen = losses();
   lookAt();
   if (channel_ == nullptr) return ResumeOutcome::NotConnected;
-  return seen == losses() ? channel_->resume() : ResumeOutcome::ProviderLost;
+  return seen == losses() ? channel_->client.resume() : ResumeOutcome::ProviderLost;
 }
 
 std::pair<const void*, std::uint64_t> Attachment::losses() const {

@@ -60,13 +60,13 @@ void Calls::leave() {
 void Calls::collectReplies() {
   Channel* const channel = attachment_.channel().get();
   if (channel == nullptr) return;
-  channel->lowerUntaken();
+  channel->client.lowerUntaken();
   // Take no more than there may be calls: a foreign provider may write without end.
   for (std::size_t i = 0; i < calls_.size(); ++i) {
-    ReplyRecord* const reply = channel->nextReply();
+    ReplyRecord* const reply = channel->client.nextReply();
     if (reply == nullptr) return;
     collect(*reply, channel->replies.frontSize() - sizeof(ReplyRecord));
-    channel->popReply();
+    channel->client.popReply();
   }
 }
 
@@ -118,7 +118,7 @@ Errc Calls::end() const {
 }
 
 bool Calls::cancel(PendingCall& call) {
-  return !isDone(call) && attachment_.channel()->claimCall(call.number);
+  return !isDone(call) && attachment_.channel()->client.cancel(call.number);
 }
 
 void Calls::waitFor(PendingCall& call, Duration limit) {
@@ -132,7 +132,7 @@ void Calls::follow(PendingCall& call, PendingCall::Follower follower) {
 
 bool Calls::followedMayBeDone() const {
   if (followed_ == 0) return false;
-  return end() != Errc{} || attachment_.channel()->nextReply() != nullptr ||
+  return end() != Errc{} || attachment_.channel()->client.nextReply() != nullptr ||
          std::any_of(calls_.begin(), calls_.end(),
                      [](const PendingCall& call) { return call.follower != nullptr && call.done; });
 }

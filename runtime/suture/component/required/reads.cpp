@@ -101,7 +101,7 @@ Sample<void> Reads::readRow(const Time* at, std::span<const std::uint16_t> comma
 void Reads::noteRead(Time stamp) {
   if (stamp == lastRead_ && ++repeatedReads_ % 16 != 0) return;
   lastRead_ = stamp;
-  attachment_.channel()->readAge->record(now() - stamp);
+  attachment_.channel()->client.readAge->record(now() - stamp);
 }
 
 Sample<void> Reads::judgeAge(Time stamp) {

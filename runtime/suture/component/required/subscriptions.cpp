@@ -60,7 +60,7 @@ void Subscriptions::passOn(EventSet joining) {
   Channel* const channel = attachment_.channel().get();
   if (channel == nullptr) return;
   if (joining == 0 && channel->subscribed() == subscribed()) return;
-  channel->subscribe(subscribed(), joining);
+  channel->client.subscribe(subscribed(), joining);
   // Once the connection is over, the device at its far end may be gone: leave that alone.
   const ChannelStatus status = channel->status.load(std::memory_order_acquire);
   if (isOver(status)) return;
@@ -77,7 +77,7 @@ bool Subscriptions::pending() const {
 std::size_t Subscriptions::handleQueued() {
   const std::shared_ptr<Channel> channel = attachment_.channel();
   if (channel == nullptr) return 0;
-  channel->lowerUntaken();
+  channel->client.lowerUntaken();
   std::size_t handled = 0;
   // A task that is asked to stop ends after this handler; a collector takes the rest in onStop().
   const Component& owner = attachment_.owner();

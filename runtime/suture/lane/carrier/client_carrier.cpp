@@ -14,7 +14,7 @@ ClientCarrier::ClientCarrier(Channel& channel, Wire& wire)
       events_(channel.subscribed()),
       since_(channel.info.events.size()),
       lent_(channel.info.commands.size()) {
-  channel_.takeJoining();
+  channel_.provider.takeJoining();
 }
 
 void ClientCarrier::give() {
@@ -25,9 +25,9 @@ void ClientCarrier::give() {
 void ClientCarrier::giveSubscription() {
   const rt::ColumnSet columns = channel_.state->demand();
   const bool known = subscription_ != 0 && columns == columns_ && channel_.subscribed() == events_;
-  if ((known && !channel_.joining()) || !wire_.hasRoom(Message::Interest)) return;
+  if ((known && !channel_.provider.joining()) || !wire_.hasRoom(Message::Interest)) return;
   ++subscription_;
-  const EventSet joining = channel_.takeJoining();
+  const EventSet joining = channel_.provider.takeJoining();
   events_ = channel_.subscribed();  // after it: has all that join
   columns_ = columns;
   for (std::size_t i = 0; i < since_.size(); ++i) {
@@ -53,8 +53,8 @@ void ClientCarrier::giveCommands() {
 /// Returns false if its client has cancelled it.
 bool ClientCarrier::begin(const rt::CommandRecord& record) {
   const std::uint16_t number = record.command;
-  if (record.call != 0 && !channel_.claimCall(record.call)) {
-    channel_.replyError(record.call, Errc::Cancelled);
+  if (record.call != 0 && !channel_.provider.claim(record.call)) {
+    channel_.provider.replyError(record.call, Errc::Cancelled);
     channel_.ends.client->ring(rt::RungFor::Arrival);
     rt::increment(channel_.commands.counters.cancelled);
     commandSent();
@@ -81,7 +81,7 @@ void ClientCarrier::reply(std::uint32_t call, Time stamp, Errc error,
       return Errc{};
     });
   }
-  channel_.replyError(call, error);
+  channel_.provider.replyError(call, error);
   placeOf(call).number = 0;
   arrival_ = true;
 }
@@ -122,9 +122,7 @@ void ClientCarrier::tally(const Tally& tally) {
 }
 
 // A component looks by itself; a lane that leads from here to the client has to be told.
-void ClientCarrier::tellLane() {
-  news_ = news_ || channel_.wantsRows.isUp(std::memory_order_relaxed);
-}
+void ClientCarrier::tellLane() { news_ = news_ || channel_.provider.rowsAreWanted(); }
 
 void ClientCarrier::ringClient() {
   if (news_) {

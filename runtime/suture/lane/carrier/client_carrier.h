@@ -95,7 +95,8 @@ void ClientCarrier::reply(std::uint32_t call, Time stamp, const Produce& produce
   Call& place = placeOf(call);
   if (place.number != call) return;
   const CommandInfo& command = channel_.info.commands[place.command];
-  channel_.reply(call, {command.resultSize, command.sharedResult, place.command}, produce, stamp);
+  channel_.provider.reply(call, {command.resultSize, command.sharedResult, place.command}, produce,
+                          stamp);
   place.number = 0;
   arrival_ = true;
 }

@@ -21,7 +21,7 @@ ProviderCarrier::ProviderCarrier(Channel& channel, Wire& wire, std::vector<std::
       waiting_(commands_.size()),
       since_(channel.info.events.size()) {
   // This also tells when commands have been taken, if a provider publishes no rows.
-  channel_.wantsRows.raise();
+  channel_.client.askForRows();
 }
 
 // ---- from the client
@@ -39,7 +39,7 @@ void ProviderCarrier::subscribe(const Interest& interest) {
   for (std::size_t i = 0; i < since_.size(); ++i) {
     if (joining >> i & 1) since_[i] = now();
   }
-  channel_.subscribe(interest.events, joining);
+  channel_.client.subscribe(interest.events, joining);
   columns_ = channel_.state->existing(interest.columns);
   lastRow_ = 0;
   channel_.state->askAll(columns_);
@@ -62,7 +62,7 @@ bool ProviderCarrier::give() {
 
 void ProviderCarrier::giveReplies() {
   while (wire_.hasRoom(Message::Reply)) {
-    const ReplyRecord* const reply = channel_.nextReply();
+    const ReplyRecord* const reply = channel_.client.nextReply();
     if (reply == nullptr) return;
     wire_.send(*reply);
   }

@@ -84,7 +84,7 @@ class ProviderCarrier {
   void giveEvents();
   bool giveRow();
   /// The wire says with these that what it got has left.
-  void replySent() { channel_.popReply(); }
+  void replySent() { channel_.client.popReply(); }
   void eventSent() { channel_.events.pop(); }
 
  private:

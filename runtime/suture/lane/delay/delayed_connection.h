@@ -24,7 +24,7 @@ namespace suture {
 /// delayed, and neither these nor losses of the provider meet faults.
 ///
 /// With faults, messages may be lost, come twice or out of order; docs/lanes.md says what holds all
-/// the same. near->delivery counts what was noticed.
+/// the same. near->client.delivery counts what was noticed.
 class DelayedConnection final : private ClientCarrier::Wire, private ProviderCarrier::Wire {
  public:
   DelayedConnection(std::shared_ptr<Channel> near, std::shared_ptr<Channel> far,

@@ -1,7 +1,7 @@
 #pragma once
 // Recognises what a lane has lost, repeated or put out of order.
 
-#include <suture/component/channel/delivery_counters.h>
+#include <suture/component/channel/counts/delivery_counters.h>
 
 #include <cstdint>
 

@@ -5,7 +5,7 @@
 #include <suture/loop/kj_comparisons.h>  // first
 #include <suture/peer.capnp.h>
 
-#include <suture/component/channel/ledger.h>
+#include <suture/component/channel/counts/ledger.h>
 #include <functional>
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 // One required interface of this process, connected to a provided one of another.
 
-#include <suture/component/channel/ledger.h>
+#include <suture/component/channel/counts/ledger.h>
 #include <suture/component/required.h>
 #include <suture/peer.capnp.h>
 #include <suture/session/client/notices_receiver.h>

@@ -1,7 +1,7 @@
 #pragma once
 // What a process is to its peers: an address at which they connect to its provided interfaces.
 
-#include <suture/component/channel/ledger.h>
+#include <suture/component/channel/counts/ledger.h>
 #include <suture/framing/link_server.h>
 #include <suture/lane/lanes.h>
 #include <suture/loop/control_thread.h>

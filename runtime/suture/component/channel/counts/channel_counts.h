@@ -2,7 +2,7 @@
 // The counts of one end of a channel. They live for as long as somebody asks for them, which is
 // longer than the channel does.
 
-#include <suture/component/channel/tally.h>
+#include <suture/component/channel/counts/tally.h>
 #include <suture/rt/queue/event_queue.h>
 #include <suture/rt/queue/mailbox.h>
 

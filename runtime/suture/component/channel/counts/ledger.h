@@ -1,7 +1,7 @@
 #pragma once
 // The sums of a connection, over all the channels that it has had.
 
-#include <suture/component/channel/channel_counts.h>
+#include <suture/component/channel/counts/channel_counts.h>
 
 #include <cstdint>
 #include <memory>

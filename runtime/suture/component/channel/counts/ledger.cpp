@@ -1,5 +1,5 @@
 #include <suture/component/channel/channel.h>
-#include <suture/component/channel/ledger.h>
+#include <suture/component/channel/counts/ledger.h>
 #include <suture/rt/counter.h>
 
 #include <algorithm>

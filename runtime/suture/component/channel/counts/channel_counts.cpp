@@ -1,4 +1,4 @@
-#include <suture/component/channel/channel_counts.h>
+#include <suture/component/channel/counts/channel_counts.h>
 #include <suture/rt/counter.h>
 
 namespace suture {

@@ -1,0 +1,53 @@
+#include <suture/base/slots/shared_slot.h>
+#include <suture/component/channel/channel.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace suture {
+
+ChannelClient::ChannelClient(Channel& channel, ChannelWords& words, bool keepsAges)
+    : readAge(keepsAges ? std::make_unique<rt::Histogram>() : nullptr),
+      channel_(channel),
+      words_(words) {}
+
+void ChannelClient::subscribe(EventSet wanted, EventSet newlyWanted) {
+  words_.subscribed.store(wanted, std::memory_order_release);
+  if (newlyWanted != 0) words_.joining.fetch_or(newlyWanted, std::memory_order_release);
+}
+
+ReplyRecord* ChannelClient::nextReply() {
+  rt::SpscRing& replies = channel_.replies;
+  for (;;) {
+    std::byte* const memory = const_cast<std::byte*>(replies.front());
+    if (memory == nullptr || !channel_.foreign) return reinterpret_cast<ReplyRecord*>(memory);
+    if (replies.frontSize() >= sizeof(ReplyRecord)) return makePossible(memory);
+    replies.pop();
+  }
+}
+
+// The peer controls this memory: never release a pointer that it chose, and clamp its stamp.
+ReplyRecord* ChannelClient::makePossible(std::byte* memory) {
+  memory[offsetof(ReplyRecord, shared)] = std::byte{0};
+  auto* const reply = reinterpret_cast<ReplyRecord*>(memory);
+  reply->stamp = std::clamp(reply->stamp, Time{}, now());
+  return reply;
+}
+
+void ChannelClient::popReply() {
+  ReplyRecord* const reply = nextReply();
+  if (reply->shared) releaseSharedSlot(reply->result());
+  channel_.replies.pop();
+}
+
+ResumeOutcome ChannelClient::resume() {
+  ConnectionWatch* const watch = channel_.terms.watch.get();
+  if (watch == nullptr || !watch->awaitsOperator) return ResumeOutcome::NotAwaiting;
+  if (errorOf(channel_.status.load(std::memory_order_acquire)) != Errc{}) {
+    return ResumeOutcome::ProviderLost;
+  }
+  watch->awaitsOperator = false;
+  return ResumeOutcome::Resumed;
+}
+
+}  // namespace suture

@@ -1,0 +1,62 @@
+#pragma once
+// The client's end of a channel.
+
+#include <suture/component/channel/channel_words.h>
+#include <suture/component/channel/counts/delivery_counters.h>
+#include <suture/component/channel/reply_record.h>
+#include <suture/component/contract/interface_info.h>
+#include <suture/rt/histogram.h>
+#include <suture/standard/lifecycle.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace suture {
+
+class Channel;
+
+/// One thread uses it, but for what says otherwise: that of the component that requires, or of the
+/// lane that brings what a client in another process has sent.
+class ChannelClient {
+ public:
+  /// `keepsAges`: the client is a component in this process.
+  ChannelClient(Channel& channel, ChannelWords& words, bool keepsAges);
+
+  /// Wants `wanted` from now on, first the last values of the latched ones among `newlyWanted`. The
+  /// caller rings the provider. Commands that are sent later meet it done.
+  void subscribe(EventSet wanted, EventSet newlyWanted);
+  /// Is to be rung for a row, credits or a tally as well: the far side of a lane.
+  void askForRows() { words_.wantsRows.raise(); }
+
+  /// The oldest answer, or nullptr.
+  ReplyRecord* nextReply();
+  /// Lets go of it, and of its result unless that has been moved elsewhere and is null now.
+  void popReply();
+  /// Before it looks for answers and events: whatever is put in later is rung for.
+  void lowerUntaken() {
+    if (words_.untaken.isUp(std::memory_order_relaxed)) {
+      words_.untaken.take(std::memory_order_acq_rel);
+    }
+  }
+  /// True if the provider will not execute `call`, and answers so.
+  bool cancel(std::uint32_t call) { return words_.claim(call); }
+
+  /// Any thread, before the client is told that the connection is over: where both share memory,
+  /// the provider begins nothing more of it.
+  void cut() { words_.cut.raise(); }
+  /// Any thread: lets commands through again that await their operator, if the provider is there.
+  ResumeOutcome resume();
+
+  /// Age of the values read, when they were read: of each row when it is first read, and of every
+  /// 16th read of a row that has been read before. nullptr if the client is no component here.
+  const std::unique_ptr<rt::Histogram> readAge;
+  DeliveryCounters delivery;  ///< both ways; all 0 on a lane that loses nothing
+
+ private:
+  static ReplyRecord* makePossible(std::byte* memory);
+
+  Channel& channel_;
+  ChannelWords& words_;
+};
+
+}  // namespace suture

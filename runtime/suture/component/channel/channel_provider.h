@@ -1,0 +1,57 @@
+#pragma once
+// The provider's end of a channel.
+
+#include <suture/component/channel/channel_words.h>
+#include <suture/component/channel/lease.h>
+#include <suture/component/channel/reply_record.h>
+#include <suture/component/contract/interface_info.h>
+#include <suture/rt/histogram.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace suture {
+
+class Channel;
+
+/// One thread uses it, but for what says otherwise: that of the component that provides, or of the
+/// lane that carries what a client here has sent to another process.
+class ChannelProvider {
+ public:
+  /// `keepsAges`: the provider is a component in this process.
+  ChannelProvider(Channel& channel, ChannelWords& words, Lease lease, bool keepsAges);
+
+  /// Before it asks what the channel is subscribed to: the events whose last value the client is to
+  /// get now.
+  EventSet takeJoining();
+  /// True if takeJoining() has something to give.
+  bool joining() const { return words_.joining.load(std::memory_order_relaxed) != 0; }
+  /// True if the client is to be rung for a row, credits or a tally.
+  bool rowsAreWanted() const { return words_.wantsRows.isUp(std::memory_order_relaxed); }
+  /// Up if a reply or an event has been put in since the client last looked. Whoever lowers it
+  /// looks into both before it sleeps.
+  rt::SharedFlag& untaken() { return words_.untaken; }
+
+  /// Just before it executes a command: an error if the connection is over. `looksAtClock`: also if
+  /// its lease has ended, which ends it.
+  Errc begin(bool looksAtClock);
+  /// False if the client has cancelled `call`, which must not be executed then.
+  bool claim(std::uint32_t call) { return words_.claim(call); }
+  /// Answers `call` with an error.
+  void replyError(std::uint32_t call, Errc error);
+  /// Answers `call`; `produce(std::byte* result)` fills the result in place and returns an Errc, 0
+  /// for success. `stamp`: when the result was produced.
+  template <class Produce>
+  void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now());
+
+  /// Any thread: how long its client's commands may be executed.
+  const Lease lease;
+  /// Age of each command, when it was executed. nullptr if the provider is no component here.
+  const std::unique_ptr<rt::Histogram> commandAge;
+
+ private:
+  Channel& channel_;
+  ChannelWords& words_;
+};
+
+}  // namespace suture
