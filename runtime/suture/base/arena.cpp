@@ -11,20 +11,27 @@ namespace {
 
 constexpr std::size_t kCacheLine = 64;
 
+std::shared_ptr<std::byte> map(std::size_t size, int flags) {
+  void* const memory =
+      mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | flags, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  return {static_cast<std::byte*>(memory), [size](std::byte* piece) { munmap(piece, size); }};
+}
+
+// Zeros, of which every page is touched now, not in a control loop. The kernel readies many pages
+// at once in half the time that it takes for one after the other.
 std::shared_ptr<std::byte> allocate(std::size_t size) {
+  constexpr std::size_t kManyPages = std::size_t{64} << 10;
+  if (size >= kManyPages) return map(size, MAP_POPULATE);
   constexpr std::align_val_t kAlignment{kCacheLine};
   auto* const memory = static_cast<std::byte*>(::operator new(size, kAlignment));
-  std::memset(memory, 0, size);  // touches every page now, not in a control loop
+  std::memset(memory, 0, size);
   return {memory, [](std::byte* piece) { ::operator delete(piece, kAlignment); }};
 }
 
 // Zeros that cost no memory until somebody writes.
 std::shared_ptr<std::byte> reserve(std::size_t size) {
-  if (size == 0) return nullptr;
-  void* const memory = mmap(nullptr, size, PROT_READ | PROT_WRITE,
-                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  return {static_cast<std::byte*>(memory), [size](std::byte* piece) { munmap(piece, size); }};
+  return size == 0 ? nullptr : map(size, MAP_NORESERVE);
 }
 
 }  // namespace
