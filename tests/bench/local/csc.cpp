@@ -34,7 +34,8 @@ Samples taskRounds(int cpu, std::size_t count) {
 
 /// One direction of the bare ping-pong.
 struct RingWay {
-  suture::rt::SpscRing ring{suture::rt::SpscRing::recordSize(sizeof(PoseSample))};
+  suture::rt::SpscRing ring{suture::rt::SpscRing::recordSize(sizeof(PoseSample)),
+                            sizeof(PoseSample)};
   suture::rt::Doorbell bell;
 
   void send(const PoseSample& value) {

@@ -11,7 +11,8 @@ namespace bench {
 
 std::string ringRow(const LocalOptions& options, Report& report) {
   using RingCommand = std::array<std::byte, 128>;
-  suture::rt::SpscRing ring(64 * suture::rt::SpscRing::recordSize(sizeof(RingCommand)));
+  suture::rt::SpscRing ring(64 * suture::rt::SpscRing::recordSize(sizeof(RingCommand)),
+                            sizeof(RingCommand));
   RingCommand sent{}, taken{};
   const Statistics cost = timedLoops(options.count(200), 100'000, [&] {
     std::memcpy(ring.claim(sizeof(RingCommand)), sent.data(), sizeof(RingCommand));

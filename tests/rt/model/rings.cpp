@@ -24,7 +24,7 @@ std::uint64_t take(const std::byte* memory) {
 
 struct Spsc {
   // 128 bytes: the third record finds no room before the end, the fourth none until one is taken.
-  rt::SpscRing ring{32};
+  rt::SpscRing ring{80, 40};
   std::uint64_t sent = 0, taken = 0;
 
   void send(std::size_t length) {

@@ -23,7 +23,7 @@ namespace rt = suture::rt;
 std::size_t lengthOf(std::uint64_t serial) { return 16 + 8 * (serial % 23); }
 
 TEST(Stress, SpscRing) {
-  rt::SpscRing ring(1000);
+  rt::SpscRing ring(1000, 192);
   const Span span;
   std::atomic<bool> ended{false};
   std::uint64_t sent = 0;

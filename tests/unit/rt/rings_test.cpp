@@ -4,6 +4,7 @@
 #include <suture/rt/queue/spsc_ring.h>
 
 #include <cstring>
+#include <deque>
 #include <random>
 #include <thread>
 #include <vector>
@@ -22,7 +23,7 @@ std::uint64_t readNumber(const std::byte* memory) {
 }
 
 TEST(SpscRing, HoldsAllThatWasPromisedAndThenRefuses) {
-  SpscRing ring(10 * SpscRing::recordSize(40));
+  SpscRing ring(10 * SpscRing::recordSize(40), 40);
   int accepted = 0;
   while (ring.claim(40) != nullptr) {
     ring.commit();
@@ -34,8 +35,34 @@ TEST(SpscRing, HoldsAllThatWasPromisedAndThenRefuses) {
   EXPECT_NE(ring.claim(40), nullptr);
 }
 
+// Wherever the end of the ring falls, and however long the record is that finds no room before it.
+void fillAtEachPlace(std::size_t promised, std::size_t largest) {
+  SpscRing ring(promised, largest);
+  std::mt19937 random(1);
+  std::deque<std::size_t> waiting;
+  std::size_t used = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const std::size_t size = 8 * (1 + random() % (largest / 8));
+    while (used + SpscRing::recordSize(size) > promised) {
+      ASSERT_NE(ring.front(), nullptr);
+      ring.pop();
+      used -= SpscRing::recordSize(waiting.front());
+      waiting.pop_front();
+    }
+    ASSERT_NE(ring.claim(size), nullptr) << "record " << i << " of " << promised << " bytes";
+    ring.commit();
+    waiting.push_back(size);
+    used += SpscRing::recordSize(size);
+  }
+}
+
+TEST(SpscRing, HasRoomForWhatWasPromisedAtEachPlace) {
+  fillAtEachPlace(176, 72);  // with one of the largest, just a power of two
+  fillAtEachPlace(256, 72);  // a power of two by itself
+}
+
 TEST(SpscRing, AnAbandonedClaimLeavesNoTrace) {
-  SpscRing ring(256);
+  SpscRing ring(256, 8);
   ASSERT_NE(ring.claim(8), nullptr);
   EXPECT_EQ(ring.front(), nullptr);
   writeNumber(ring.claim(8), 7);
@@ -48,7 +75,7 @@ TEST(SpscRing, AnAbandonedClaimLeavesNoTrace) {
 // ring.
 TEST(SpscRing, KeepsOrderAndContentBetweenTwoThreads) {
   constexpr std::uint64_t kRecords = 200'000;
-  SpscRing ring(2000);
+  SpscRing ring(2000, 208);
   std::thread producer([&ring] {
     std::mt19937 random(1);
     for (std::uint64_t i = 0; i < kRecords;) {

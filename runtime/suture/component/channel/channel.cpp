@@ -33,9 +33,10 @@ rt::Producers eventProducers(const Channel::Ends& ends) {
   return ofTask ? rt::Producers::One : rt::Producers::Any;
 }
 
-std::size_t replyBytes(const InterfaceInfo& info) {
+rt::SpscRing replyRing(const InterfaceInfo& info, Arena& memory) {
   const CallLimit limit = callLimitOf(info);
-  return limit.calls * rt::SpscRing::recordSize(sizeof(ReplyRecord) + limit.largestResult);
+  const std::size_t largest = sizeof(ReplyRecord) + limit.largestResult;
+  return {limit.calls * rt::SpscRing::recordSize(largest), largest, memory};
 }
 
 unsigned rowsOf(const std::vector<std::uint32_t>& sizes) {
@@ -55,7 +56,7 @@ Channel::Channel(const InterfaceInfo& contract, Terms agreed, std::string laneNa
       foreign(memory.foreign()),
       words_(memory.make<ChannelWords>()),
       commands(commandLimits(contract), memory),
-      replies(replyBytes(contract), memory),
+      replies(replyRing(contract, memory)),
       events(eventLimits(contract), eventProducers(ends), memory),
       counts(std::make_shared<ChannelCounts>(commands.sharedCounters(), events.sharedCounters(),
                                              foreign)),
@@ -72,7 +73,7 @@ std::size_t Channel::bytesFor(const InterfaceInfo& info) {
   Arena memory = Arena::measuring();
   memory.take(sizeof(ChannelWords));
   const rt::Mailbox commands(commandLimits(info), memory);
-  const rt::SpscRing replies(replyBytes(info), memory);
+  const rt::SpscRing replies = replyRing(info, memory);
   const rt::EventQueue events(eventLimits(info), rt::Producers::Any, memory);
   return memory.used();
 }

@@ -17,6 +17,12 @@ std::size_t recordBytes(const CommandLimits& limits) {
   return sizeof(CommandRecord) + limits.argumentsSize;
 }
 
+std::size_t largestRecord(std::span<const CommandLimits> commands) {
+  std::size_t largest = 0;
+  for (const CommandLimits& limits : commands) largest = std::max(largest, recordBytes(limits));
+  return largest;
+}
+
 }  // namespace
 
 std::size_t Mailbox::ringBytes(std::span<const CommandLimits> commands) {
@@ -30,7 +36,7 @@ Mailbox::Mailbox(std::span<const CommandLimits> commands, Arena& arena)
     : counters_(arena.make<MailboxCounters>()),
       limits_(commands.begin(), commands.end()),
       cellOf_(commands.size(), -1),
-      ring_(ringBytes(commands), arena),
+      ring_(ringBytes(commands), largestRecord(commands), arena),
       taken_(commands.size(), 0),
       published_(arena.make<std::atomic<std::uint64_t>>()),
       returned_(arena.make<Credits>(commands.size())),

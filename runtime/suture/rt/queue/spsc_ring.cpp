@@ -1,17 +1,18 @@
 #include <suture/rt/queue/spsc_ring.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
 namespace suture::rt {
 
 // A record that does not fit before the end starts at the beginning, so up to one record's length
-// is lost there: twice the bytes asked for always suffice.
-SpscRing::SpscRing(std::size_t bytes, Arena& arena)
-    : mask_(std::bit_ceil(2 * bytes + 64) - 1),
+// is lost there.
+SpscRing::SpscRing(std::size_t bytes, std::size_t largest, Arena& arena)
+    : mask_(std::bit_ceil(bytes + recordSize(largest)) - 1),
       shared_(arena.make<Shared>()),
       data_(arena.take(mask_ + 1)) {
-  if (arena.foreign()) copy_.resize(mask_ + 1);
+  if (arena.foreign()) copy_.resize(std::max<std::size_t>(largest, 1));
 }
 
 std::byte* SpscRing::claim(std::size_t size) {
@@ -53,7 +54,7 @@ bool SpscRing::copyFront() {
   }
   const std::uint64_t skipped = position - head_;
   const bool fits = published <= mask_ + 1 && published % sizeof(size) == 0 &&
-                    skipped + sizeof(size) <= published && size <= mask_ &&
+                    skipped + sizeof(size) <= published && size <= copy_.size() &&
                     recordSize(size) <= published - skipped &&
                     recordSize(size) <= untilEnd(position);
   broken_ = broken_ || !fits;

@@ -21,9 +21,11 @@ namespace suture::rt {
 /// right is empty for ever.
 class SpscRing {
  public:
-  /// Room for at least `bytes` of records, each counted as recordSize(its size).
-  SpscRing(std::size_t bytes, Arena& arena);
-  explicit SpscRing(std::size_t bytes, Arena&& arena = {}) : SpscRing(bytes, arena) {}
+  /// Room for at least `bytes` of records, each counted as recordSize(its size). `largest`: the
+  /// size of the largest, which claim() gives.
+  SpscRing(std::size_t bytes, std::size_t largest, Arena& arena);
+  SpscRing(std::size_t bytes, std::size_t largest, Arena&& arena = {})
+      : SpscRing(bytes, largest, arena) {}
 
   /// What a record of `size` bytes takes up in the ring.
   static constexpr std::size_t recordSize(std::size_t size) {
