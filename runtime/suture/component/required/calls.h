@@ -25,10 +25,10 @@ struct PendingCall {
   std::uint16_t command = 0;
   bool done = false;
   bool abandoned = false;
-  bool fresh = false;  ///< answered since the last offerNews()
+  bool fresh = false;   ///< answered since the last offerNews()
+  bool shared = false;  ///< the result holds a counted pointer
   Errc error{};
   Time stamp{};
-  bool shared = false;  ///< the result holds a counted pointer
   std::span<std::byte> result;
   Follower follower = nullptr;  ///< null: whoever started it looks at the answer himself
   alignas(std::max_align_t) std::byte handler[kHandlerSize];  ///< the follower's
