@@ -46,7 +46,7 @@ Mailbox::Mailbox(std::span<const CommandLimits> commands, Arena& arena)
     if (!limits_[i].latest) continue;
     ++mostWaiting_;
     cellOf_[i] = static_cast<int>(cells_.size());
-    cells_.emplace_back(recordBytes(limits_[i]), arena);
+    cells_.push_back(std::make_unique<Cell>(recordBytes(limits_[i]), arena));
   }
 }
 
@@ -59,7 +59,7 @@ Mailbox::~Mailbox() {
   }
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     if (!limits_[i].latest || !limits_[i].shared) continue;
-    cells_[static_cast<std::size_t>(cellOf_[i])].values.forEachBuffer(
+    cells_[static_cast<std::size_t>(cellOf_[i])]->values.forEachBuffer(
         [](std::byte* memory) { releaseSharedSlot(memory + sizeof(CommandRecord)); });
   }
 }
@@ -73,7 +73,7 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
   claimedCommand_ = command;
   std::byte* memory;
   if (limits.latest && call == 0) {
-    claimedCell_ = &cells_[static_cast<std::size_t>(cellOf_[command])];
+    claimedCell_ = cells_[static_cast<std::size_t>(cellOf_[command])].get();
     memory = claimedCell_->values.claim();
     // The cell may still own the arguments of a command that has been replaced.
     if (limits.shared) releaseSharedSlot(memory + sizeof(CommandRecord));
@@ -112,19 +112,19 @@ void Mailbox::fixCut() {
   // newer.
   cut_ = published_->load(std::memory_order_acquire);
   left_ = mostWaiting_;
-  for (Cell& cell : cells_) cell.held = cell.values.take() || cell.held;
+  for (const auto& cell : cells_) cell->held = cell->values.take() || cell->held;
 }
 
 // The command that was sent first, of those at the front of the ring and of the cells.
 CommandRecord* Mailbox::earliest() {
   CommandRecord* earliest = ownRecord(ring_.front());
   nextCell_ = nullptr;
-  for (Cell& cell : cells_) {
-    if (!cell.held) continue;
-    CommandRecord* const record = ownRecord(cell.values.front());
+  for (const auto& cell : cells_) {
+    if (!cell->held) continue;
+    CommandRecord* const record = ownRecord(cell->values.front());
     if (earliest == nullptr || record->sequence < earliest->sequence) {
       earliest = record;
-      nextCell_ = &cell;
+      nextCell_ = cell.get();
     }
   }
   return earliest;
@@ -135,7 +135,7 @@ bool Mailbox::isPossible(const CommandRecord& record) const {
   if (record.command >= limits_.size()) return false;
   if (nextCell_ == nullptr) return ring_.frontSize() == recordBytes(limits_[record.command]);
   const int cell = cellOf_[record.command];
-  return cell >= 0 && nextCell_ == &cells_[static_cast<std::size_t>(cell)];
+  return cell >= 0 && nextCell_ == cells_[static_cast<std::size_t>(cell)].get();
 }
 
 const CommandRecord* Mailbox::next() {

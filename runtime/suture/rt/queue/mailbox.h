@@ -1,6 +1,6 @@
 #pragma once
-// The commands on their way from one client endpoint to one provider endpoint, in the order in
-// which they were sent: a ring for queued commands, a newest-wins cell for each latest() command.
+// The commands on their way from a client to its provider, in the order in which they were sent: a
+// ring for queued commands, a newest-wins cell for each latest() command.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
@@ -116,7 +115,7 @@ class Mailbox {
 
   std::vector<CommandLimits> limits_;
   std::vector<int> cellOf_;  // by command; -1: none
-  std::deque<Cell> cells_;   // neither copied nor moved
+  std::vector<std::unique_ptr<Cell>> cells_;
   SpscRing ring_;
 
   // Producer's side.
