@@ -27,6 +27,12 @@ Heartbeat::Watch::Watch(Heartbeat& heartbeat, std::string component, Bounds boun
 
 Heartbeat::Watch::~Watch() { std::erase(heartbeat_.watches_, this); }
 
+kj::Promise<void> Heartbeat::Watch::whenWell() {
+  auto pair = kj::newPromiseAndFulfiller<void>();
+  well_ = kj::mv(pair.fulfiller);
+  return kj::mv(pair.promise);
+}
+
 // A watch that has begun since the peer was told anything counts from then.
 BootTime Heartbeat::Watch::silentAt() const {
   if (bounds_.silence == kEver) return BootTime::max();
@@ -45,7 +51,8 @@ void Heartbeat::Watch::look(BootTime present, BootTime begun) {
 }
 
 void Heartbeat::Watch::heard(wire::TaskActivity::Reader task, Time then) {
-  if (!hangs(task, then)) well_.fulfiller->fulfill();
+  if (hangs(task, then)) return;
+  KJ_IF_MAYBE (well, well_) (*well)->fulfill();
 }
 
 // Compares times of the peer's clock alone, so that neither its offset nor the way of the answer

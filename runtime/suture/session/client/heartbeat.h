@@ -37,8 +37,8 @@ class Heartbeat {
 
     /// Resolves, in words for people, when a bound has passed. Call it once.
     kj::Promise<std::string> whenLost() { return kj::mv(lost_.promise); }
-    /// Resolves at the first answer by which the component does not hang. Call it once.
-    kj::Promise<void> whenWell() { return kj::mv(well_.promise); }
+    /// Resolves at the next answer by which the component does not hang. Call it once.
+    kj::Promise<void> whenWell();
 
    private:
     friend class Heartbeat;
@@ -54,7 +54,7 @@ class Heartbeat {
     std::size_t place_ = 0;  // of the component among those that are told of
     Time due_{};             // of the component's thread, by the latest answer
     kj::PromiseFulfillerPair<std::string> lost_ = kj::newPromiseAndFulfiller<std::string>();
-    kj::PromiseFulfillerPair<void> well_ = kj::newPromiseAndFulfiller<void>();
+    kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> well_;  // null: nobody waits for that
   };
 
   Heartbeat(kj::Timer& timer, wire::Peer::Client peer) : timer_(timer), peer_(kj::mv(peer)) {}
