@@ -97,7 +97,11 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   if (parse.fault != FrameFault::None) {
     refuse(!anyMessage_ && isTls(bytes) ? kOtherSpeaksTls : toString(parse.fault));
   }
-  if (!parse.header || bytes.size() < parse.header->totalBytes) return nullptr;
+  if (!parse.header) return nullptr;
+  if (bytes.size() < parse.header->totalBytes) {
+    incoming_.expect(parse.header->totalBytes);
+    return nullptr;
+  }
   anyMessage_ = true;
   partialSince_ = nullptr;
   auto frame = incoming_.take(parse.header->totalBytes);
@@ -127,7 +131,7 @@ std::uint64_t MessageStream::taken() const {
 MessageStream::Received MessageStream::receive() {
   const auto space = incoming_.space();
   if (guard_.share != nullptr) {
-    if (const auto beyond = guard_.share->hold(incoming_.grown())) refuse(*beyond);
+    if (const auto beyond = guard_.share->hold(incoming_.longBytes())) refuse(*beyond);
   }
   Descriptors descriptors;
   const ssize_t count = bytes_.receive(space, descriptors);
@@ -231,8 +235,9 @@ ssize_t MessageStream::sendSome() {
   return count;
 }
 
+// Moves what is left only when at least as much has gone, so that no byte is moved twice.
 void MessageStream::awaitRoom() {
-  discardSent();
+  if (outgoingBegin_ >= outgoing_.size() / 2) discardSent();
   awaitingRoom_ = true;
   if (writeObserver_ == nullptr) writeObserver_ = kj::heap<WriteObserver>(port_, bytes_.socket());
   roomTask_ = KJ_ASSERT_NONNULL(writeObserver_)

@@ -5,8 +5,14 @@
 #include <suture/framing/message_stream.h>
 #include <suture/loop/failure.h>
 
+#include <algorithm>
+#include <span>
+#include <vector>
+
 #include "socket_pair.h"
 #include "support/patience.h"
+#include "support/resources.h"
+#include "support/test_thread.h"
 
 namespace suture::rpc {
 namespace {
@@ -183,6 +189,44 @@ TEST_F(MessageStreamTest, ALargeMessageArrivesWhole) {
     FAIL() << "the stream ended";
   }
   EXPECT_EQ(sender.counters()->sentBytes, stream_->counters()->receivedBytes);
+}
+
+// Wherever one receive ends: in a header, in a long message, or behind it.
+TEST_F(MessageStreamTest, ShortMessagesArriveBeforeAndBehindALongOne) {
+  for (const std::size_t piece : {7, 4'099, 65'537, 1'000'000}) {
+    open();
+    std::vector<std::byte> bytes;
+    for (const std::size_t size : {8, 200'000, 16, 70'000, 65'000, 24}) {
+      const auto frame = blobFrame(size);
+      bytes.insert(bytes.end(), frame.begin(), frame.end());
+    }
+    TestThread sender([&] {
+      for (std::span<const std::byte> rest(bytes); !rest.empty();) {
+        const auto now = rest.first(std::min(piece, rest.size()));
+        sendAll(peer_, now);
+        rest = rest.subspan(now.size());
+      }
+    });
+    for (const int size : {8, 200'000, 16, 70'000, 65'000, 24}) EXPECT_EQ(nextBlob(), size);
+  }
+}
+
+TEST_F(MessageStreamTest, ALongMessageTakesNoMemoryBeforeItArrives) {
+  constexpr std::uint32_t kWords = (15u << 20) / sizeof(capnp::word);
+  std::vector<kj::AutoCloseFd> peers;
+  std::vector<kj::Own<MessageStream>> streams;
+  std::vector<MessageStream::Reading> reads;
+  const std::size_t before = residentBytes();
+  for (int i = 0; i < 8; ++i) {
+    open();
+    const std::uint32_t words[4] = {0, kWords, 0, 0};
+    sendAll(peer_, std::as_bytes(std::span(words)));
+    reads.push_back(read());
+    EXPECT_FALSE(reads.back().poll(port_.scope()));
+    peers.push_back(kj::mv(peer_));
+    streams.push_back(kj::mv(stream_));
+  }
+  EXPECT_LT(residentBytes(), before + (8u << 20));
 }
 
 TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
