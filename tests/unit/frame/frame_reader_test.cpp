@@ -64,6 +64,15 @@ Outcome read(const Bytes& bytes, std::size_t chunk = SIZE_MAX) {
 
 const std::vector<std::string> kThree = {"1:0", "2:7", "3:200"};
 
+TEST(FrameWriter, SendsNothingOfAnEarlierFrame) {
+  FrameWriter writer(kEpoch);
+  write(writer, Kind::Row, 0xff, kLarge);
+  writer.sent(writer.unsent().size());
+  write(writer, Kind::Event, 2, 1);
+  const Bytes behind(writer.unsent().end() - 7, writer.unsent().end());
+  EXPECT_EQ(behind, Bytes(7, std::byte{0}));
+}
+
 TEST(FrameReader, GivesWhatWasWritten) {
   const Outcome outcome = read(threeFrames());
   EXPECT_EQ(outcome.frames, kThree);

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <suture/lane/frame/frame_socket.h>
 
+#include <algorithm>
+
 #include "support/allocations.h"
 #include "unit/rpc/socket_pair.h"
 
@@ -21,7 +23,7 @@ struct Ends {
 unsigned send(FrameSocket& socket, unsigned wanted) {
   unsigned count = 0;
   for (; count < wanted && socket.hasRoom(); ++count) {
-    socket.begin({.kind = Kind::Event}, kSmallPayload);
+    std::fill_n(socket.begin({.kind = Kind::Event}, kSmallPayload), kSmallPayload, std::byte{0});
     socket.finish();
   }
   socket.flush();

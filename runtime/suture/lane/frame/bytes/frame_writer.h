@@ -5,8 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
-#include <vector>
 
 namespace suture::frame {
 
@@ -18,20 +18,19 @@ class FrameWriter {
 
   /// True if the largest frame, and an Acknowledge behind it, have room.
   bool hasRoom() const;
-  /// Memory for the payload of a new frame with `size` bytes of it, all zero; finish() ends it.
+  /// Memory for the payload of a new frame with `size` bytes of it, to be filled by whoever asks;
+  /// finish() ends it.
   std::byte* begin(Header header, std::size_t size);
   void finish();
 
   /// What has been finished and not yet been sent.
-  std::span<const std::byte> unsent() const {
-    return {bytes_.data() + sent_, bytes_.size() - sent_};
-  }
+  std::span<const std::byte> unsent() const { return {bytes_.get() + sent_, end_ - sent_}; }
   void sent(std::size_t count);
 
  private:
   const std::uint32_t epoch_;
-  std::vector<std::byte> bytes_;
-  std::size_t sent_ = 0, open_ = 0;
+  const std::unique_ptr<std::byte[]> bytes_;  // as they are: only what is in a frame is sent
+  std::size_t sent_ = 0, open_ = 0, end_ = 0;
   std::uint32_t sequence_ = 0;
 };
 
