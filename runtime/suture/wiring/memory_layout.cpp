@@ -9,7 +9,7 @@ namespace suture {
 namespace {
 
 // Raise this whenever a channel or a state table comes to lie in memory in another way.
-constexpr int kForm = 2;
+constexpr int kForm = 3;
 
 /// Removes documentation, which has no bytes.
 void removeTexts(nlohmann::json& json) {
