@@ -1,5 +1,5 @@
 #pragma once
-// Everything between one client endpoint and one provider endpoint within a process. The local lane
+// Everything between a client's end and its provider's end within a process. The local lane
 // is one channel shared by two tasks; every other lane carries what it finds in one channel to
 // another.
 
@@ -73,7 +73,7 @@ class Channel {
 
   /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the
   /// events the client wants. `lane`: its name, for people. In foreign memory each process has an
-  /// object of its own, and uses it as one of the two endpoints.
+  /// object of its own, and uses one of its two ends.
   Channel(const InterfaceInfo& info, Terms terms, std::string lane, Ends ends,
           std::shared_ptr<rt::StateTable> state, EventSet subscribed, Arena memory = {});
   ~Channel();
@@ -122,7 +122,7 @@ class Channel {
   bool admitsCopy(const CommandInfo& command, const std::byte* result);
   bool admits(const EventInfo& event, const std::byte* payload);
 
-  /// Counts what this endpoint has put into foreign memory, or taken out of it, with what the
+  /// Counts what this end has put into foreign memory, or taken out of it, with what the
   /// queues add: no lane is there that counts.
   void countSent(std::size_t bytes) { count(bytesSent, bytes); }
   void countReceived(std::size_t bytes) { count(bytesReceived, bytes); }

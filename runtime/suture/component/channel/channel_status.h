@@ -14,7 +14,7 @@ enum class ChannelStatus : std::uint8_t {
   Faulted,    ///< the provider's handler threw
   Closed,     ///< this connection was taken down; both ends let go of it
   Suspended,  ///< the provider executes nothing until it is resumed, or started again
-  Lapsed,     ///< provider endpoint: its client has not been heard of for as long as it waits
+  Lapsed,     ///< provider's end: its client has not been heard of for as long as it waits
 };
 
 /// True if nothing comes through any more.

@@ -1,5 +1,5 @@
 #pragma once
-// The client's side of a frame connection: the provider endpoint of a channel.
+// The client's side of a frame connection: the provider's end of a channel.
 
 #include <suture/lane/carrier/client_carrier.h>
 #include <suture/lane/frame/connection.h>

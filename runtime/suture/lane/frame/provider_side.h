@@ -1,5 +1,5 @@
 #pragma once
-// The provider's side of a frame connection: the client endpoint of a channel.
+// The provider's side of a frame connection: the client's end of a channel.
 
 #include <suture/lane/carrier/provider_carrier.h>
 #include <suture/lane/frame/connection.h>

@@ -1,5 +1,5 @@
 #pragma once
-// The client's side of an rpc connection: the provider endpoint of a channel, emptied into remote
+// The client's side of an rpc connection: the provider's end of a channel, emptied into remote
 // calls.
 
 #include <suture/loop/kj_comparisons.h>  // first

@@ -1,5 +1,5 @@
 #pragma once
-// The provider's side of an rpc connection: the client endpoint of a channel, fed by remote calls.
+// The provider's side of an rpc connection: the client's end of a channel, fed by remote calls.
 
 #include <suture/loop/kj_comparisons.h>  // first
 

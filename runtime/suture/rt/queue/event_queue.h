@@ -1,5 +1,5 @@
 #pragma once
-// The events on their way from one provider endpoint to one subscriber.
+// The events on their way from a provider to one subscriber.
 
 #include <suture/base/time.h>
 #include <suture/rt/queue/latest_cell.h>
