@@ -1,5 +1,5 @@
 #pragma once
-// What a process has used and holds, as the kernel tells it.
+// The kernel tells with these what a process has used and holds.
 
 #include <sys/types.h>
 

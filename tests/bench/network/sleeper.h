@@ -1,5 +1,5 @@
 #pragma once
-// A component that does nothing by itself.
+// This component does nothing by itself.
 
 #include <suture/component/task/event_task.h>
 

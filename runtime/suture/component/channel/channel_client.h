@@ -1,5 +1,5 @@
 #pragma once
-// The client's end of a channel.
+// ChannelClient is the client's end of a channel.
 
 #include <suture/component/channel/channel_words.h>
 #include <suture/component/channel/counts/delivery_counters.h>
@@ -25,14 +25,14 @@ class ChannelClient {
   /// Wants `wanted` from now on, first the last values of the latched ones among `newlyWanted`. The
   /// caller rings the provider. Commands that are sent later meet it done.
   void subscribe(EventSet wanted, EventSet newlyWanted);
-  /// Is to be rung for a row, credits or a tally as well: the far side of a lane.
+  /// Rows, credits and tallies are to be rung for as well: a lane leads from here to the client.
   void askForRows() { words_.wantsRows.raise(); }
 
-  /// The oldest answer, or nullptr.
+  /// Returns the oldest answer, or nullptr.
   ReplyRecord* nextReply();
   /// Lets go of it, and of its result unless that has been moved elsewhere and is null now.
   void popReply();
-  /// Before it looks for answers and events: whatever is put in later is rung for.
+  /// Call it before you look for answers and events: whatever is put in later is rung for.
   void lowerUntaken() {
     if (words_.untaken.isUp(std::memory_order_relaxed)) {
       words_.untaken.take(std::memory_order_acq_rel);
@@ -47,7 +47,7 @@ class ChannelClient {
   /// Any thread: lets commands through again that await their operator, if the provider is there.
   ResumeOutcome resume();
 
-  /// Age of the values read, when they were read: of each row when it is first read, and of every
+  /// It has the ages of values when they were read: of each row when it is first read, and of every
   /// 16th read of a row that has been read before. nullptr if the client is no component here.
   const std::unique_ptr<rt::Histogram> readAge;
   DeliveryCounters delivery;  ///< both ways; all 0 on a lane that loses nothing

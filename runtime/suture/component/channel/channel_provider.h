@@ -1,5 +1,5 @@
 #pragma once
-// The provider's end of a channel.
+// ChannelProvider is the provider's end of a channel.
 
 #include <suture/component/channel/channel_words.h>
 #include <suture/component/channel/lease.h>
@@ -21,19 +21,19 @@ class ChannelProvider {
   /// `keepsAges`: the provider is a component in this process.
   ChannelProvider(Channel& channel, ChannelWords& words, Lease lease, bool keepsAges);
 
-  /// Before it asks what the channel is subscribed to: the events whose last value the client is to
-  /// get now.
+  /// Returns the events whose last value the client is to get now. Call it before you ask what the
+  /// channel is subscribed to.
   EventSet takeJoining();
   /// True if takeJoining() has something to give.
   bool joining() const { return words_.joining.load(std::memory_order_relaxed) != 0; }
   /// True if the client is to be rung for a row, credits or a tally.
   bool rowsAreWanted() const { return words_.wantsRows.isUp(std::memory_order_relaxed); }
-  /// Up if a reply or an event has been put in since the client last looked. Whoever lowers it
-  /// looks into both before it sleeps.
+  /// It is up if a reply or an event has been put in since the client last looked. Whoever lowers
+  /// it looks into both before it sleeps.
   rt::SharedFlag& untaken() { return words_.untaken; }
 
-  /// Just before it executes a command: an error if the connection is over. `looksAtClock`: also if
-  /// its lease has ended, which ends it.
+  /// Call it just before a command is executed: returns an error if the connection is over, and if
+  /// it `looksAtClock`, also if the lease has ended, which ends the connection.
   Errc begin(bool looksAtClock);
   /// False if the client has cancelled `call`, which must not be executed then.
   bool claim(std::uint32_t call) { return words_.claim(call); }
@@ -44,9 +44,9 @@ class ChannelProvider {
   template <class Produce>
   void reply(std::uint32_t call, ResultForm form, const Produce& produce, Time stamp = now());
 
-  /// Any thread: how long its client's commands may be executed.
+  /// Any thread: it tells how long the client's commands may be executed.
   const Lease lease;
-  /// Age of each command, when it was executed. nullptr if the provider is no component here.
+  /// It has the ages of commands when they were executed. nullptr if the provider is elsewhere.
   const std::unique_ptr<rt::Histogram> commandAge;
 
  private:

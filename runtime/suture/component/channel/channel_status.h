@@ -1,5 +1,5 @@
 #pragma once
-// How a connection stands, as its channel tells both ends.
+// A channel tells both of its ends with this how their connection stands.
 
 #include <suture/base/errors.h>
 #include <suture/standard/lifecycle.h>

@@ -1,5 +1,5 @@
 #pragma once
-// What the two ends of a channel tell each other beside its queues.
+// The two ends of a channel tell each other this, beside its queues.
 
 #include <suture/component/contract/interface_info.h>
 #include <suture/rt/shared_flag.h>

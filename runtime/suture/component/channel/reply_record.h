@@ -1,5 +1,5 @@
 #pragma once
-// How the answer of a call lies in its ring.
+// The answer of a call lies so in its ring.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
