@@ -23,7 +23,7 @@ class ReceiveBuffer {
   /// The message at the front has so many bytes (whole words), of which some are missing. Call it
   /// before space() as soon as that is known: the buffer itself has room for a header.
   void expect(std::size_t count);
-  /// Where the next receive may write; never empty. Moves what is there if need be.
+  /// Returns where the next receive may write; never empty. Moves what is there if need be.
   std::span<std::byte> space();
   /// `count` bytes have been written at the start of space().
   void arrived(std::size_t count);

@@ -10,7 +10,7 @@
 
 namespace bench {
 
-/// How often a thread has gone to sleep until now: `task` is its folder under /proc.
+/// Counts how often a thread has gone to sleep until now: `task` is its folder under /proc.
 inline double wakeUpsOf(const std::filesystem::path& task) {
   std::ifstream status(task / "status");
   for (std::string line; std::getline(status, line);) {

@@ -31,7 +31,7 @@ double wakeUpsOf(const std::set<fs::path>& threads) {
   return sum;
 }
 
-/// What sleeping components take.
+/// Sleeping components take so much.
 struct Sleeping {
   double wakeUps;      ///< of all their threads, in the whole window
   double descriptors;  ///< of each

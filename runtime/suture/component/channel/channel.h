@@ -137,7 +137,7 @@ class Channel {
   /// again; without that, the connection is lost by then.
   Duration clockError() const;
 
-  /// Either end: the events that the client wants.
+  /// Either end: returns the events that the client wants.
   EventSet subscribed() const { return words_->subscribed.load(std::memory_order_acquire); }
   /// Any thread: sets how it stands with the provider, unless the connection is past that, and
   /// rings the client if that is news.

@@ -12,7 +12,7 @@ namespace suture {
 
 /// These lie first in the memory of a channel, which another process may write at any time.
 struct ChannelWords {
-  /// How many calls with an answer may be unfinished at a time.
+  /// At most so many calls with an answer may be unfinished at a time.
   static constexpr unsigned kMaxCalls = 16;
 
   /// Either end claims a call: the client in order to cancel it, the provider to execute it. True

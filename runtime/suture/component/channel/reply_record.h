@@ -21,7 +21,7 @@ struct ReplyRecord {
   const std::byte* result() const { return reinterpret_cast<const std::byte*>(this + 1); }
 };
 
-/// What the result of a call is in its record.
+/// Tells in which form the result of a call lies in its record.
 struct ResultForm {
   std::uint32_t size = 0;
   bool shared = false;

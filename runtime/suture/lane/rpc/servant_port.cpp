@@ -75,7 +75,7 @@ ServantPort::Refusal ServantPort::post(std::uint16_t command, capnp::AnyPointer:
   return refusal;
 }
 
-// What a port that is closed keeps might keep it in turn: a client's capabilities hold its end.
+// A closed port must keep nothing of its client, whose capabilities may keep the port in turn.
 void ServantPort::tellCounts(wire::CommandCounts::Client counts) {
   if (!isClosed()) counts_ = kj::mv(counts);
 }
