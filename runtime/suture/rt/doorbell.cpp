@@ -117,6 +117,7 @@ RungFor Doorbell::takeRing() {
 }
 
 RungFor Doorbell::waitUntil(Time deadline) {
+  if (shared_.load(std::memory_order_seq_cst)) deadline = std::min(deadline, now() + kLookAgain);
   const timespec until = toTimespec(deadline);
   while (lieDown()) {
     if (VirtualTime* const time = virtualTime(); time != nullptr) {

@@ -21,8 +21,9 @@ enum class RungFor : std::uint32_t {
   Work = 2,
 };
 
-/// A doorbell belongs to one sleeper; any thread may ring. A ring is never lost: ringing before the
-/// sleeper lies down makes its next wait return at once. Lock-free, no allocation.
+/// A doorbell belongs to one sleeper; any thread may ring. A ring of this process is never lost:
+/// ringing before the sleeper lies down makes its next wait return at once. Lock-free, no
+/// allocation.
 class Doorbell {
  public:
   /// `eventDescriptor`: an eventfd to write instead of waking a futex, for a sleeper that sits in
@@ -31,7 +32,7 @@ class Doorbell {
   enum class Sleeper : std::uint8_t { Here, Elsewhere };
   /// Lies in memory that other processes map: its sleeper's own, which share() hands to them, or
   /// that of one of theirs, in order to ring it. What they write there can wake it for nothing, or
-  /// make it sleep until its deadline.
+  /// make it sleep for kLookAgain.
   Doorbell(std::shared_ptr<MemoryBlock> memory, Sleeper sleeper);
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
@@ -39,8 +40,11 @@ class Doorbell {
   /// Any thread. At most one system call, none while the owner is awake.
   void ring(RungFor what = RungFor::Work);
 
-  /// The owner only: sleeps until rung or until `deadline`. Returns what it was rung for since it
-  /// last asked.
+  /// How long the owner sleeps at most while another process may ring, which could lose a ring.
+  static constexpr Duration kLookAgain = std::chrono::seconds(1);
+
+  /// The owner only: sleeps until rung or until `deadline`, or until it is to look again. Returns
+  /// what it was rung for since it last asked.
   RungFor waitUntil(Time deadline);
   /// The owner only: sleeps until rung, which whoever rings must be certain to do.
   void wait();

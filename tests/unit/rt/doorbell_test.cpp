@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 #include <suture/rt/doorbell.h>
+#include <suture/rt/thread.h>
+#include <suture/testing/test_clock.h>
 
+#include <atomic>
 #include <thread>
 
 #include "support/eventually.h"
@@ -53,6 +56,44 @@ TEST(Doorbell, OneThatIsSharedIsStillRungFromHere) {
   ASSERT_TRUE(eventually([&] { return sleeper.rings == 1; }));
   bell.ring();
   ASSERT_TRUE(eventually([&] { return sleeper.rings == 2; }));
+}
+
+/// Sleeps at a bell until it ends, and counts how often it has woken for nothing.
+class Looker {
+ public:
+  explicit Looker(Doorbell& bell) : bell_(bell) {
+    thread_.start(
+        "sleeper", [this] { sleep(); }, Thread::Signals::None);
+  }
+  ~Looker() {
+    over_ = true;
+    bell_.ring();
+    thread_.join();
+  }
+
+  std::atomic<int> rings{0}, looks{0};
+
+ private:
+  void sleep() {
+    while (!over_) ++(bell_.waitUntil(Time::max()) == RungFor::Nothing ? looks : rings);
+  }
+
+  Doorbell& bell_;
+  std::atomic<bool> over_{false};
+  Thread thread_;
+};
+
+// Another process may lose a ring, by accident or not; this one does not.
+TEST(Doorbell, ItsOwnerLooksAgainOnlyWhileAnotherProcessMayRing) {
+  TestClock clock;
+  Doorbell bell(wordOfABell(), Doorbell::Sleeper::Here);
+  Looker sleeper(bell);
+  clock.advance(1h);
+  EXPECT_EQ(sleeper.looks, 0);
+  bell.share();
+  EXPECT_TRUE(clock.until([&] { return sleeper.rings == 1; }));
+  clock.advance(10 * Doorbell::kLookAgain);
+  EXPECT_EQ(sleeper.looks, 10);
 }
 
 }  // namespace

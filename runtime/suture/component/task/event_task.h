@@ -2,12 +2,16 @@
 
 #include <suture/component/task/thread_task.h>
 
+#include <optional>
+
 namespace suture {
 
 struct EventOptions {
   rt::Scheduling scheduling{};
-  /// The longest sleep: run() is called at least this often even if nothing arrives.
-  Duration longestSleep = std::chrono::seconds(1);
+  /// The longest sleep: run() is called at least this often even if nothing arrives. Without it, a
+  /// task that nothing arrives for sleeps on, except that it looks again once a second while a
+  /// client on the `shm` lane may ring.
+  std::optional<Duration> longestSleep{};
 };
 
 /// Sleeps until a command, an event or an answer arrives, then runs one cycle. What a cycle has
@@ -20,7 +24,7 @@ class EventTask : public ThreadTask {
  private:
   bool awaitCycle() final;
 
-  Duration longestSleep_;
+  const std::optional<Duration> longestSleep_;
 };
 
 }  // namespace suture

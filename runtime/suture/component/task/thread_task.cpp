@@ -2,6 +2,7 @@
 
 #include <suture/base/virtual_time.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -70,12 +71,14 @@ void ThreadTask::loop() {
 // A ring may announce what is not work pending: somebody asks for the first time for a read of an
 // interface that is served in every state.
 void ThreadTask::awaitWork() {
-  if (!ending() && !workPending()) sleepForWork(now() + std::chrono::seconds(1));
+  if (!ending() && !workPending()) sleepForWork(Time::max());
 }
 
+// While time is virtual every task looks again, which shows work that nobody has rung for.
 void ThreadTask::sleepForWork(Time due) {
-  const bool rung = doorbell().waitUntil(due) != rt::RungFor::Nothing;
   VirtualTime* const time = virtualTime();
+  if (time != nullptr) due = std::min(due, now() + rt::Doorbell::kLookAgain);
+  const bool rung = doorbell().waitUntil(due) != rt::RungFor::Nothing;
   if (time != nullptr && !rung && workPending()) time->missedRing(name());
 }
 

@@ -55,8 +55,7 @@ void DelayThread::takeOver() {
 }
 
 bool DelayThread::awaitCycle() {
-  const Time begin = now();
-  Time due = begin + std::chrono::seconds(1);
+  Time due = Time::max();
   for (const auto& one : carried_) due = std::min(due, one->due());
   if (!ending() && now() < due) doorbell().waitUntil(due);
   return !ending();
