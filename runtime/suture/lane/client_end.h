@@ -3,10 +3,12 @@
 
 #include <suture/loop/kj_comparisons.h>  // first
 
+#include <kj/function.h>
 #include <kj/refcount.h>
 #include <suture/component/channel/channel.h>
 
 #include <memory>
+#include <string>
 
 namespace suture::rpc {
 
@@ -17,6 +19,11 @@ class ClientEnd : public kj::Refcounted {
 
   /// Tells the client how it stands with the provider's component.
   void tell(ChannelStatus status) { channel_->tell(status); }
+  /// `broken` is called once, with the reason in words, when the connection carries nothing any
+  /// more and is not closed. It may be called before this returns, and must not destroy this.
+  void onBroken(kj::Function<void(std::string why)> broken);
+  /// The connection carries nothing any more. May be called again: the first reason counts.
+  void tellBroken(std::string why);
   /// The connection is over: the client is told `why`, calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);
@@ -29,6 +36,8 @@ class ClientEnd : public kj::Refcounted {
   const std::shared_ptr<Channel> channel_;
 
  private:
+  kj::Maybe<kj::Function<void(std::string)>> broken_;  // null: nobody listens
+  std::string whyBroken_;                              // "" while it is not
   bool closed_ = false;
 };
 

@@ -54,8 +54,6 @@ struct OutgoingConnection {
 struct OpenedEnd {
   kj::Own<rpc::ClientEnd> end;
   std::shared_ptr<Channel> channel;
-  /// Resolves with the reason, in words, when the lane alone carries nothing any more.
-  kj::Promise<std::string> broken = kj::NEVER_DONE;
 };
 
 /// One attempt to make a connection over a lane, in the client's process.

@@ -5,6 +5,7 @@
 #include <suture/session/client/heartbeat.h>
 #include <suture/session/task_activity.h>
 
+#include <deque>
 #include <limits>
 #include <vector>
 
@@ -57,6 +58,29 @@ class AnsweringPeer final : public wire::Peer::Server {
   Time due_{};
 };
 
+/// One watch, and what it says of its loss.
+class Watched {
+ public:
+  Watched(Heartbeat& heartbeat, std::string component, Heartbeat::Bounds bounds) {
+    auto pair = kj::newPromiseAndFulfiller<std::string>();
+    lost_ = kj::mv(pair.promise);
+    watch_ = heartbeat.watch(std::move(component), bounds,
+                             [out = kj::mv(pair.fulfiller)](std::string why) mutable {
+                               EXPECT_TRUE(out->isWaiting()) << "it is told twice: " << why;
+                               out->fulfill(std::move(why));
+                             });
+  }
+
+  Heartbeat::Watch* operator->() { return watch_; }
+  /// Resolves with the reason. Call it once.
+  kj::Promise<std::string> whenLost() { return kj::mv(lost_); }
+  void end() { watch_ = nullptr; }
+
+ private:
+  kj::Promise<std::string> lost_ = kj::NEVER_DONE;
+  kj::Own<Heartbeat::Watch> watch_;
+};
+
 class HeartbeatTest : public testing::Test {
  public:
   ~HeartbeatTest() noexcept override {}
@@ -66,20 +90,20 @@ class HeartbeatTest : public testing::Test {
   std::string firstOf(std::vector<Duration> overdue) {
     answers_.overdue = std::move(overdue);
     auto well = watch_->whenWell().then([] { return std::string("well"); });
-    return watch_->whenLost().exclusiveJoin(kj::mv(well)).wait(port_.scope());
+    return watch_.whenLost().exclusiveJoin(kj::mv(well)).wait(port_.scope());
   }
   /// Why the component is lost, or "not lost" after many times what any bound takes.
   std::string whyLost(std::vector<Duration> overdue) {
     answers_.overdue = std::move(overdue);
     auto never =
         port_.getTimer().afterDelay(1 * kj::MINUTES).then([] { return std::string("not lost"); });
-    return watch_->whenLost().exclusiveJoin(kj::mv(never)).wait(port_.scope());
+    return watch_.whenLost().exclusiveJoin(kj::mv(never)).wait(port_.scope());
   }
 
   rpc::EventPort port_;
   Answers answers_;
   Heartbeat heartbeat_{port_.getTimer(), kj::heap<AnsweringPeer>(answers_)};
-  kj::Own<Heartbeat::Watch> watch_ = heartbeat_.watch("Arm", kBounds);
+  Watched watch_{heartbeat_, "Arm", kBounds};
 };
 
 TEST_F(HeartbeatTest, ATaskThatIsInTimeIsWell) {
@@ -125,9 +149,9 @@ TEST_F(HeartbeatTest, AProcessThatWasStoppedAsAWholeIsWellAgain) {
 
 TEST_F(HeartbeatTest, EachWatchJudgesBySilenceOfItsOwn) {
   answers_.silentAfter = 1;
-  auto strict = heartbeat_.watch("Arm", {.silence = 200ms, .hang = 5s});
+  Watched strict(heartbeat_, "Arm", {.silence = 200ms, .hang = 5s});
   const Time begun = now();
-  EXPECT_EQ(strict->whenLost().wait(port_.scope()),
+  EXPECT_EQ(strict.whenLost().wait(port_.scope()),
             "silent: its process has not answered for 200 ms");
   EXPECT_LT(now() - begun, 300ms);
   EXPECT_FALSE(heartbeat_.silent()) << "another watch bears more";
@@ -138,25 +162,25 @@ TEST_F(HeartbeatTest, EachWatchJudgesBySilenceOfItsOwn) {
 // A connection that is taken down does not make those wait that have been lost.
 TEST_F(HeartbeatTest, IsSilentAsSoonAsNoWatchBearsItAnyMore) {
   answers_.silentAfter = 1;
-  auto strict = heartbeat_.watch("Arm", {.silence = 200ms, .hang = 5s});
-  strict->whenLost().wait(port_.scope());
+  Watched strict(heartbeat_, "Arm", {.silence = 200ms, .hang = 5s});
+  strict.whenLost().wait(port_.scope());
   EXPECT_FALSE(heartbeat_.silent());
-  watch_ = nullptr;
+  watch_.end();
   EXPECT_TRUE(heartbeat_.silent());
 }
 
 TEST_F(HeartbeatTest, AnotherComponentIsJudgedByItsOwnTask) {
-  auto other = heartbeat_.watch("Camera", kBounds);
+  Watched other(heartbeat_, "Camera", kBounds);
   answers_.overdue = {0ms, 0ms, 3s};
-  auto otherLost = other->whenLost().eagerlyEvaluate(nullptr);
-  EXPECT_TRUE(watch_->whenLost().wait(port_.scope()).starts_with("hung: the thread of 'Arm'"));
+  auto otherLost = other.whenLost().eagerlyEvaluate(nullptr);
+  EXPECT_TRUE(watch_.whenLost().wait(port_.scope()).starts_with("hung: the thread of 'Arm'"));
   EXPECT_FALSE(otherLost.poll(port_.scope()));
 }
 
 // A heartbeat is as long with 256 connections to a component as with one.
 TEST_F(HeartbeatTest, ThePeerIsToldTheComponentsOnlyWhenTheyChange) {
-  std::vector<kj::Own<Heartbeat::Watch>> more;
-  for (int i = 0; i < 256; ++i) more.push_back(heartbeat_.watch("Arm", kBounds));
+  std::deque<Watched> more;
+  for (int i = 0; i < 256; ++i) more.emplace_back(heartbeat_, "Arm", kBounds);
   port_.getTimer().afterDelay(1 * kj::SECONDS).wait(port_.scope());
   EXPECT_EQ(answers_.named, 1u);
   EXPECT_EQ(answers_.components, std::vector<std::string>{"Arm"});
@@ -167,10 +191,21 @@ TEST_F(HeartbeatTest, ThePeerIsToldTheComponentsOnlyWhenTheyChange) {
 TEST_F(HeartbeatTest, AWatchThatBeginsLaterCountsFromThen) {
   answers_.silentAfter = 2;
   port_.getTimer().afterDelay(1 * kj::SECONDS).wait(port_.scope());
-  auto later = heartbeat_.watch("Arm", {.silence = 500ms, .hang = 5s});
+  Watched later(heartbeat_, "Arm", {.silence = 500ms, .hang = 5s});
   const Time begun = now();
-  EXPECT_TRUE(later->whenLost().wait(port_.scope()).starts_with("silent: "));
+  EXPECT_TRUE(later.whenLost().wait(port_.scope()).starts_with("silent: "));
   EXPECT_GE(now() - begun, 500ms);
+}
+
+// ---- a peer that is gone
+
+TEST_F(HeartbeatTest, APeerThatIsGoneIsToldToAllWatchesAndToLaterOnes) {
+  Watched other(heartbeat_, "Camera", kBounds);
+  heartbeat_.end("closed");
+  heartbeat_.end("closed again");
+  EXPECT_EQ(watch_.whenLost().wait(port_.scope()), "closed");
+  EXPECT_EQ(other.whenLost().wait(port_.scope()), "closed");
+  EXPECT_EQ(Watched(heartbeat_, "Arm", kBounds).whenLost().wait(port_.scope()), "closed");
 }
 
 }  // namespace

@@ -8,20 +8,16 @@
 #include <suture/loop/control_thread.h>
 
 #include <memory>
-#include <string>
 
 namespace suture {
 
-/// Tells when the connection's socket carries nothing any more, beside what every end does. Belongs
-/// to the control thread.
+/// Looks whether the connection's socket carries nothing any more, beside what every end does.
+/// Belongs to the control thread.
 class FrameEnd final : public rpc::ClientEnd, private rpc::Pump {
  public:
   FrameEnd(rpc::ControlThread& control, std::shared_ptr<Channel> channel,
            std::shared_ptr<frame::Connection> connection);
   ~FrameEnd() noexcept(false) { close(ChannelStatus::Closed); }
-
-  /// Resolves with the reason, in words.
-  kj::Promise<std::string> whenBroken() { return kj::mv(whenBroken_); }
 
  private:
   void ending() override { control_.remove(*this); }
@@ -29,8 +25,6 @@ class FrameEnd final : public rpc::ClientEnd, private rpc::Pump {
 
   rpc::ControlThread& control_;
   const std::shared_ptr<frame::Connection> connection_;
-  kj::Own<kj::PromiseFulfiller<std::string>> broken_;
-  kj::Promise<std::string> whenBroken_;
 };
 
 }  // namespace suture

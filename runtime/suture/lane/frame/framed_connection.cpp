@@ -16,10 +16,9 @@ OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
   const auto side =
       std::make_shared<ClientSide>(channel, makePayloads(channel->info, on.form), on.number);
   auto end = kj::refcounted<FrameEnd>(control, channel, side);
-  auto broken = end->whenBroken();
   on.link->join(side);
   bell->ring();
-  return OpenedEnd{kj::mv(end), std::move(channel), kj::mv(broken)};
+  return OpenedEnd{kj::mv(end), std::move(channel)};
 }
 
 AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,

@@ -3,7 +3,6 @@
 #include <suture/lane/rpc/calls_client.h>
 #include <suture/lane/rpc/counts_receiver.h>
 #include <suture/lane/rpc/proxy_port.h>
-#include <suture/net/socket.h>
 #include <suture/wiring/memory_layout.h>
 
 #include <algorithm>
@@ -21,7 +20,6 @@ bool isLarge(const InterfaceInfo& contract) {
   return most > kMostShared;
 }
 
-/// The link lives as long as the client's end.
 class CallsAttempt final : public LaneAttempt {
  public:
   CallsAttempt(std::shared_ptr<CallsLink> link, ControlThread& control)
@@ -37,9 +35,9 @@ class CallsAttempt final : public LaneAttempt {
         mirroredChannel(std::move(connection), "rpc", control_.sharedDoorbell(), control_);
     auto port = kj::refcounted<ProxyPort>(control_, channel, link_->counters());
     port->open(link_->contract(answer.getAs<wire::CallsAnswer>().getConnection(),
-                               kj::heap<CountsReceiver>(kj::addRef(*port))));
-    auto broken = link_->whenBroken().attach(std::shared_ptr(link_));
-    return OpenedEnd{kj::mv(port), std::move(channel), kj::mv(broken)};
+                               kj::heap<CountsReceiver>(kj::addRef(*port))),
+               link_);
+    return OpenedEnd{kj::mv(port), std::move(channel)};
   }
 
  private:
@@ -48,29 +46,6 @@ class CallsAttempt final : public LaneAttempt {
 };
 
 }  // namespace
-
-CallsLink::CallsLink(ControlThread& control, LaneSocket socket)
-    : number_(socket.number),
-      socket_(socket.bytes.socket()),
-      link_(kj::heap<MessageStream>(control.port(), kj::mv(socket.bytes)),
-            capnp::rpc::twoparty::Side::CLIENT),
-      peer_(link_.bootstrap<wire::Calls>()),
-      whenBroken_(link_.onDisconnect()
-                      .then([this]() -> std::string {
-                        broken_ = true;
-                        return "closed: the link of its calls has ended";
-                      })
-                      .fork()) {}
-
-capnp::Capability::Client CallsLink::contract(std::uint32_t connection,
-                                              wire::CommandCounts::Client counts) {
-  auto request = peer_.contractRequest();
-  request.setConnection(connection);
-  request.setCounts(kj::mv(counts));
-  return request.send().getContract();
-}
-
-void CallsLink::bear(Duration silence) const { breakWhenUnanswered(socket_, silence); }
 
 kj::Promise<kj::Own<LaneAttempt>> CallsClient::attempt(const OutgoingConnection& connection) {
   return linkFor(connection.contract)

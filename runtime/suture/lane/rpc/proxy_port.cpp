@@ -20,16 +20,19 @@ ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
 
 ProxyPort::~ProxyPort() noexcept(false) { close(ChannelStatus::Closed); }
 
-void ProxyPort::open(capnp::Capability::Client provider) {
+void ProxyPort::open(capnp::Capability::Client provider, std::shared_ptr<const CallsLink> link) {
   provider_ = kj::mv(provider);
+  link_ = std::move(link);
   control_.add(*this);
   pump();
 }
 
-// The capability stays: an answer that has arrived already may be on its way through it.
+// The capability stays: an answer that has arrived already may be on its way through it. The link
+// holds what holds this.
 void ProxyPort::ending() {
   control_.remove(*this);
   releaseAcknowledgement();
+  link_ = nullptr;
 }
 
 void ProxyPort::countBytes() {
@@ -107,6 +110,7 @@ void ProxyPort::returned(std::uint16_t command, std::uint32_t call, Errc error) 
 
 void ProxyPort::pump() {
   countBytes();
+  if (link_ != nullptr && link_->broken()) tellBroken("closed: the link of its calls has ended");
   carrier_.give();
 }
 

@@ -7,9 +7,9 @@
 #include <capnp/capability.h>
 #include <kj/async.h>
 #include <suture/component/channel/channel.h>
-#include <suture/framing/message_stream.h>
 #include <suture/lane/carrier/client_carrier.h>
 #include <suture/lane/client_end.h>
+#include <suture/lane/rpc/calls_link.h>
 #include <suture/loop/control_thread.h>
 
 #include <cstdint>
@@ -36,7 +36,8 @@ class ProxyPort final : public ClientEnd,
   ~ProxyPort() noexcept(false);
 
   /// Begins: subscribes and sends what waits. `provider` must be of the contract's interface.
-  void open(capnp::Capability::Client provider);
+  /// `link` is what the calls travel on, and is held until the connection is over.
+  void open(capnp::Capability::Client provider, std::shared_ptr<const CallsLink> link = nullptr);
   const InterfaceInfo& info() const { return channel_->info; }
 
   /// Takes over what the provider's end has counted.
@@ -67,6 +68,7 @@ class ProxyPort final : public ClientEnd,
 
   ControlThread& control_;
   const std::shared_ptr<const LinkCounters> counters_;
+  std::shared_ptr<const CallsLink> link_;  // null: the provider is here, or the connection is over
   kj::Maybe<capnp::Capability::Client> provider_;
   unsigned latestInFlight_ = 0;
   std::vector<std::uint64_t> payload_;  // of the event that comes

@@ -22,8 +22,11 @@ std::string milliseconds(Duration duration) {
 
 // ---- one watch
 
-Heartbeat::Watch::Watch(Heartbeat& heartbeat, std::string component, Bounds bounds)
-    : heartbeat_(heartbeat), component_(std::move(component)), bounds_(bounds) {}
+Heartbeat::Watch::Watch(Heartbeat& heartbeat, std::string component, Bounds bounds, Lost lost)
+    : heartbeat_(heartbeat),
+      component_(std::move(component)),
+      bounds_(bounds),
+      tellLost_(kj::mv(lost)) {}
 
 Heartbeat::Watch::~Watch() { std::erase(heartbeat_.watches_, this); }
 
@@ -39,15 +42,18 @@ BootTime Heartbeat::Watch::silentAt() const {
   return std::max(heartbeat_.told_, begun_) + bounds_.silence;
 }
 
+void Heartbeat::Watch::lose(std::string why) {
+  if (!std::exchange(lost_, true)) tellLost_(std::move(why));
+}
+
 // A process that has not run for so long must not go on as if the peer had waited for it.
 void Heartbeat::Watch::look(BootTime present, BootTime begun) {
   if (present < silentAt()) return;
   heartbeat_.lostOne_ = true;
   const Duration paused = present - begun;
   const bool here = paused >= bounds_.silence;
-  lost_.fulfiller->fulfill(here ? "silent: this process has not run for " + milliseconds(paused)
-                                : "silent: its process has not answered for " +
-                                      milliseconds(bounds_.silence));
+  lose(here ? "silent: this process has not run for " + milliseconds(paused)
+            : "silent: its process has not answered for " + milliseconds(bounds_.silence));
 }
 
 void Heartbeat::Watch::heard(wire::TaskActivity::Reader task, Time then) {
@@ -65,21 +71,26 @@ bool Heartbeat::Watch::hangs(wire::TaskActivity::Reader task, Time then) {
   const bool moved = std::exchange(due_, activity.due) != activity.due;
   if (overdue <= bounds_.hang) return false;
   if (moved) return true;
-  lost_.fulfiller->fulfill(
-      "hung: the thread of '" + component_ + "' " +
-      (running ? "has been in one cycle for " : "should have begun a cycle before ") +
-      milliseconds(overdue) + ", after " + std::to_string(task.getCycles()) + " others");
+  lose("hung: the thread of '" + component_ + "' " +
+       (running ? "has been in one cycle for " : "should have begun a cycle before ") +
+       milliseconds(overdue) + ", after " + std::to_string(task.getCycles()) + " others");
   return true;
 }
 
 // ---- all of them
 
-kj::Own<Heartbeat::Watch> Heartbeat::watch(std::string component, Bounds bounds) {
-  auto watch = kj::heap<Watch>(*this, std::move(component), bounds);
+kj::Own<Heartbeat::Watch> Heartbeat::watch(std::string component, Bounds bounds, Lost lost) {
+  auto watch = kj::heap<Watch>(*this, std::move(component), bounds, kj::mv(lost));
   watches_.push_back(watch.get());
   name();
   looking_ = look().eagerlyEvaluate(nullptr);
+  if (!gone_.empty()) watch->lose(gone_);
   return watch;
+}
+
+void Heartbeat::end(const std::string& why) {
+  if (gone_.empty()) gone_ = why;
+  for (Watch* watch : watches_) watch->lose(why);
 }
 
 // The places of all change with a name, and only then.
@@ -104,7 +115,7 @@ std::vector<std::string> Heartbeat::components() const {
 
 bool Heartbeat::silent() const {
   return lostOne_ && std::none_of(watches_.begin(), watches_.end(), [](Watch* watch) {
-           return watch->bounds_.silence != kEver && watch->lost_.fulfiller->isWaiting();
+           return watch->bounds_.silence != kEver && !watch->lost_;
          });
 }
 
@@ -122,7 +133,7 @@ kj::Promise<void> Heartbeat::look() {
   const BootTime begun = BootClock::now();
   Duration pause = interval();
   for (Watch* watch : watches_) {
-    if (watch->lost_.fulfiller->isWaiting()) pause = std::min(pause, watch->silentAt() - begun);
+    if (!watch->lost_) pause = std::min(pause, watch->silentAt() - begun);
   }
   return timer_.afterDelay(rpc::toKj(std::max(pause, Duration{0}))).then([this, begun] {
     const BootTime present = BootClock::now();

@@ -6,6 +6,7 @@
 #include <suture/peer.capnp.h>
 
 #include <kj/async.h>
+#include <kj/function.h>
 #include <kj/timer.h>
 
 #include <functional>
@@ -29,20 +30,22 @@ class Heartbeat {
   /// A silence that never ends: somebody else bounds how long one waits for an answer.
   static constexpr Duration kEver = Duration::max();
 
+  /// Called once, with the reason in words for people. It must not end the watch itself.
+  using Lost = kj::Function<void(std::string why)>;
+
   class Watch {
    public:
-    Watch(Heartbeat& heartbeat, std::string component, Bounds bounds);
+    Watch(Heartbeat& heartbeat, std::string component, Bounds bounds, Lost lost);
     ~Watch();
     KJ_DISALLOW_COPY(Watch);
 
-    /// Resolves, in words for people, when a bound has passed. Call it once.
-    kj::Promise<std::string> whenLost() { return kj::mv(lost_.promise); }
     /// Resolves at the next answer by which the component does not hang. Call it once.
     kj::Promise<void> whenWell();
 
    private:
     friend class Heartbeat;
     BootTime silentAt() const;
+    void lose(std::string why);
     void look(BootTime present, BootTime begun);
     void heard(wire::TaskActivity::Reader task, Time then);
     bool hangs(wire::TaskActivity::Reader task, Time then);
@@ -53,14 +56,18 @@ class Heartbeat {
     const BootTime begun_ = BootClock::now();
     std::size_t place_ = 0;  // of the component among those that are told of
     Time due_{};             // of the component's thread, by the latest answer
-    kj::PromiseFulfillerPair<std::string> lost_ = kj::newPromiseAndFulfiller<std::string>();
+    bool lost_ = false;
+    Lost tellLost_;
     kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> well_;  // null: nobody waits for that
   };
 
   Heartbeat(kj::Timer& timer, wire::Peer::Client peer) : timer_(timer), peer_(kj::mv(peer)) {}
 
-  /// Watches a component of the peer, from the next answer on.
-  kj::Own<Watch> watch(std::string component, Bounds bounds);
+  /// Watches a component of the peer, from the next answer on. `lost` is called when a bound has
+  /// passed, or the peer is gone: then perhaps before this returns.
+  kj::Own<Watch> watch(std::string component, Bounds bounds, Lost lost);
+  /// The peer is gone, and so are all watches, for this reason.
+  void end(const std::string& why);
 
   /// To be set before the first watch: called with each answer, and with when it was asked for.
   using Answered = std::function<void(Time asked, wire::Peer::PingResults::Reader answer)>;
@@ -83,6 +90,7 @@ class Heartbeat {
   Answered answered_;
   std::vector<Watch*> watches_;
   std::vector<std::string> named_;    // what the peer tells of, in this order
+  std::string gone_;                  // why the peer is; "" while it is there
   bool renamed_ = false;              // it is to be told what that is
   bool lostOne_ = false;              // to silence, since the latest answer
   std::int64_t heard_ = 0;            // when the peer sent its latest answer, as it says

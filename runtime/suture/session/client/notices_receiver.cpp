@@ -2,6 +2,12 @@
 #include <suture/wire/tallies.h>
 
 namespace suture {
+namespace {
+
+constexpr const char* kLapsed =
+    "silent: the provider has not heard of this process for longer than its \"silence\" allows";
+
+}  // namespace
 
 void ProviderNews::tell(ChannelStatus status) {
   status_ = status;
@@ -14,12 +20,13 @@ void ProviderNews::close() {
 }
 
 void ProviderNews::lapse() {
-  lapsed_.fulfiller->fulfill(
-      "silent: the provider has not heard of this process for longer than its \"silence\" allows");
+  lapsed_ = true;
+  KJ_IF_MAYBE (end, end_) (*end)->tellBroken(kLapsed);
 }
 
 void ProviderNews::passOnTo(kj::Own<rpc::ClientEnd> end) {
   end->tell(status_);
+  if (lapsed_) end->tellBroken(kLapsed);
   if (closed_) end->close(ChannelStatus::Lost);
   end_ = kj::mv(end);
 }

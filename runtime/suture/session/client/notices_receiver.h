@@ -17,16 +17,15 @@ class ProviderNews final : public kj::Refcounted {
  public:
   void tell(ChannelStatus status);
   void close();
+  /// The provider has given this client up.
   void lapse();
 
   void passOnTo(kj::Own<rpc::ClientEnd> end);
-  /// Resolves, in words for people, when the provider has given this client up. Call it once.
-  kj::Promise<std::string> whenLapsed() { return kj::mv(lapsed_.promise); }
 
  private:
   ChannelStatus status_ = ChannelStatus::Connected;
   bool closed_ = false;
-  kj::PromiseFulfillerPair<std::string> lapsed_ = kj::newPromiseAndFulfiller<std::string>();
+  bool lapsed_ = false;
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
 };
 

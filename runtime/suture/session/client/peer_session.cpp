@@ -26,12 +26,12 @@ PeerSession::PeerSession(rpc::ControlThread& control, ManagerLink& manager, cons
             capnp::rpc::twoparty::Side::CLIENT),
       peer_(link_.bootstrap<wire::Peer>()),
       heartbeat_(control.timer(), peer_),
-      whenClosed_(link_.onDisconnect()
-                      .then([this]() -> std::string {
-                        closed_ = true;
-                        return "closed: its process has ended, or the link is broken";
-                      })
-                      .fork()) {
+      ending_(link_.onDisconnect()
+                  .then([this] {
+                    closed_ = true;
+                    heartbeat_.end("closed: its process has ended, or the link is broken");
+                  })
+                  .eagerlyEvaluate(nullptr)) {
   for (const auto& kind : lanes) lanes_.push_back(kind->makeClient(*this));
 }
 

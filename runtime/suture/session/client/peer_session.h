@@ -46,17 +46,18 @@ class PeerSession final : private ClientSession {
   std::shared_ptr<const PeerState> state() const { return state_; }
   LaneClient& lane(std::size_t which) { return *lanes_[which]; }
 
-  /// Watches a component of the peer.
-  kj::Own<Heartbeat::Watch> watch(const std::string& component, Heartbeat::Bounds bounds) {
-    return heartbeat_.watch(component, bounds);
+  /// Watches a component of the peer, and the control link.
+  kj::Own<Heartbeat::Watch> watch(const std::string& component, Heartbeat::Bounds bounds,
+                                  Heartbeat::Lost lost) {
+    return heartbeat_.watch(component, bounds, kj::mv(lost));
   }
   /// A connection gives the peer up after `silence`: no socket may break before.
   void bear(Duration silence);
 
   /// The control link has ended, or the peer has been silent for longer than any connection bears.
   bool broken() const { return closed_ || heartbeat_.silent(); }
-  /// Resolves with the reason, in words, when the control link has ended.
-  kj::Promise<std::string> whenClosed() { return whenClosed_.addBranch(); }
+  /// The control link has ended.
+  bool closed() const { return closed_; }
 
  private:
   rpc::ControlThread& control() override { return control_; }
@@ -85,7 +86,7 @@ class PeerSession final : private ClientSession {
   std::vector<kj::Own<LaneClient>> lanes_;  // in the order of the process's
   bool closed_ = false;
   kj::Promise<void> telling_ = kj::READY_NOW;
-  kj::ForkedPromise<std::string> whenClosed_;  // last: cancelled first
+  kj::Promise<void> ending_;  // last: cancelled first
 };
 
 }  // namespace suture

@@ -47,18 +47,21 @@ RemoteConnection::RemoteConnection(rpc::ControlThread& control, Sessions& sessio
                                         : watch_->contract.longestSilence()) {}
 
 RemoteConnection::~RemoteConnection() noexcept(false) {
-  keeping_ = kj::READY_NOW;
+  letGo();
   KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Lost);
 }
 
 kj::Promise<void> RemoteConnection::open() {
-  return connect(options_.patience, options_.patience + kDialLimit).then([this] {
-    keeping_ = keep().eagerlyEvaluate(nullptr);
-  });
+  return connect(options_.patience, options_.patience + kDialLimit).then([this] { keep(); });
+}
+
+void RemoteConnection::letGo() {
+  losing_ = nullptr;
+  comingBack_ = nullptr;
 }
 
 void RemoteConnection::end() {
-  keeping_ = kj::READY_NOW;
+  letGo();
   KJ_IF_MAYBE (end, end_) (*end)->close(ChannelStatus::Closed);
 }
 
@@ -76,21 +79,25 @@ kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
 
 // Does not connect a provider that hangs, only to lose it again.
 kj::Promise<void> RemoteConnection::introduce() {
+  auto lost = kj::newPromiseAndFulfiller<void>();
   auto watch =
-      session_->watch(to_.component, {.silence = Heartbeat::kEver, .hang = longestSilence_});
-  auto lost = watch->whenLost().then([this](std::string&& why) -> kj::Promise<void> {
-    return rpc::failure(Type::FAILED, "connecting " + name() + ": the provider is " + why +
-                                          ". Look at what it is doing.");
-  });
-  // A question that a link has taken with it is never answered.
-  auto closed = session_->whenClosed().then([this](std::string&& why) -> kj::Promise<void> {
-    return rpc::disconnected("connecting " + name() + ": the link was " + why + ". Try again.");
-  });
+      session_->watch(to_.component, {.silence = Heartbeat::kEver, .hang = longestSilence_},
+                      [this, out = kj::mv(lost.fulfiller)](const std::string& why) mutable {
+                        out->reject(whyNotIntroduced(why));
+                      });
   auto asked = watch->whenWell().then([this] { return requireClocksThatCanTell(); }).then([this] {
     laneReason_.clear();
     return ask(firstLane());
   });
-  return lost.exclusiveJoin(kj::mv(closed)).exclusiveJoin(kj::mv(asked)).attach(kj::mv(watch));
+  return lost.promise.exclusiveJoin(kj::mv(asked)).attach(kj::mv(watch));
+}
+
+// A question that a link has taken with it is never answered.
+kj::Exception RemoteConnection::whyNotIntroduced(const std::string& why) const {
+  const std::string what = "connecting " + name() + ": ";
+  return session_->closed() ? rpc::disconnected(what + "the link was " + why + ". Try again.")
+                            : rpc::failure(Type::FAILED, what + "the provider is " + why +
+                                                             ". Look at what it is doing.");
 }
 
 // Within the clocks' error a ttl means nothing: late commands would run, or timely ones be late.
@@ -217,7 +224,6 @@ void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Rea
   std::shared_ptr<Channel> channel = std::move(opened.channel);
   KJ_ASSERT_NONNULL(news_)->passOnTo(kj::addRef(*opened.end));
   end_ = kj::mv(opened.end);
-  laneBroken_ = kj::mv(opened.broken);
   if (delays_ != nullptr) {
     channel = delays_->interpose(required_, std::move(channel), options_.delay);
   }
@@ -227,21 +233,21 @@ void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Rea
 }
 
 // A peer that is stopped, or behind a cable that was pulled, says nothing; so it is asked.
-kj::Promise<void> RemoteConnection::keep() {
+void RemoteConnection::keep() {
   session_->bear(longestSilence_);
-  auto watch =
-      session_->watch(to_.component, {.silence = longestSilence_, .hang = longestSilence_});
-  auto lost = watch->whenLost();
-  return lost.attach(kj::mv(watch))
-      .exclusiveJoin(session_->whenClosed())
-      .exclusiveJoin(std::exchange(laneBroken_, kj::NEVER_DONE))
-      .exclusiveJoin(KJ_ASSERT_NONNULL(news_)->whenLapsed())
-      .then([this](std::string&& why) {
-        told_.lost(name(), std::move(why));
-        drop();
-        return comeBack(kFirstRedialPause);
-      })
-      .then([this] { return keep(); });
+  watching_ = session_->watch(to_.component, {.silence = longestSilence_, .hang = longestSilence_},
+                              [this](std::string why) { lose(std::move(why)); });
+  KJ_ASSERT_NONNULL(end_)->onBroken([this](std::string why) { lose(std::move(why)); });
+}
+
+// Later, since whoever tells of the loss is what is dropped.
+void RemoteConnection::lose(std::string why) {
+  losing_ = kj::evalLater([this, why = std::move(why)]() mutable {
+              told_.lost(name(), std::move(why));
+              drop();
+              comingBack_ =
+                  comeBack(kFirstRedialPause).then([this] { keep(); }).eagerlyEvaluate(nullptr);
+            }).eagerlyEvaluate(nullptr);
 }
 
 void RemoteConnection::drop() {
@@ -249,7 +255,7 @@ void RemoteConnection::drop() {
   end_ = nullptr;
   news_ = nullptr;
   connection_ = nullptr;
-  laneBroken_ = kj::NEVER_DONE;
+  watching_ = nullptr;
   session_ = nullptr;
 }
 

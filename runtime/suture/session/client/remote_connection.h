@@ -49,6 +49,7 @@ class RemoteConnection {
   /// `limit`: how long the peer may take for each answer.
   kj::Promise<void> connect(Duration patience, Duration limit);
   kj::Promise<void> introduce();
+  kj::Exception whyNotIntroduced(const std::string& why) const;
   kj::Promise<void> requireClocksThatCanTell();
   /// The place of the first that may carry it. Throws if there is none of the name asked for.
   std::size_t firstLane() const;
@@ -63,7 +64,9 @@ class RemoteConnection {
   void use(OpenedEnd opened, wire::ConnectResults::Accepted::Reader accepted);
   OutgoingConnection outgoing() const;
   std::string name() const { return from_.toString() + " -> " + to_.toString(); }
-  kj::Promise<void> keep();
+  void keep();
+  void letGo();
+  void lose(std::string why);
   kj::Promise<void> comeBack(Duration pause);
   void drop();
 
@@ -84,8 +87,10 @@ class RemoteConnection {
   kj::Maybe<wire::Connection::Client> connection_;
   kj::Maybe<kj::Own<ProviderNews>> news_;
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
-  kj::Promise<std::string> laneBroken_ = kj::NEVER_DONE;
-  kj::Promise<void> keeping_ = kj::READY_NOW;  // last: cancelled first
+  kj::Maybe<kj::Own<Heartbeat::Watch>> watching_;
+  // Null as long as nothing was lost, since a promise of KJ takes half a KiB. Last: cancelled
+  // first.
+  kj::Maybe<kj::Promise<void>> comingBack_, losing_;
 };
 
 }  // namespace suture

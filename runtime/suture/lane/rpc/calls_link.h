@@ -1,0 +1,36 @@
+#pragma once
+// A socket for calls, as the client's process has it.
+
+#include <suture/calls.capnp.h>
+#include <suture/framing/link.h>
+#include <suture/lane/lane_kind.h>
+
+#include <memory>
+
+namespace suture::rpc {
+
+/// Shared by the connections whose calls it carries. Belongs to the control thread.
+class CallsLink {
+ public:
+  CallsLink(ControlThread& control, LaneSocket socket);
+
+  std::uint32_t number() const { return number_; }
+  /// It carries nothing any more. The control thread's pumps run when that has happened.
+  bool broken() const { return broken_; }
+  std::shared_ptr<const LinkCounters> counters() const { return link_.counters(); }
+  /// Returns the capability of a connection's contract; `counts` is told what becomes of its
+  /// commands.
+  capnp::Capability::Client contract(std::uint32_t connection, wire::CommandCounts::Client counts);
+  /// How long the kernel waits for an answer to what was sent.
+  void bear(Duration silence) const;
+
+ private:
+  const std::uint32_t number_;
+  const int socket_;
+  Link link_;
+  wire::Calls::Client peer_;
+  bool broken_ = false;
+  kj::Promise<void> ending_;  // last: cancelled first
+};
+
+}  // namespace suture::rpc
