@@ -4,6 +4,7 @@
 
 #include "compiler/check/rules.h"
 #include "compiler/check/type_tree.h"
+#include "compiler/model/flat_size.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::check {

@@ -31,8 +31,4 @@ bool walk(const model::Type& type, const model::Lookup& lookup,
 /// Whether a value of the type owns memory on the heap.
 bool ownsHeap(const model::Type& type, const model::Lookup& lookup);
 
-/// Bytes of the type's flat form without padding; saturates. Unbounded levels count as empty. The
-/// type must be free of recursion.
-std::uint64_t flatSize(const model::Type& type, const model::Lookup& lookup);
-
 }  // namespace suture::compiler::check
