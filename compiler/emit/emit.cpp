@@ -162,7 +162,8 @@ bool mentions(std::string_view text, std::string_view word) {
 /// Emits a using-declaration for each name of the runtime that `body` mentions.
 void emitUsings(Code& code, std::string_view body) {
   bool any = false;
-  for (const char* const name : {"CommandInfo",
+  for (const char* const name : {"BoundedLevel",
+                                 "CommandInfo",
                                  "CommandKind",
                                  "Duration",
                                  "Errc",
@@ -170,6 +171,7 @@ void emitUsings(Code& code, std::string_view body) {
                                  "FieldPath",
                                  "checkSlot",
                                  "elementsIn",
+                                 "levelAt",
                                  "load",
                                  "newSlot",
                                  "refusedAt",

@@ -100,6 +100,7 @@ bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
+using suture::BoundedLevel;
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
@@ -107,6 +108,7 @@ using suture::Errc;
 using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
+using suture::levelAt;
 using suture::newSlot;
 using suture::refusedAt;
 using suture::rpc::CommandCodec;
@@ -1504,6 +1506,14 @@ const suture::rpc::Codec& armCodec() {
   return kCodec;
 }
 
+constexpr BoundedLevel kArmBodyJacobianResultLevels[] = {
+    levelAt<suture::BoundedList<double, 48>>(offsetof(JacobianSlot, coefficients)),
+};
+
+constexpr BoundedLevel kArmSpatialJacobianResultLevels[] = {
+    levelAt<suture::BoundedList<double, 48>>(offsetof(JacobianSlot, coefficients)),
+};
+
 constexpr CommandInfo kArmCommands[] = {
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
     {.name = "disable", .kind = CommandKind::Void, .depth = 16},
@@ -1672,14 +1682,16 @@ constexpr CommandInfo kArmCommands[] = {
      .depth = 16,
      .column = 16,
      .acceptsResult = checkSlot<JacobianSlot, isValid>,
-     .shiftResult = shiftSlot<JacobianSlot>},
+     .shiftResult = shiftSlot<JacobianSlot>,
+     .resultLevels = kArmBodyJacobianResultLevels},
     {.name = "spatial_jacobian",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
      .column = 17,
      .acceptsResult = checkSlot<JacobianSlot, isValid>,
-     .shiftResult = shiftSlot<JacobianSlot>},
+     .shiftResult = shiftSlot<JacobianSlot>,
+     .resultLevels = kArmSpatialJacobianResultLevels},
     {.name = "base_frame",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TransformStampedSlot>,

@@ -17,12 +17,14 @@ bool isValid(const ImageFrameSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
+using suture::BoundedLevel;
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
 using suture::Errc;
 using suture::FieldPath;
 using suture::checkSlot;
+using suture::levelAt;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
@@ -172,6 +174,11 @@ const suture::rpc::Codec& stereoImagesCodec() {
   return kCodec;
 }
 
+constexpr BoundedLevel kStereoImagesImagesResultLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 2097152>>(offsetof(StereoPairSlot, left.data)),
+    levelAt<suture::BoundedList<std::uint8_t, 2097152>>(offsetof(StereoPairSlot, right.data)),
+};
+
 void shiftStereoImagesExposedResult(std::int64_t& slot, Duration shift) {
   slot = shifted(slot, shift);
 }
@@ -183,7 +190,8 @@ constexpr CommandInfo kStereoImagesCommands[] = {
      .depth = 16,
      .column = 0,
      .acceptsResult = checkSlot<StereoPairSlot, isValid>,
-     .shiftResult = shiftSlot<StereoPairSlot>},
+     .shiftResult = shiftSlot<StereoPairSlot>,
+     .resultLevels = kStereoImagesImagesResultLevels},
     {.name = "exposed",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::int64_t>,

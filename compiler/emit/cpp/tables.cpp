@@ -1,3 +1,4 @@
+#include "compiler/emit/cpp/levels.h"
 #include "compiler/emit/cpp/stamps.h"
 #include "compiler/emit/text/contract.h"
 #include "compiler/emit/text/parts.h"
@@ -89,10 +90,18 @@ void emitCommand(Code& table, Code& before, const Context& context,
                       ", " + check + ">");
   }
   addMember(members, ".shiftArguments", shiftOf(slot, argumentValues(command), context));
+  const std::string name = prefixOf(interface) + model::titleCase(command.wireName);
   if (command.result) {
-    const std::string name = "shift" + prefixOf(interface) + model::titleCase(command.wireName);
     addMember(members, ".shiftResult",
-              emitShiftOf(before, *command.result, name + "Result", context));
+              emitShiftOf(before, *command.result, "shift" + name + "Result", context));
+  }
+  addMember(
+      members, ".argumentsLevels",
+      emitLevels(before, "k" + name + "ArgumentsLevels", slot, argumentValues(command), context));
+  if (command.result) {
+    addMember(members, ".resultLevels",
+              emitLevels(before, "k" + name + "ResultLevels",
+                         slotType(*command.result, context, home), resultValues(command), context));
   }
   emitEntry(table, members);
 }
@@ -119,6 +128,16 @@ std::string shiftOfPayload(Code& before, const Context& context, const model::In
   return emitShiftOf(before, event.payload.front(), name + "Payload", context);
 }
 
+std::string levelsOfPayload(Code& before, const Context& context, const model::Interface& interface,
+                            const model::Event& event) {
+  if (event.payload.empty()) return "";
+  const std::string name =
+      "k" + prefixOf(interface) + model::titleCase(event.wireName) + "PayloadLevels";
+  return emitLevels(before, name,
+                    payloadSlot(interface, event, context, context.header.cxxNamespace),
+                    payloadValues(event), context);
+}
+
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<const model::Event*> own = ownEvents(interface);
   if (own.empty()) return;
@@ -142,6 +161,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
       members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
     }
     addMember(members, ".shiftPayload", shiftOfPayload(code, context, interface, *event));
+    addMember(members, ".payloadLevels", levelsOfPayload(code, context, interface, *event));
     emitEntry(table, members);
   }
   code.line("constexpr EventInfo k", prefixOf(interface), "Events[] = {");

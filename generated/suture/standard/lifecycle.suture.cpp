@@ -10,6 +10,7 @@
 
 namespace suture {
 
+using suture::BoundedLevel;
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
@@ -17,6 +18,7 @@ using suture::Errc;
 using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
+using suture::levelAt;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
@@ -349,13 +351,18 @@ constexpr CommandInfo kLifecycleCommands[] = {
      .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleResumeConnectionResult>},
 };
 
+constexpr BoundedLevel kLifecycleStateChangedPayloadLevels[] = {
+    levelAt<suture::BoundedText<255>>(offsetof(StateChangeSlot, fault)),
+};
+
 constexpr EventInfo kLifecycleEvents[] = {
     {.name = "state_changed",
      .payloadSize = slotSize<StateChangeSlot>,
      .depth = 16,
      .latched = true,
      .accepts = checkSlot<StateChangeSlot, isValid>,
-     .shiftPayload = shiftSlot<StateChangeSlot>},
+     .shiftPayload = shiftSlot<StateChangeSlot>,
+     .payloadLevels = kLifecycleStateChangedPayloadLevels},
 };
 
 // The self-description, as in suture/standard/lifecycle.suture.json.

@@ -10,11 +10,13 @@
 
 namespace suture {
 
+using suture::BoundedLevel;
 using suture::Duration;
 using suture::Errc;
 using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
+using suture::levelAt;
 using suture::load;
 using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
@@ -137,25 +139,40 @@ const suture::rpc::Codec& messagesCodec() {
   return kCodec;
 }
 
+constexpr BoundedLevel kMessagesStatusPayloadLevels[] = {
+    levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
+};
+
+constexpr BoundedLevel kMessagesWarningPayloadLevels[] = {
+    levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
+};
+
+constexpr BoundedLevel kMessagesErrorPayloadLevels[] = {
+    levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
+};
+
 constexpr EventInfo kMessagesEvents[] = {
     {.name = "status",
      .payloadSize = slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
      .accepts = checkSlot<MessageSlot, isValid>,
-     .shiftPayload = shiftSlot<MessageSlot>},
+     .shiftPayload = shiftSlot<MessageSlot>,
+     .payloadLevels = kMessagesStatusPayloadLevels},
     {.name = "warning",
      .payloadSize = slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
      .accepts = checkSlot<MessageSlot, isValid>,
-     .shiftPayload = shiftSlot<MessageSlot>},
+     .shiftPayload = shiftSlot<MessageSlot>,
+     .payloadLevels = kMessagesWarningPayloadLevels},
     {.name = "error",
      .payloadSize = slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
      .accepts = checkSlot<MessageSlot, isValid>,
-     .shiftPayload = shiftSlot<MessageSlot>},
+     .shiftPayload = shiftSlot<MessageSlot>,
+     .payloadLevels = kMessagesErrorPayloadLevels},
 };
 
 // The self-description, as in suture/standard/messages.suture.json.

@@ -10,6 +10,7 @@
 
 namespace large_values {
 
+using suture::BoundedLevel;
 using suture::CommandInfo;
 using suture::CommandKind;
 using suture::Duration;
@@ -17,6 +18,7 @@ using suture::Errc;
 using suture::EventInfo;
 using suture::FieldPath;
 using suture::checkSlot;
+using suture::levelAt;
 using suture::load;
 using suture::newSlot;
 using suture::refusedAt;
@@ -214,31 +216,62 @@ const suture::rpc::Codec& galleryCodec() {
   return kCodec;
 }
 
+constexpr BoundedLevel kGalleryNewestResultLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
+};
+
+constexpr BoundedLevel kGalleryOldestResultLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
+};
+
+constexpr BoundedLevel kGalleryDimmedArgumentsLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(GalleryDimmedArguments,
+                                                                 picture.pixels)),
+};
+
+constexpr BoundedLevel kGalleryDimmedResultLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
+};
+
+constexpr BoundedLevel kGalleryHangArgumentsLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(GalleryHangArguments,
+                                                                 picture.pixels)),
+};
+
 constexpr CommandInfo kGalleryCommands[] = {
     {.name = "newest",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PictureSlot>,
      .depth = 16,
      .column = 0,
-     .acceptsResult = checkSlot<PictureSlot, isValid>},
+     .acceptsResult = checkSlot<PictureSlot, isValid>,
+     .resultLevels = kGalleryNewestResultLevels},
     {.name = "oldest",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PictureSlot>,
      .depth = 16,
      .column = 1,
-     .acceptsResult = checkSlot<PictureSlot, isValid>},
+     .acceptsResult = checkSlot<PictureSlot, isValid>,
+     .resultLevels = kGalleryOldestResultLevels},
     {.name = "dimmed",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<GalleryDimmedArguments>,
      .resultSize = slotSize<PictureSlot>,
      .depth = 16,
      .accepts = checkSlot<GalleryDimmedArguments, acceptsGalleryDimmed>,
-     .acceptsResult = checkSlot<PictureSlot, isValid>},
+     .acceptsResult = checkSlot<PictureSlot, isValid>,
+     .argumentsLevels = kGalleryDimmedArgumentsLevels,
+     .resultLevels = kGalleryDimmedResultLevels},
     {.name = "hang",
      .kind = CommandKind::Write,
      .argumentsSize = slotSize<GalleryHangArguments>,
      .depth = 2,
-     .accepts = checkSlot<GalleryHangArguments, acceptsGalleryHang>},
+     .accepts = checkSlot<GalleryHangArguments, acceptsGalleryHang>,
+     .argumentsLevels = kGalleryHangArgumentsLevels},
+};
+
+constexpr BoundedLevel kGalleryHungPayloadLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
 };
 
 constexpr EventInfo kGalleryEvents[] = {
@@ -246,7 +279,8 @@ constexpr EventInfo kGalleryEvents[] = {
      .payloadSize = slotSize<PictureSlot>,
      .depth = 16,
      .latest = true,
-     .accepts = checkSlot<PictureSlot, isValid>},
+     .accepts = checkSlot<PictureSlot, isValid>,
+     .payloadLevels = kGalleryHungPayloadLevels},
 };
 
 // The self-description, as in unit/large_values/picture.suture.json.

@@ -2,6 +2,7 @@
 // What the runtime knows of a contract: plain tables that suturec writes.
 
 #include <suture/base/field_path.h>
+#include <suture/base/slots/bounded_level.h>
 #include <suture/base/time.h>
 #include <suture/component/contract/wire_numbers.h>
 
@@ -47,6 +48,8 @@ struct CommandInfo {
   ValueCheck accepts = nullptr, acceptsResult = nullptr;  ///< null: it admits all
   // Turn the stamps in a slot, of any bytes, into those of another clock; null: it has none.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
+  // What need not be copied of a slot with large lists.
+  BoundedLevels argumentsLevels = {}, resultLevels = {};
 
   /// A peer that may only read may call it.
   bool reads() const { return kind == CommandKind::Read || kind == CommandKind::QualifiedRead; }
@@ -72,6 +75,7 @@ struct EventInfo {
   bool sharedPayload = false;         ///< as of a command
   ValueCheck accepts = nullptr;       ///< as of a command
   StampShift shiftPayload = nullptr;  ///< as of a command
+  BoundedLevels payloadLevels = {};   ///< as of a command
 
   /// Checks the payload, as of a command.
   bool admits(const std::byte* payload, FieldPath* path = nullptr) const {

@@ -1,0 +1,635 @@
+// Written by suturec from shapes/large.h. Do not edit.
+#include "shapes/large.suture.h"
+
+#include <suture/wire/codec.h>
+#include <suture/wire/wire.h>
+
+#include <type_traits>
+
+#include "shapes/large.capnp.h"
+
+namespace shapes {
+
+using suture::BoundedLevel;
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::FieldPath;
+using suture::checkSlot;
+using suture::levelAt;
+using suture::load;
+using suture::newSlot;
+using suture::refusedAt;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
+using suture::rpc::allOf;
+using suture::rpc::firstError;
+using suture::rpc::fromWire;
+using suture::rpc::fromWireList;
+using suture::rpc::isValid;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
+using suture::rpc::toWire;
+using suture::rpc::toWireList;
+using suture::slotIn;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(Trace::channel), std::uint32_t>);
+static_assert(std::is_same_v<decltype(Trace::samples), std::vector<double>>);
+static_assert(std::is_same_v<decltype(Trace::gain), double>);
+static_assert(std::is_same_v<decltype(Large::first), double>);
+static_assert(std::is_same_v<decltype(Large::text), std::string>);
+static_assert(std::is_same_v<decltype(Large::name), std::string>);
+static_assert(std::is_same_v<decltype(Large::traces), std::vector<shapes::Trace>>);
+static_assert(std::is_same_v<decltype(Large::image),
+                             Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>>);
+static_assert(std::is_same_v<decltype(Large::inner), Trace>);
+static_assert(std::is_same_v<decltype(Large::maybe), std::optional<shapes::Trace>>);
+static_assert(std::is_same_v<decltype(Large::both),
+                             std::tuple<std::int8_t, shapes::Trace, std::vector<std::int64_t>>>);
+static_assert(std::is_same_v<decltype(Large::gains), std::map<std::uint16_t, double>>);
+static_assert(std::is_same_v<decltype(Large::pair), std::array<shapes::Trace, 2>>);
+static_assert(std::is_same_v<decltype(Large::choice),
+                             std::variant<std::monostate, shapes::Trace, std::vector<float>>>);
+static_assert(std::is_same_v<decltype(Large::last), std::int64_t>);
+
+}  // namespace
+
+bool store(const Trace& value, TraceSlot& slot) {
+  bool fits = true;
+  fits &= store(value.channel, slot.channel);
+  fits &= store(value.samples, slot.samples);
+  fits &= store(value.gain, slot.gain);
+  return fits;
+}
+
+void load(const TraceSlot& slot, Trace& value) {
+  load(slot.channel, value.channel);
+  load(slot.samples, value.samples);
+  load(slot.gain, value.gain);
+}
+
+void reserve(const TraceSlot*, Trace& value) {
+  suture::reserveFor<decltype(TraceSlot::samples)>(value.samples);
+}
+
+bool store(const Large& value, LargeSlot& slot) {
+  bool fits = true;
+  fits &= store(value.first, slot.first);
+  fits &= store(value.text, slot.text);
+  fits &= store(value.name, slot.name);
+  fits &= store(value.traces, slot.traces);
+  fits &= store(value.image, slot.image);
+  fits &= store(value.inner, slot.inner);
+  fits &= store(value.maybe, slot.maybe);
+  fits &= store(value.both, slot.both);
+  fits &= store(value.gains, slot.gains);
+  fits &= store(value.pair, slot.pair);
+  fits &= store(value.choice, slot.choice);
+  fits &= store(value.last, slot.last);
+  return fits;
+}
+
+void load(const LargeSlot& slot, Large& value) {
+  load(slot.first, value.first);
+  load(slot.text, value.text);
+  load(slot.name, value.name);
+  load(slot.traces, value.traces);
+  load(slot.image, value.image);
+  load(slot.inner, value.inner);
+  load(slot.maybe, value.maybe);
+  load(slot.both, value.both);
+  load(slot.gains, value.gains);
+  load(slot.pair, value.pair);
+  load(slot.choice, value.choice);
+  load(slot.last, value.last);
+}
+
+void reserve(const LargeSlot*, Large& value) {
+  suture::reserveFor<decltype(LargeSlot::text)>(value.text);
+  suture::reserveFor<decltype(LargeSlot::name)>(value.name);
+  suture::reserveFor<decltype(LargeSlot::traces)>(value.traces);
+  suture::reserveFor<decltype(LargeSlot::inner)>(value.inner);
+  suture::reserveFor<decltype(LargeSlot::pair)>(value.pair);
+}
+
+bool store(const std::vector<double>& values, const Large& rest, RecorderKeepArguments& slot) {
+  return store(values, slot.values) && store(rest, slot.rest);
+}
+
+bool store(const std::string& name, RecorderRenameArguments& slot) {
+  return store(name, slot.name);
+}
+
+bool store(const std::int32_t& value, const Large& value2, RecorderSaidPayload& slot) {
+  return store(value, slot.value) && store(value2, slot.value2);
+}
+
+void load(const RecorderSaidPayload& slot, std::int32_t& value, Large& value2) {
+  load(slot.value, value);
+  load(slot.value2, value2);
+}
+
+void reserve(const RecorderSaidPayload*, std::int32_t& /*value*/, Large& value2) {
+  suture::reserveFor<decltype(RecorderSaidPayload::value2)>(value2);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const TraceSlot& slot, wire::Trace::Builder out) {
+  out.setChannel(slot.channel);
+  toWire(slot.samples, out.initSamples(sizeOf(slot.samples)));
+  out.setGain(slot.gain);
+}
+
+Errc fromWire(wire::Trace::Reader in, TraceSlot& slot, Duration) {
+  slot.channel = in.getChannel();
+  slot.gain = in.getGain();
+  return fromWire(in.getSamples(), slot.samples);
+}
+
+bool isValid(const TraceSlot& slot, FieldPath* path) {
+  if (!isValid(slot.samples, path)) return refusedAt(path, "samples");
+  return isValid(slot.gain) || refusedAt(path, "gain");
+}
+
+void toWire(const suture::SlotOptional<TraceSlot>& slot,
+            wire::ShapesLargeOptionalTrace::Builder out) {
+  if (slot.present == 0) return out.setNone();
+  toWire(slot.value, out.initSome());
+}
+
+Errc fromWire(wire::ShapesLargeOptionalTrace::Reader in, suture::SlotOptional<TraceSlot>& slot,
+              Duration shift) {
+  if (in.isNone()) return slot.present = 0, Errc{};
+  if (!in.isSome()) return Errc::Invalid;
+  slot.present = 1;
+  return fromWire(in.getSome(), slot.value, shift);
+}
+
+void toWire(const suture::SlotTuple<std::int8_t, TraceSlot, suture::BoundedList<std::int64_t, 40>>& slot,
+            wire::ShapesLargeTupleOfInt8AndTraceAndListOfInt64::Builder out) {
+  out.setItem0(suture::item<0>(slot));
+  toWire(suture::item<1>(slot), out.initItem1());
+  toWire(suture::item<2>(slot), out.initItem2(sizeOf(suture::item<2>(slot))));
+}
+
+Errc fromWire(wire::ShapesLargeTupleOfInt8AndTraceAndListOfInt64::Reader in,
+              suture::SlotTuple<std::int8_t, TraceSlot, suture::BoundedList<std::int64_t, 40>>& slot,
+              Duration shift) {
+  suture::item<0>(slot) = in.getItem0();
+  return firstError({
+      fromWire(in.getItem1(), suture::item<1>(slot), shift),
+      fromWire(in.getItem2(), suture::item<2>(slot)),
+  });
+}
+
+void toWire(const suture::SlotEntry<std::uint16_t, double>& slot,
+            wire::ShapesLargeEntryOfUInt16ToFloat64::Builder out) {
+  out.setKey(slot.key);
+  out.setValue(slot.value);
+}
+
+Errc fromWire(wire::ShapesLargeEntryOfUInt16ToFloat64::Reader in,
+              suture::SlotEntry<std::uint16_t, double>& slot, Duration) {
+  slot.key = in.getKey();
+  slot.value = in.getValue();
+  return Errc{};
+}
+
+void toWire(const suture::SlotVariant<suture::SlotNothing, TraceSlot, suture::BoundedList<float, 70>>& slot,
+            wire::ShapesLargeEitherOfNothingOrTraceOrListOfFloat32::Builder out) {
+  if (slot.index == 0) return out.setNothing();
+  if (slot.index == 1) return toWire(suture::alternative<1>(slot), out.initTrace());
+  if (slot.index == 2) return toWire(suture::alternative<2>(slot),
+                                     out.initListOfFloat32(sizeOf(suture::alternative<2>(slot))));
+}
+
+Errc fromWire(wire::ShapesLargeEitherOfNothingOrTraceOrListOfFloat32::Reader in,
+              suture::SlotVariant<suture::SlotNothing, TraceSlot, suture::BoundedList<float, 70>>& slot,
+              Duration shift) {
+  if (in.isNothing()) {
+    slot.index = 0;
+    return Errc{};
+  }
+  if (in.isTrace()) {
+    slot.index = 1;
+    return fromWire(in.getTrace(), suture::alternative<1>(slot), shift);
+  }
+  if (in.isListOfFloat32()) {
+    slot.index = 2;
+    return fromWire(in.getListOfFloat32(), suture::alternative<2>(slot));
+  }
+  return Errc::Invalid;
+}
+
+void toWire(const LargeSlot& slot, wire::Large::Builder out) {
+  out.setFirst(slot.first);
+  toWire(slot.text, out.initText(sizeOf(slot.text)));
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
+  toWireList(slot.traces, out.initTraces(sizeOf(slot.traces)),
+             [](const TraceSlot& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWire(slot.image, out.initImage());
+  toWire(slot.inner, out.initInner());
+  toWire(slot.maybe, out.initMaybe());
+  toWire(slot.both, out.initBoth());
+  toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+  toWireList(slot.pair, out.initPair(2), [](const TraceSlot& element, auto list, std::uint32_t i) {
+    toWire(element, list[i]);
+  });
+  toWire(slot.choice, out.initChoice());
+  out.setLast(slot.last);
+}
+
+Errc fromWire(wire::Large::Reader in, LargeSlot& slot, Duration shift) {
+  slot.first = in.getFirst();
+  slot.last = in.getLast();
+  return firstError({
+      fromWire(in.getText(), slot.text),
+      fromWire(in.getName(), slot.name),
+      fromWireList(in.getTraces(), slot.traces, [&](auto item, TraceSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWire(in.getImage(), slot.image),
+      fromWire(in.getInner(), slot.inner, shift),
+      fromWire(in.getMaybe(), slot.maybe, shift),
+      fromWire(in.getBoth(), slot.both, shift),
+      suture::rpc::fromWireDistinct(in.getGains(), slot.gains, [&](auto item, auto& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWireList(in.getPair(), slot.pair, [&](auto item, TraceSlot& target) {
+        return fromWire(item, target, shift);
+      }),
+      fromWire(in.getChoice(), slot.choice, shift),
+  });
+}
+
+bool isValid(const LargeSlot& slot, FieldPath* path) {
+  if (!isValid(slot.first)) return refusedAt(path, "first");
+  if (!allOf(slot.traces, path, [path](const TraceSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "traces");
+  }
+  if (!isValid(slot.image)) return refusedAt(path, "image");
+  if (!isValid(slot.inner, path)) return refusedAt(path, "inner");
+  if (!isValid(slot.maybe, path)) return refusedAt(path, "maybe");
+  if (!isValid(slot.both, path)) return refusedAt(path, "both");
+  if (!isValid(slot.gains, path)) return refusedAt(path, "gains");
+  if (!allOf(slot.pair, path, [path](const TraceSlot& element) {
+    return isValid(element, path);
+  })) {
+    return refusedAt(path, "pair");
+  }
+  return isValid(slot.choice, path) || refusedAt(path, "choice");
+}
+
+namespace {
+
+bool acceptsRecorderKeep(const RecorderKeepArguments& slot, FieldPath* path) {
+  if (!isValid(slot.values, path)) return refusedAt(path, "values");
+  return isValid(slot.rest, path) || refusedAt(path, "rest");
+}
+
+bool acceptsRecorderSaidEvent(const RecorderSaidPayload& slot, FieldPath* path) {
+  return isValid(slot.value2, path) || refusedAt(path, "value2");
+}
+
+// --- Recorder as Cap'n Proto
+
+void encodeRecorderKeep(const RecorderKeepArguments& slot,
+                        wire::Recorder::KeepParams::Builder out) {
+  toWire(slot.values, out.initValues(sizeOf(slot.values)));
+  toWire(slot.rest, out.initRest());
+}
+Errc decodeRecorderKeep(wire::Recorder::KeepParams::Reader in, RecorderKeepArguments& slot,
+                        suture::Duration shift) {
+  return firstError({
+      fromWire(in.getValues(), slot.values),
+      in.hasRest() ? fromWire(in.getRest(), slot.rest, shift) : Errc::Invalid,
+  });
+}
+
+void encodeRecorderRename(const RecorderRenameArguments& slot,
+                          wire::Recorder::RenameParams::Builder out) {
+  toWire(slot.name, out.initName(sizeOf(slot.name)));
+}
+Errc decodeRecorderRename(wire::Recorder::RenameParams::Reader in, RecorderRenameArguments& slot,
+                          suture::Duration) {
+  return fromWire(in.getName(), slot.name);
+}
+
+void encodeRecorderKeptResult(const LargeSlot& slot, wire::Recorder::KeptResults::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeRecorderKeptResult(wire::Recorder::KeptResults::Reader in, LargeSlot& slot,
+                              suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeRecorderHeardEvent(const TraceSlot& slot,
+                              wire::RecorderEvents::HeardParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeRecorderHeardEvent(wire::RecorderEvents::HeardParams::Reader in, TraceSlot& slot,
+                              suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+void encodeRecorderSaidEvent(const RecorderSaidPayload& slot,
+                             wire::RecorderEvents::SaidParams::Builder out) {
+  out.setValue(slot.value);
+  toWire(slot.value2, out.initValue2());
+}
+Errc decodeRecorderSaidEvent(wire::RecorderEvents::SaidParams::Reader in, RecorderSaidPayload& slot,
+                             suture::Duration shift) {
+  slot.value = in.getValue();
+  return in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way converts them all.
+void encodeRecorderColumn(unsigned column, const std::byte* memory,
+                          wire::RecorderStateRow::Builder out) {
+  switch (column) {
+    case 0: {
+      const auto& slot = slotIn<LargeSlot>(memory);
+      toWire(slot, out.initKept());
+      break;
+    }
+  }
+}
+Errc decodeRecorderColumn(wire::RecorderStateRow::Reader in, unsigned column, std::byte* memory,
+                          suture::Duration shift) {
+  switch (column) {
+    case 0: {
+      auto& slot = newSlot<LargeSlot>(memory);
+      return in.hasKept() ? fromWire(in.getKept(), slot, shift) : Errc::Invalid;
+    }
+  }
+  return Errc::Invalid;
+}
+
+constexpr CommandCodec kRecorderCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Recorder>(),
+     .method = 1,
+     .sent = sentIn<wire::Recorder::KeepParams>,
+     .arguments = messageOf<wire::Recorder::KeepParams, RecorderKeepArguments, encodeRecorderKeep,
+                            decodeRecorderKeep>},
+    {.interface = capnp::typeId<wire::Recorder>(),
+     .method = 2,
+     .sent = sentIn<wire::Recorder::RenameParams>,
+     .arguments = messageOf<wire::Recorder::RenameParams, RecorderRenameArguments,
+                            encodeRecorderRename, decodeRecorderRename>},
+    {.interface = capnp::typeId<wire::Recorder>(),
+     .method = 3,
+     .sent = sentIn<wire::Recorder::KeptParams>,
+     .result = messageOf<wire::Recorder::KeptResults, LargeSlot, encodeRecorderKeptResult,
+                         decodeRecorderKeptResult>,
+     .stamp = stampIn<wire::Recorder::KeptResults>},
+};
+
+constexpr EventCodec kRecorderEventCodecs[] = {
+    {.method = 1,
+     .stamp = stampIn<wire::RecorderEvents::HeardParams>,
+     .payload = messageOf<wire::RecorderEvents::HeardParams, TraceSlot, encodeRecorderHeardEvent,
+                          decodeRecorderHeardEvent>},
+    {.method = 2,
+     .stamp = stampIn<wire::RecorderEvents::SaidParams>,
+     .payload = messageOf<wire::RecorderEvents::SaidParams, RecorderSaidPayload,
+                          encodeRecorderSaidEvent, decodeRecorderSaidEvent>},
+};
+
+const suture::rpc::Codec& recorderCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::Recorder>,
+      .contract = capnp::typeId<wire::Recorder>(),
+      .subscriber = capnp::typeId<wire::RecorderEvents>(),
+      .commands = kRecorderCommandCodecs,
+      .events = kRecorderEventCodecs,
+      .row = suture::rpc::rowOf<wire::RecorderEvents::StateParams, wire::RecorderStateRow,
+                                encodeRecorderColumn, decodeRecorderColumn>,
+  };
+  return kCodec;
+}
+
+constexpr BoundedLevel kRecorderKeepArgumentsLevels[] = {
+    levelAt<suture::BoundedList<double, 64>>(offsetof(RecorderKeepArguments, values)),
+    levelAt<suture::BoundedText<300>>(offsetof(RecorderKeepArguments, rest.text)),
+    levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(RecorderKeepArguments, rest.traces)),
+    levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(RecorderKeepArguments, rest.image)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments, rest.inner.samples)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments,
+                                                       rest.maybe.value.samples)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments,
+                                                       rest.both.tail.head.samples)),
+    levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(RecorderKeepArguments,
+                                                            rest.both.tail.tail.head)),
+    levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(
+        offsetof(RecorderKeepArguments, rest.gains)),
+};
+
+constexpr BoundedLevel kRecorderKeptResultLevels[] = {
+    levelAt<suture::BoundedText<300>>(offsetof(LargeSlot, text)),
+    levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(LargeSlot, traces)),
+    levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(LargeSlot, image)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, inner.samples)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, maybe.value.samples)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, both.tail.head.samples)),
+    levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(LargeSlot, both.tail.tail.head)),
+    levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(offsetof(LargeSlot,
+                                                                                        gains)),
+};
+
+constexpr CommandInfo kRecorderCommands[] = {
+    {.name = "keep",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<RecorderKeepArguments>,
+     .depth = 16,
+     .accepts = checkSlot<RecorderKeepArguments, acceptsRecorderKeep>,
+     .argumentsLevels = kRecorderKeepArgumentsLevels},
+    {.name = "rename",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<RecorderRenameArguments>,
+     .depth = 16},
+    {.name = "kept",
+     .kind = CommandKind::Read,
+     .resultSize = slotSize<LargeSlot>,
+     .depth = 16,
+     .column = 0,
+     .acceptsResult = checkSlot<LargeSlot, isValid>,
+     .resultLevels = kRecorderKeptResultLevels},
+};
+
+constexpr BoundedLevel kRecorderHeardPayloadLevels[] = {
+    levelAt<suture::BoundedList<double, 100>>(offsetof(TraceSlot, samples)),
+};
+
+constexpr BoundedLevel kRecorderSaidPayloadLevels[] = {
+    levelAt<suture::BoundedText<300>>(offsetof(RecorderSaidPayload, value2.text)),
+    levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(RecorderSaidPayload, value2.traces)),
+    levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(RecorderSaidPayload, value2.image)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload, value2.inner.samples)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload,
+                                                       value2.maybe.value.samples)),
+    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload,
+                                                       value2.both.tail.head.samples)),
+    levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(RecorderSaidPayload,
+                                                            value2.both.tail.tail.head)),
+    levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(
+        offsetof(RecorderSaidPayload, value2.gains)),
+};
+
+constexpr EventInfo kRecorderEvents[] = {
+    {.name = "heard",
+     .payloadSize = slotSize<TraceSlot>,
+     .depth = 16,
+     .accepts = checkSlot<TraceSlot, isValid>,
+     .payloadLevels = kRecorderHeardPayloadLevels},
+    {.name = "said",
+     .payloadSize = slotSize<RecorderSaidPayload>,
+     .depth = 16,
+     .accepts = checkSlot<RecorderSaidPayload, acceptsRecorderSaidEvent>,
+     .payloadLevels = kRecorderSaidPayloadLevels},
+};
+
+// The self-description, as in shapes/large.suture.json.
+constexpr char kRecorderDescription[] = R"json(
+{"name": "shapes::Recorder", "doc": "Carries them as arguments, results and payloads.",
+"hash": "f8caf1e8950625d22fbfe8116cc50ebc", "commands": [{"name": "keep", "kind": "write",
+"ordinal": 1, "parameters": [{"name": "values", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 64}}, {"name": "rest", "type": {"kind": "struct",
+"name": "shapes::Large"}}], "queue": 16}, {"name": "rename", "kind": "write", "ordinal": 2,
+"parameters": [{"name": "name", "type": {"kind": "text", "capacity": 8}}], "queue": 16}, {
+"name": "kept", "kind": "read", "ordinal": 3, "result": {"type": {"kind": "struct",
+"name": "shapes::Large"}}, "queue": 16}], "events": [{"name": "heard", "kind": "write",
+"ordinal": 1, "payload": {"type": {"kind": "struct", "name": "shapes::Trace"}}, "queue": 16}, {
+"name": "said", "kind": "write", "ordinal": 2, "payload": [{"name": "value", "type": {
+"kind": "Int32"}}, {"name": "value2", "type": {"kind": "struct", "name": "shapes::Large"}}],
+"queue": 16}], "enums": [], "structs": [{"name": "shapes::Trace",
+"doc": "A list within whatever holds this.", "fields": [{"name": "channel", "type": {
+"kind": "UInt32"}, "default": 0}, {"name": "samples", "type": {"kind": "list", "element": {
+"kind": "Float64"}, "capacity": 100}}, {"name": "gain", "type": {"kind": "Float64"}, "default": 1.0
+}]}, {"name": "shapes::Large", "doc": "A large level in each place where one can be.", "fields": [{
+"name": "first", "type": {"kind": "Float64"}, "default": 0.0}, {"name": "text", "type": {
+"kind": "text", "capacity": 300}}, {"name": "name", "doc": "too small to tell what is used of it",
+"type": {"kind": "text", "capacity": 8}}, {"name": "traces", "type": {"kind": "list", "element": {
+"kind": "struct", "name": "shapes::Trace"}, "capacity": 5}}, {"name": "image", "type": {
+"kind": "any matrix", "scalar": "Float32", "capacity": [20, 30]}}, {"name": "inner", "type": {
+"kind": "struct", "name": "shapes::Trace"}}, {"name": "maybe", "type": {"kind": "optional",
+"element": {"kind": "struct", "name": "shapes::Trace"}}}, {"name": "both", "type": {
+"kind": "tuple", "elements": [{"kind": "Int8"}, {"kind": "struct", "name": "shapes::Trace"}, {
+"kind": "list", "element": {"kind": "Int64"}, "capacity": 40}]}}, {"name": "gains", "type": {
+"kind": "map", "key": {"kind": "UInt16"}, "value": {"kind": "Float64"}, "capacity": 50}}, {
+"name": "pair", "doc": "travels whole", "type": {"kind": "array", "element": {"kind": "struct",
+"name": "shapes::Trace"}, "length": 2}}, {"name": "choice", "doc": "travels whole", "type": {
+"kind": "variant", "alternatives": [{"kind": "nothing"}, {"kind": "struct", "name": "shapes::Trace"
+}, {"kind": "list", "element": {"kind": "Float32"}, "capacity": 70}]}}, {"name": "last", "type": {
+"kind": "Int64"}, "default": 0}]}], "wire": [{"id": "@0xedaff88b9a8c5a49", "kind": "interface",
+"name": "Recorder", "cxx": "shapes::Recorder", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xb2575c70bf6c42b1"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "keep", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "values",
+"is": "List(Float64)"}, {"at": 1, "name": "rest", "is": "@0x873542a36beeb5ba"}, {"at": 2,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "rename",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "name", "is": "Text"}, {"at": 1,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "kept", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0x873542a36beeb5ba"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xb2575c70bf6c42b1", "kind": "interface", "name": "RecorderEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xbc917f42f869eb04"}]}, {"at": 1,
+"name": "heard", "parameters": [{"at": 0, "name": "value", "is": "@0xc0c3f1634ee6c87a"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "said", "parameters": [{"at": 0,
+"name": "value", "is": "Int32"}, {"at": 1, "name": "value2", "is": "@0x873542a36beeb5ba"}, {
+"at": 2, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xbc917f42f869eb04", "kind": "struct",
+"name": "RecorderStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "kept", "is": "@0x873542a36beeb5ba"}]}, {"id": "@0x873542a36beeb5ba", "kind": "struct",
+"name": "Large", "members": [{"at": 0, "name": "first", "is": "Float64"}, {"at": 1, "name": "text",
+"is": "Text"}, {"at": 2, "name": "name", "is": "Text"}, {"at": 3, "name": "traces",
+"is": "List(@0xc0c3f1634ee6c87a)"}, {"at": 4, "name": "image", "is": "@0xca1e0a0ee662b822"}, {
+"at": 5, "name": "inner", "is": "@0xc0c3f1634ee6c87a"}, {"at": 6, "name": "maybe",
+"is": "@0xc87395fec67d1a0c"}, {"at": 7, "name": "both", "is": "@0xc7ad720f0b29a7d8"}, {"at": 8,
+"name": "gains", "is": "List(@0xf5be256905eaa78a)"}, {"at": 9, "name": "pair",
+"is": "List(@0xc0c3f1634ee6c87a) shape \"2\""}, {"at": 10, "name": "choice",
+"is": "@0xa253bae889c69fa2"}, {"at": 11, "name": "last", "is": "Int64"}]}, {
+"id": "@0xc0c3f1634ee6c87a", "kind": "struct", "name": "Trace", "members": [{"at": 0,
+"name": "channel", "is": "UInt32"}, {"at": 1, "name": "samples", "is": "List(Float64)"}, {"at": 2,
+"name": "gain", "is": "Float64 = 1.0"}]}, {"id": "@0xca1e0a0ee662b822", "kind": "struct",
+"name": "ShapesLargeAnyMatrixOfFloat32", "members": [{"at": 0, "name": "rows", "is": "UInt32"}, {
+"at": 1, "name": "columns", "is": "UInt32"}, {"at": 2, "name": "data", "is": "List(Float32)"}]}, {
+"id": "@0xc87395fec67d1a0c", "kind": "union", "name": "ShapesLargeOptionalTrace", "members": [{
+"at": 0, "name": "none", "is": "Void"}, {"at": 1, "name": "some", "is": "@0xc0c3f1634ee6c87a"}]}, {
+"id": "@0xc7ad720f0b29a7d8", "kind": "struct",
+"name": "ShapesLargeTupleOfInt8AndTraceAndListOfInt64", "members": [{"at": 0, "name": "item0",
+"is": "Int8"}, {"at": 1, "name": "item1", "is": "@0xc0c3f1634ee6c87a"}, {"at": 2, "name": "item2",
+"is": "List(Int64)"}]}, {"id": "@0xf5be256905eaa78a", "kind": "struct",
+"name": "ShapesLargeEntryOfUInt16ToFloat64", "members": [{"at": 0, "name": "key", "is": "UInt16"}, {
+"at": 1, "name": "value", "is": "Float64"}]}, {"id": "@0xa253bae889c69fa2", "kind": "union",
+"name": "ShapesLargeEitherOfNothingOrTraceOrListOfFloat32", "members": [{"at": 0, "name": "nothing",
+"is": "Void"}, {"at": 1, "name": "trace", "is": "@0xc0c3f1634ee6c87a"}, {"at": 2,
+"name": "listOfFloat32", "is": "List(Float32)"}]}]})json";
+
+}  // namespace
+}  // namespace shapes
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<shapes::Recorder>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "shapes::Recorder",
+      .hash = "f8caf1e8950625d22fbfe8116cc50ebc",
+      .description = shapes::kRecorderDescription,
+      .commands = shapes::kRecorderCommands,
+      .events = shapes::kRecorderEvents,
+      .codec = &shapes::recorderCodec,
+  };
+  return kInfo;
+}
+
+auto Provided<shapes::Recorder>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(shapes::RecorderKeepArguments::values)>(scratch.keep_values);
+  reserveFor<decltype(shapes::RecorderKeepArguments::rest)>(scratch.keep_rest);
+  reserveFor<decltype(shapes::RecorderRenameArguments::name)>(scratch.rename_name);
+  return scratch;
+}
+
+Errc Provided<shapes::Recorder>::execute(std::uint16_t command, const std::byte* arguments,
+                                         std::byte* result) {
+  using ::shapes::RecorderCommand;
+  switch (static_cast<RecorderCommand>(command)) {
+    case RecorderCommand::keep: {
+      const auto& slot = slotIn<shapes::RecorderKeepArguments>(arguments);
+      load(slot.values, scratch_.keep_values);
+      load(slot.rest, scratch_.keep_rest);
+      implementation_.keep(scratch_.keep_values, scratch_.keep_rest);
+      return Errc{};
+    }
+    case RecorderCommand::rename: {
+      const auto& slot = slotIn<shapes::RecorderRenameArguments>(arguments);
+      load(slot.name, scratch_.rename_name);
+      implementation_.rename(scratch_.rename_name);
+      return Errc{};
+    }
+    case RecorderCommand::kept: {
+      auto& slot = newSlot<shapes::LargeSlot>(result);
+      return store(implementation_.kept(), slot) ? Errc{} : Errc::TooLarge;
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

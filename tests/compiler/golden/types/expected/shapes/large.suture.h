@@ -1,0 +1,173 @@
+// Written by suturec from shapes/large.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "shapes/large.h"
+
+namespace shapes {
+
+/// A list within whatever holds this.
+struct TraceSlot {
+  std::uint32_t channel;
+  suture::BoundedList<double, 100> samples;
+  double gain;
+};
+
+bool store(const Trace& value, TraceSlot& slot);
+void load(const TraceSlot& slot, Trace& value);
+void reserve(const TraceSlot*, Trace& value);
+
+/// A large level in each place where one can be.
+struct LargeSlot {
+  double first;
+  suture::BoundedText<300> text;
+  suture::BoundedText<8> name;
+  suture::BoundedList<TraceSlot, 5> traces;
+  suture::BoundedMatrix<float, 20, 30> image;  // Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic>
+  TraceSlot inner;
+  suture::SlotOptional<TraceSlot> maybe;
+  suture::SlotTuple<std::int8_t, TraceSlot, suture::BoundedList<std::int64_t, 40>> both;
+  suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50> gains;
+  std::array<TraceSlot, 2> pair;
+  suture::SlotVariant<suture::SlotNothing, TraceSlot, suture::BoundedList<float, 70>> choice;
+  std::int64_t last;
+};
+
+bool store(const Large& value, LargeSlot& slot);
+void load(const LargeSlot& slot, Large& value);
+void reserve(const LargeSlot*, Large& value);
+
+// --- Recorder: the arguments of its commands ---
+
+struct RecorderKeepArguments {
+  suture::BoundedList<double, 64> values;
+  LargeSlot rest;
+};
+
+bool store(const std::vector<double>& values, const Large& rest, RecorderKeepArguments& slot);
+
+struct RecorderRenameArguments {
+  suture::BoundedText<8> name;
+};
+
+bool store(const std::string& name, RecorderRenameArguments& slot);
+
+// --- Recorder: what its events carry ---
+
+struct RecorderSaidPayload {
+  std::int32_t value;
+  LargeSlot value2;
+};
+
+bool store(const std::int32_t& value, const Large& value2, RecorderSaidPayload& slot);
+void load(const RecorderSaidPayload& slot, std::int32_t& value, Large& value2);
+void reserve(const RecorderSaidPayload*, std::int32_t& /*value*/, Large& value2);
+
+/// The numbers of Recorder's commands in every table and record.
+enum class RecorderCommand : std::uint16_t {
+  keep,
+  rename,
+  kept,
+};
+
+/// The numbers of Recorder's events.
+enum class RecorderEvent : std::uint16_t {
+  heard,
+  said,
+};
+
+}  // namespace shapes
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<shapes::Recorder>();
+
+/// What a client of shapes::Recorder calls.
+template <>
+class Required<shapes::Recorder> : public RequiredBase {
+  using Contract = shapes::Recorder;
+  using Id = shapes::RecorderCommand;
+  using EventId = shapes::RecorderEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  Command<&Contract::keep, shapes::RecorderKeepArguments> keep{
+      *this, static_cast<std::uint16_t>(Id::keep)};
+  Command<&Contract::rename, shapes::RecorderRenameArguments> rename{
+      *this, static_cast<std::uint16_t>(Id::rename)};
+  ReadCommand<&Contract::kept, shapes::LargeSlot> kept{*this, static_cast<std::uint16_t>(Id::kept)};
+
+  /// The events of shapes::Recorder, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : heard{required, static_cast<std::uint16_t>(EventId::heard)},
+          said{required, static_cast<std::uint16_t>(EventId::said)} {}
+
+    Subscription<shapes::TraceSlot, shapes::Trace> heard;
+    Subscription<shapes::RecorderSaidPayload, std::int32_t, shapes::Large> said;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves shapes::Recorder from a component.
+template <>
+class Provided<shapes::Recorder> : public ProvidedBase {
+  using Contract = shapes::Recorder;
+  using EventId = shapes::RecorderEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of shapes::Recorder, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : heard{provided, static_cast<std::uint16_t>(EventId::heard)},
+          said{provided, static_cast<std::uint16_t>(EventId::said)} {}
+
+    Emitter<shapes::TraceSlot, shapes::Trace> heard;
+    Emitter<shapes::RecorderSaidPayload, std::int32_t, shapes::Large> said;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once: by reserved().
+  struct Scratch {
+    std::vector<double> keep_values;
+    shapes::Large keep_rest;
+    std::string rename_name;
+
+    static Scratch reserved();
+  };
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_ = Scratch::reserved();
+};
+
+}  // namespace suture

@@ -1,0 +1,156 @@
+// What is copied of slots with much room.
+
+#include <suture/base/slots/bounded_level.h>
+#include <suture/component/contract/interface_info.h>
+
+#include <numeric>
+
+#include "round_trip.h"
+#include "shapes/large.capnp.h"
+#include "shapes/large.suture.h"
+
+namespace shapes {
+
+void toWire(const LargeSlot& slot, wire::Large::Builder out);
+
+namespace {
+
+using suture::BoundedLevel;
+using suture::BoundedLevels;
+
+const suture::InterfaceInfo& info() { return suture::interfaceInfo<Recorder>(); }
+
+std::vector<double> samples(std::size_t count) {
+  std::vector<double> all(count);
+  std::iota(all.begin(), all.end(), 0.5);
+  return all;
+}
+
+/// `part` of each level is used, of 1.
+Large filled(double part) {
+  const auto of = [part](int capacity) { return static_cast<std::size_t>(part * capacity); };
+  Large value;
+  value.first = 1;
+  value.text.assign(of(300), 'x');
+  value.name = "name";
+  value.traces.resize(of(5));
+  for (Trace& trace : value.traces) trace.samples = samples(of(100));
+  value.image = Eigen::MatrixXf::Constant(Eigen::Index(of(20)), Eigen::Index(of(30)), 3);
+  value.inner = {2, samples(of(100)), 5};
+  value.maybe = value.inner;
+  value.both = {7, value.inner, std::vector<std::int64_t>(of(40), -1)};
+  for (std::size_t i = 0; i < of(50); ++i) value.gains[static_cast<std::uint16_t>(i)] = 0.25;
+  value.pair = {value.inner, value.inner};
+  value.choice = value.inner;
+  value.last = -9;
+  return value;
+}
+
+std::span<std::byte> bytesOf(LargeSlot& slot) {
+  return std::as_writable_bytes(std::span(&slot, 1));
+}
+
+/// Fills the memory with nonsense, as that of a slot in use.
+void soil(LargeSlot& slot, int byte) { std::memset(static_cast<void*>(&slot), byte, sizeof(slot)); }
+
+/// All that anybody reads in the slot.
+std::vector<std::uint8_t> contentOf(const LargeSlot& slot) {
+  capnp::MallocMessageBuilder message;
+  toWire(slot, message.initRoot<wire::Large>());
+  const kj::Array<capnp::word> words = capnp::messageToFlatArray(message);
+  return {words.asBytes().begin(), words.asBytes().end()};
+}
+
+class LargeSlots : public testing::TestWithParam<double> {
+ protected:
+  LargeSlots() {
+    soil(*sent_, 0xa5);
+    soil(*received_, 0x5a);
+    EXPECT_TRUE(store(filled(GetParam()), *sent_));
+  }
+
+  std::vector<std::byte> packed() {
+    std::vector<std::byte> all(usedSize(bytesOf(*sent_).data(), sizeof(LargeSlot), levels_));
+    packUsed(all.data(), bytesOf(*sent_).data(), sizeof(LargeSlot), levels_);
+    return all;
+  }
+  bool unpack(std::span<const std::byte> packed) {
+    return unpackUsed(bytesOf(*received_).data(), packed, sizeof(LargeSlot), levels_);
+  }
+
+  const BoundedLevels levels_ = info().commands[2].resultLevels;
+  const std::unique_ptr<LargeSlot> sent_ = std::make_unique<LargeSlot>(),
+                                   received_ = std::make_unique<LargeSlot>();
+};
+
+TEST_P(LargeSlots, AreThereWhenWhatIsUsedHasBeenCopied) {
+  copyUsed(bytesOf(*received_).data(), bytesOf(*sent_).data(), sizeof(LargeSlot), levels_);
+  EXPECT_EQ(contentOf(*received_), contentOf(*sent_));
+}
+
+TEST_P(LargeSlots, AreThereWhenTheyHaveTravelled) {
+  EXPECT_TRUE(unpack(packed()));
+  EXPECT_EQ(contentOf(*received_), contentOf(*sent_));
+}
+
+TEST_P(LargeSlots, TakeWhatTheirContentNeeds) {
+  std::size_t room = 0;
+  for (const BoundedLevel& level : levels_) room += level.mostBytes();
+  const auto used = static_cast<double>(packed().size() + room - sizeof(LargeSlot));
+  // Of a matrix with half of its rows and half of its columns, a quarter is used.
+  const double image = 20 * 30 * sizeof(float);
+  const double part = GetParam();
+  const double expected = part * (static_cast<double>(room) - image) + part * part * image;
+  EXPECT_NEAR(used, expected, 0.1 * static_cast<double>(room));
+}
+
+TEST_P(LargeSlots, AreRefusedWhenTheirBytesAreTooFewOrTooMany) {
+  std::vector<std::byte> all = packed();
+  for (std::size_t size = 0; size < all.size(); ++size) {
+    // A copy, so that reading beyond its end is seen.
+    const std::vector<std::byte> cut(all.begin(), all.begin() + std::ptrdiff_t(size));
+    ASSERT_FALSE(unpack(cut)) << size;
+  }
+  all.push_back({});
+  EXPECT_FALSE(unpack(all));
+}
+
+INSTANTIATE_TEST_SUITE_P(Used, LargeSlots, testing::Values(0.0, 0.5, 1.0),
+                         [](const auto& one) { return std::to_string(int(10 * one.param)); });
+
+// The process that sent it may have written anything.
+TEST(LargeSlotsOfAForeigner, AreNotCopiedBeyondTheirRoom) {
+  const BoundedLevels levels = info().commands[2].resultLevels;
+  const auto sent = std::make_unique<LargeSlot>(), received = std::make_unique<LargeSlot>();
+  soil(*sent, 0xff);
+  EXPECT_EQ(usedSize(bytesOf(*sent).data(), sizeof(LargeSlot), levels), sizeof(LargeSlot));
+  copyUsed(bytesOf(*received).data(), bytesOf(*sent).data(), sizeof(LargeSlot), levels);
+  EXPECT_EQ(std::memcmp(sent.get(), received.get(), sizeof(LargeSlot)), 0);
+  soil(*received, 0);
+  EXPECT_TRUE(unpackUsed(bytesOf(*received).data(), bytesOf(*sent), sizeof(LargeSlot), levels));
+  EXPECT_EQ(std::memcmp(sent.get(), received.get(), sizeof(LargeSlot)), 0);
+}
+
+TEST(LargeSlotsInTables, LieInNoOtherAndInOrder) {
+  for (const suture::CommandInfo& one : info().commands) {
+    std::size_t end = 0;
+    for (const BoundedLevel& level : one.argumentsLevels) {
+      EXPECT_LT(level.size, level.data);
+      EXPECT_LE(end, level.size) << one.name;
+      end = level.data + level.mostBytes();
+      EXPECT_GT(level.mostBytes(), 256u) << "it is copied whole at less";
+    }
+    EXPECT_LE(end, one.argumentsSize);
+  }
+}
+
+TEST(LargeSlotsInTables, AreThereForWhateverHasMuchRoom) {
+  EXPECT_EQ(info().commands[0].argumentsLevels.size(), 9u);
+  EXPECT_TRUE(info().commands[1].argumentsLevels.empty()) << "a small text";
+  EXPECT_EQ(info().commands[2].resultLevels.size(), 8u);
+  EXPECT_EQ(info().events[0].payloadLevels.size(), 1u);
+  EXPECT_EQ(info().events[1].payloadLevels.size(), 8u);
+}
+
+}  // namespace
+}  // namespace shapes
