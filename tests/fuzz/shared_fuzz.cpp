@@ -21,15 +21,19 @@ using namespace suture;
 using fuzz::Input;
 using fuzz::require;
 
+constexpr BoundedLevel kLevelsOf24[] = {{.size = 0, .data = 8, .stride = 2, .capacity = 6}},
+                       kLevelsOf136[] = {
+                           {.size = 4, .data = 8, .stride = 8, .capacity = 3},
+                           {.size = 40, .data = 48, .stride = 4, .capacity = 4, .mostColumns = 5}};
 constexpr std::array<rt::CommandLimits, 3> kCommands = {
-    {{.argumentsSize = 24, .depth = 3, .latest = false},
-     {.argumentsSize = 136, .depth = 2, .latest = true},
+    {{.argumentsSize = 24, .depth = 3, .latest = false, .levels = kLevelsOf24},
+     {.argumentsSize = 136, .depth = 2, .latest = true, .levels = kLevelsOf136},
      {.argumentsSize = 0, .depth = 1, .latest = false}}};
 constexpr std::array<rt::EventLimits, 4> kEvents = {
     {{.payloadSize = 40, .depth = 3, .latest = false},
      {.payloadSize = 8, .depth = 2, .latest = true},
      {.payloadSize = 0, .depth = 4, .latest = false},
-     {.payloadSize = 24, .depth = 1, .latest = false, .latched = true}}};
+     {.payloadSize = 24, .depth = 1, .latest = false, .latched = true, .levels = kLevelsOf24}}};
 constexpr std::array<std::uint32_t, 2> kColumns = {48, 8};
 constexpr unsigned kRows = 4;
 

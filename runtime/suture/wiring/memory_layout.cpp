@@ -8,8 +8,9 @@
 namespace suture {
 namespace {
 
-// Raise this whenever a channel or a state table comes to lie in memory in another way.
-constexpr int kForm = 3;
+// Raise this whenever a channel or a state table comes to lie in memory in another way, or slots in
+// frames.
+constexpr int kForm = 4;
 
 /// Removes documentation, which has no bytes.
 void removeTexts(nlohmann::json& json) {

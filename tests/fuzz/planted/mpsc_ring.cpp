@@ -20,7 +20,7 @@ bool MpscRing::pending() const {
   return turnAt(head_).load(std::memory_order_acquire) == head_ + 1;
 }
 
-const std::byte* MpscRing::front() {
+const std::byte* MpscRing::oldest() const {
   return pending() ? reinterpret_cast<const std::byte*>(&turnAt(head_) + 1) : nullptr;
 }
 

@@ -45,13 +45,13 @@ suture_planted(latest_unordered PART queue/latest_cell SCENARIO LatestCell FINDS
 suture_planted(mailbox_cut_after_cells PART queue/mailbox SCENARIO MailboxOrder FINDS "a command "
   TEXT "  cut_ = published_->load(std::memory_order_acquire);
   left_ = mostWaiting_;
-  for (const auto& cell : cells_) cell->held = cell->values.take() || cell->held;"
-  REPLACEMENT "  for (const auto& cell : cells_) cell->held = cell->values.take() || cell->held;
+  for (const auto& cell : cells_) cell->held = cell->values.take(copier()) || cell->held;"
+  REPLACEMENT "  for (const auto& cell : cells_) cell->held = cell->values.take(copier()) || cell->held;
   cut_ = published_->load(std::memory_order_acquire);")
 suture_planted(mailbox_no_cut PART queue/mailbox SCENARIO MailboxOrder FINDS "a command "
   TEXT "next_->sequence > cut_" REPLACEMENT "false")
 suture_planted(mailbox_forgotten_cell PART queue/mailbox SCENARIO MailboxOrder FINDS "the last command is lost"
-  TEXT "cell->values.take() || cell->held" REPLACEMENT "cell->values.take()")
+  TEXT "cell->values.take(copier()) || cell->held" REPLACEMENT "cell->values.take(copier())")
 suture_planted(mailbox_one_too_many PART queue/mailbox SCENARIO MailboxCredits FINDS "more wait than the depth allows"
   TEXT "memory = waiting < limits.depth" REPLACEMENT "memory = waiting <= limits.depth")
 suture_planted(row_not_checked_again PART state/state_table SCENARIO StateRow FINDS "a row is torn"

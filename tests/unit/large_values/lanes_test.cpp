@@ -1,6 +1,7 @@
 // These pass large values between two processes, by each lane.
 
 #include <gtest/gtest.h>
+#include <suture/component/channel/channel.h>
 #include <suture/lane/frame/frame_lane.h>
 #include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
@@ -56,13 +57,14 @@ class LargeValuesBy : public testing::TestWithParam<Lane> {
   suture::Manager museum_{"museum", names_.address()}, town_{"town", names_.address()};
 };
 
+std::string nameOf(const testing::TestParamInfo<Lane>& lane) {
+  std::string name = toString(lane.param);
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(EachLane, LargeValuesBy,
-                         testing::Values(Lane::Shm, Lane::Frame, kEncoded, Lane::Rpc),
-                         [](const auto& one) {
-                           std::string name = toString(one.param);
-                           std::ranges::replace(name, '-', '_');
-                           return name;
-                         });
+                         testing::Values(Lane::Shm, Lane::Frame, kEncoded, Lane::Rpc), nameOf);
 
 TEST_P(LargeValuesBy, AreSentAnsweredReadAndHeard) {
   for (const std::uint8_t shade : {20, 40, 60}) {
@@ -79,6 +81,44 @@ TEST_P(LargeValuesBy, AreSentAnsweredReadAndHeard) {
       return visitor_.heard == shade;
     }));
   }
+}
+
+// What an earlier, larger one has left behind is not seen.
+TEST_P(LargeValuesBy, AreOfAnySizeFromOneToTheNext) {
+  for (const std::size_t size : {kPixels, std::size_t{120}, kPixels / 2, std::size_t{0}, kPixels}) {
+    Picture picture{std::vector<std::uint8_t>(size, 80)};
+    if (size > 0) picture.pixels.back() = 81;
+    ASSERT_TRUE(visitor_.gallery.hang.start(picture).within(suture::kPatience).has_value());
+    EXPECT_TRUE(eventually([&] {
+      const auto newest = visitor_.gallery.newest();
+      return newest && newest->pixels == picture.pixels;
+    })) << size;
+    EXPECT_TRUE(eventually([&] {
+      visitor_.processEvents();
+      return visitor_.size == size;
+    })) << size;
+  }
+}
+
+/// Has one connection over a wire, of which all bytes are counted.
+using SmallValuesBy = LargeValuesBy;
+
+INSTANTIATE_TEST_SUITE_P(EachWire, SmallValuesBy, testing::Values(Lane::Frame, kEncoded, Lane::Rpc),
+                         nameOf);
+
+TEST_P(SmallValuesBy, TakeLittleThoughThereIsRoomForMore) {
+  const Picture picture{std::vector<std::uint8_t>(120, 8)};
+  const auto channel = town_.channels().at(0);
+  const auto sent = [&] { return channel->bytesSent.load(); };
+  const auto received = [&] { return channel->bytesReceived.load(); };
+  ASSERT_TRUE(visitor_.gallery.hang.start(picture).within(suture::kPatience).has_value());
+  const auto sentBefore = sent(), receivedBefore = received();
+  constexpr unsigned kTimes = 4;
+  for (unsigned i = 0; i < kTimes; ++i) {
+    ASSERT_TRUE(visitor_.gallery.dimmed.start(picture).within(suture::kPatience).has_value());
+  }
+  EXPECT_LT(sent() - sentBefore, kTimes * kPixels / 2);
+  EXPECT_LT(received() - receivedBefore, kTimes * kPixels / 2);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ struct Wall : Gallery {
   const Picture& newest() const override { return newest_; }
   const Picture& oldest() const override { return oldest_; }
   Picture dimmed(const Picture& picture) const override {
-    return grey(static_cast<std::uint8_t>(picture.pixels.front() / 2));
+    const auto shade = static_cast<std::uint8_t>(picture.pixels.front() / 2);
+    return {std::vector<std::uint8_t>(picture.pixels.size(), shade)};
   }
   void hang(const Picture& picture) override { newest_ = picture; }
 
@@ -55,10 +56,14 @@ struct WallTask : suture::PeriodicTask, Wall {
 
 struct Visitor final : suture::Device {
   Visitor() {
-    gallery.on().hung([this](const Picture& picture) { heard = picture.pixels.front(); });
+    gallery.on().hung([this](const Picture& picture) {
+      size = picture.pixels.size();
+      heard = size == 0 ? 0 : picture.pixels.front();
+    });
   }
   suture::Required<Gallery> gallery{*this, "Gallery"};
-  int heard = 0;
+  std::size_t size = 0;
+  int heard = 0;  // its shade
 };
 
 }  // namespace large_values

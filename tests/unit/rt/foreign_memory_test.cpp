@@ -178,10 +178,16 @@ TEST(ForeignLatestCell, SurvivesAnything) {
       std::size_t{40});
 }
 
+/// A list of bytes, behind 4 bytes and with 4 behind it.
+constexpr BoundedLevel listOf(std::uint32_t capacity) {
+  return {.size = 4, .data = 8, .stride = 1, .capacity = capacity};
+}
+constexpr BoundedLevel kList48[] = {listOf(48)}, kList12[] = {listOf(12)}, kList28[] = {listOf(28)};
+
 const std::array<CommandLimits, 3> kCommands = {
     CommandLimits{.argumentsSize = 8, .depth = 4, .latest = false},
-    CommandLimits{.argumentsSize = 64, .depth = 4, .latest = true},
-    CommandLimits{.argumentsSize = 24, .depth = 2, .latest = false}};
+    CommandLimits{.argumentsSize = 60, .depth = 4, .latest = true, .levels = kList48},
+    CommandLimits{.argumentsSize = 24, .depth = 2, .latest = false, .levels = kList12}};
 
 void send(Mailbox& mailbox, std::uint16_t command, std::uint8_t byte) {
   const Result<std::byte*> arguments = mailbox.claim(command, now(), 0);
@@ -208,6 +214,31 @@ TEST(ForeignMailbox, KeepsOrderAndCredits) {
     }
     EXPECT_EQ(mailbox.consumer->next(), nullptr);
     EXPECT_EQ(mailbox.producer->waiting(0), 0u);
+  }
+}
+
+/// `used` of the bytes, and nothing else, are those of the list.
+void expectUsed(const std::byte* slot, std::size_t size, std::uint32_t used) {
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i >= 4 && i < 8) continue;  // how many they are
+    const bool copied = i < 8 + used || i >= size - 4;
+    EXPECT_EQ(slot[i], copied ? std::byte{0xee} : std::byte{0}) << i << " of " << size;
+  }
+}
+
+TEST(ForeignMailbox, CopiesWhatIsUsedOfALargeList) {
+  Shared<Mailbox> mailbox(std::span<const CommandLimits>{kCommands});
+  for (const std::uint16_t command : {1, 2}) {
+    const std::uint32_t used = 5;
+    std::byte* const arguments = *mailbox.producer->claim(command, now(), 0);
+    std::memset(arguments, 0xee, kCommands[command].argumentsSize);
+    std::memcpy(arguments + 4, &used, sizeof(used));
+    mailbox.producer->commit();
+    mailbox.consumer->fixCut();
+    const CommandRecord* const record = mailbox.consumer->next();
+    ASSERT_NE(record, nullptr);
+    expectUsed(record->arguments(), kCommands[command].argumentsSize, used);
+    mailbox.consumer->pop();
   }
 }
 
@@ -257,9 +288,25 @@ TEST(ForeignMailbox, ADrainEndsThoughTheProducerDoesNot) {
 
 const std::array<EventLimits, 4> kEvents = {
     EventLimits{.payloadSize = 16, .depth = 4, .latest = false},
-    EventLimits{.payloadSize = 40, .depth = 1, .latest = true},
+    EventLimits{.payloadSize = 40, .depth = 1, .latest = true, .levels = kList28},
     EventLimits{.payloadSize = 0, .depth = 2, .latest = false},
-    EventLimits{.payloadSize = 24, .depth = 1, .latest = false, .latched = true}};
+    EventLimits{
+        .payloadSize = 24, .depth = 1, .latest = false, .latched = true, .levels = kList12}};
+
+TEST(ForeignEventQueue, CopiesWhatIsUsedOfALargeList) {
+  Shared<EventQueue> queue(std::span<const EventLimits>{kEvents}, Producers::One);
+  for (const std::uint16_t event : {1, 3}) {
+    const std::uint32_t used = 7;
+    std::array<std::byte, 40> payload;
+    payload.fill(std::byte{0xee});
+    std::memcpy(&payload[4], &used, sizeof(used));
+    queue.producer->push(event, now(), std::span(payload).first(kEvents[event].payloadSize));
+    const EventRecord* const record = queue.consumer->next();
+    ASSERT_NE(record, nullptr);
+    expectUsed(record->payload(), kEvents[event].payloadSize, used);
+    queue.consumer->pop();
+  }
+}
 
 TEST(ForeignEventQueue, SurvivesAnything) {
   for (const Producers producers : {Producers::One, Producers::Any}) {

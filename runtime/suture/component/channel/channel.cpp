@@ -12,8 +12,8 @@ namespace {
 std::vector<rt::CommandLimits> commandLimits(const InterfaceInfo& info) {
   std::vector<rt::CommandLimits> limits;
   for (const CommandInfo& command : info.commands) {
-    limits.push_back(
-        {command.argumentsSize, command.depth, command.latest, command.sharedArguments});
+    limits.push_back({command.argumentsSize, command.depth, command.latest, command.sharedArguments,
+                      command.argumentsLevels});
   }
   return limits;
 }
@@ -21,8 +21,8 @@ std::vector<rt::CommandLimits> commandLimits(const InterfaceInfo& info) {
 std::vector<rt::EventLimits> eventLimits(const InterfaceInfo& info) {
   std::vector<rt::EventLimits> limits;
   for (const EventInfo& event : info.events) {
-    limits.push_back(
-        {event.payloadSize, event.depth, event.latest, event.sharedPayload, event.latched});
+    limits.push_back({event.payloadSize, event.depth, event.latest, event.sharedPayload,
+                      event.latched, event.payloadLevels});
   }
   return limits;
 }

@@ -3,8 +3,27 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 
 namespace suture {
+namespace {
+
+// Looks at its copy of the record only, since the original may change. Of what cannot be a result
+// of that command, all is copied.
+void copyForeign(const InterfaceInfo& info, std::byte* to, const std::byte* from,
+                 std::size_t size) {
+  ReplyRecord record{};
+  std::memcpy(&record, from, std::min(sizeof(record), size));
+  std::memcpy(to, &record, std::min(sizeof(record), size));
+  if (size <= sizeof(record)) return;
+  const std::size_t rest = size - sizeof(record);
+  const bool possible =
+      record.command < info.commands.size() && info.commands[record.command].resultSize == rest;
+  copyUsed(to + sizeof(record), from + sizeof(record), rest,
+           possible ? info.commands[record.command].resultLevels : BoundedLevels{});
+}
+
+}  // namespace
 
 ChannelClient::ChannelClient(Channel& channel, ChannelWords& words, bool keepsAges)
     : readAge(keepsAges ? std::make_unique<rt::Histogram>() : nullptr),
@@ -18,8 +37,12 @@ void ChannelClient::subscribe(EventSet wanted, EventSet newlyWanted) {
 
 ReplyRecord* ChannelClient::nextReply() {
   rt::SpscRing& replies = channel_.replies;
+  const auto copy = [&info = channel_.info](std::byte* to, const std::byte* from,
+                                            std::size_t size) {
+    copyForeign(info, to, from, size);
+  };
   for (;;) {
-    std::byte* const memory = const_cast<std::byte*>(replies.front());
+    std::byte* const memory = const_cast<std::byte*>(replies.front(copy));
     if (memory == nullptr || !channel_.foreign) return reinterpret_cast<ReplyRecord*>(memory);
     if (replies.frontSize() >= sizeof(ReplyRecord)) return makePossible(memory);
     replies.pop();

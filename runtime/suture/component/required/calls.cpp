@@ -81,10 +81,11 @@ void Calls::collect(ReplyRecord& reply, std::size_t size) {
   if (!std::exchange(call.fresh, true)) ++fresh_;
   call.error = reply.error;
   call.stamp = reply.stamp;
-  std::memcpy(call.result.data(), reply.result(), std::min(size, call.result.size()));
+  const CommandInfo& command = attachment_.info().commands[call.command];
+  copyUsed(call.result.data(), reply.result(), std::min(size, call.result.size()),
+           size == command.resultSize ? command.resultLevels : BoundedLevels{});
   call.shared = reply.shared;
   if (reply.shared) putSharedSlot(reply.result(), nullptr);  // it is the call's now
-  const CommandInfo& command = attachment_.info().commands[call.command];
   if (call.error == Errc{} && !channel.admitsCopy(command, call.result.data())) {
     call.error = Errc::Invalid;
   }

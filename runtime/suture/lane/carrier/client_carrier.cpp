@@ -77,7 +77,8 @@ void ClientCarrier::reply(std::uint32_t call, Time stamp, Errc error,
   if (!commandOf(call)) return;
   if (error == Errc{}) {
     return reply(call, stamp, [&](std::byte* memory) {
-      if (!result.empty()) std::memcpy(memory, result.data(), result.size());
+      const BoundedLevels levels = channel_.info.commands[placeOf(call).command].resultLevels;
+      if (!result.empty()) copyUsed(memory, result.data(), result.size(), levels);
       return Errc{};
     });
   }

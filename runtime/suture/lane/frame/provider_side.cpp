@@ -41,8 +41,9 @@ bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payloa
       payloads_->open({Kind::Command, number}, payload, channel_->clockShift());
   if (value.slot == nullptr) return false;
   const auto copy = [&](std::byte* arguments) {
-    if (value.error == Errc{}) std::memcpy(arguments, value.slot, command.argumentsSize);
-    return value.error;
+    if (value.error != Errc{}) return value.error;
+    copyUsed(arguments, value.slot, command.argumentsSize, command.argumentsLevels);
+    return Errc{};
   };
   const Time sent = arrivalStamp(*channel_, header.stamp);
   return tellRefused(header, carrier_.post(number, sent, header.call, copy).error);

@@ -21,11 +21,6 @@ std::size_t largestRecord(std::span<const EventLimits> events) {
   return sizeof(EventRecord) + size;
 }
 
-void write(std::byte* memory, const EventRecord& record, std::span<const std::byte> payload) {
-  new (memory) EventRecord(record);
-  if (!payload.empty()) std::memcpy(memory + sizeof(EventRecord), payload.data(), payload.size());
-}
-
 }  // namespace
 
 EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers, Arena& arena)
@@ -34,6 +29,7 @@ EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers,
       ring_(totalDepth(events), largestRecord(events), arena),
       counters_(arena.make<EventCounters>()) {
   for (const auto& event : events) {
+    payloads_.push_back({event.payloadSize, event.levels});
     const bool hasCell = event.latest || event.latched;
     cells_.push_back(hasCell ? std::make_unique<Cell>(event, arena) : nullptr);
     const std::uint64_t bit = std::uint64_t{1} << (cells_.size() - 1);
@@ -51,6 +47,24 @@ EventQueue::~EventQueue() {
     cell->values.forEachBuffer(
         [](std::byte* memory) { releaseSharedSlot(memory + sizeof(EventRecord)); });
   }
+}
+
+void EventQueue::write(std::byte* memory, const EventRecord& record,
+                       std::span<const std::byte> payload) const {
+  new (memory) EventRecord(record);
+  if (payload.empty()) return;
+  copyUsed(memory + sizeof(record), payload.data(), payload.size(), payloads_[record.event].levels);
+}
+
+// Looks at its copy of the record only, since the original may change.
+void EventQueue::copyForeign(std::byte* to, const std::byte* from, std::size_t size) const {
+  EventRecord record;
+  std::memcpy(&record, from, sizeof(record));
+  std::memcpy(to, &record, sizeof(record));
+  if (record.event >= payloads_.size()) return;
+  const Payload& payload = payloads_[record.event];
+  if (payload.size > size - sizeof(record)) return;
+  copyUsed(to + sizeof(record), from + sizeof(record), payload.size, payload.levels);
 }
 
 // Two threads that emit it at the same moment have no order: one of them gives way.
@@ -110,16 +124,16 @@ const std::byte* EventQueue::takeKept() {
   for (cell_ = 0; cell_ < cells_.size(); ++cell_) {
     Cell* const cell = cells_[cell_].get();
     if (cell == nullptr || !cell->values.fresh()) continue;
-    const std::byte* const earlier = cell->queued ? ring_.front() : nullptr;
+    const std::byte* const earlier = cell->queued ? ring_.front(copier()) : nullptr;
     fromRing_ = earlier != nullptr;
     if (fromRing_) return earlier;
-    if (cell->values.take()) return cell->values.front();
+    if (cell->values.take(copier())) return cell->values.front();
   }
   return nullptr;
 }
 
 EventRecord* EventQueue::oldest() {
-  const std::byte* memory = ring_.front();
+  const std::byte* memory = ring_.front(copier());
   fromRing_ = memory != nullptr;
   if (!fromRing_) memory = takeKept();
   return reinterpret_cast<EventRecord*>(const_cast<std::byte*>(memory));

@@ -1,6 +1,7 @@
 #pragma once
 // The events on their way from a provider to one subscriber.
 
+#include <suture/base/slots/bounded_level.h>
 #include <suture/base/time.h>
 #include <suture/rt/queue/latest_cell.h>
 #include <suture/rt/queue/mpsc_ring.h>
@@ -21,6 +22,7 @@ struct EventLimits {
   bool latest;                ///< newest wins
   bool shared = false;        ///< the payload is a counted pointer, see base/slots/shared_slot.h
   bool latched = false;       ///< its last value is kept when the queue is full
+  BoundedLevels levels = {};  ///< of the payload
 };
 
 /// Precedes the payload of every event.
@@ -98,8 +100,22 @@ class EventQueue {
     std::atomic_flag writing = ATOMIC_FLAG_INIT;
   };
 
+  struct Payload {
+    std::uint32_t size;
+    BoundedLevels levels;
+  };
+
   bool isShared(std::uint16_t event) const { return (shared_ >> event & 1) != 0; }
   bool isPlain(std::uint16_t event) const { return (plain_ >> event & 1) != 0; }
+  void write(std::byte* memory, const EventRecord& record,
+             std::span<const std::byte> payload) const;
+  /// Copies a record out of foreign memory, unless it cannot be: makePossible() finds that out.
+  void copyForeign(std::byte* to, const std::byte* from, std::size_t size) const;
+  auto copier() const {
+    return [this](std::byte* to, const std::byte* from, std::size_t size) {
+      copyForeign(to, from, size);
+    };
+  }
   bool enqueue(const EventRecord& record, std::span<const std::byte> payload);
   bool pushSpecial(const EventRecord& record, std::span<const std::byte> payload);
   bool enter(const EventRecord& record, std::span<const std::byte> payload);
@@ -110,6 +126,7 @@ class EventQueue {
   bool makePossible(EventRecord& record) const;
 
   const Producers producers_;
+  std::vector<Payload> payloads_;             // by event
   std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: only queued
   // A bit an event: at most 64 in a contract.
   std::uint64_t shared_ = 0;

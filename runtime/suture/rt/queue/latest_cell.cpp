@@ -1,7 +1,5 @@
 #include <suture/rt/queue/latest_cell.h>
 
-#include <cstring>
-
 namespace suture::rt {
 
 LatestCell::LatestCell(std::size_t size, Arena& arena)
@@ -18,10 +16,9 @@ bool LatestCell::commit() {
   return (previous & kFresh) != 0;
 }
 
-bool LatestCell::take() {
+bool LatestCell::takeNewest() {
   if (!fresh()) return false;
   reading_ = indexIn(shared_->exchange(reading_, std::memory_order_acq_rel));
-  if (!copy_.empty()) std::memcpy(copy_.data(), bufferAt(reading_), stride_);
   return true;
 }
 

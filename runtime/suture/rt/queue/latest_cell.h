@@ -2,6 +2,7 @@
 // One value of which only the newest counts, between one producer and one consumer.
 
 #include <suture/base/arena.h>
+#include <suture/rt/queue/copy_all.h>
 
 #include <algorithm>
 #include <atomic>
@@ -29,7 +30,10 @@ class LatestCell {
   bool commit();
 
   /// Consumer: true if something newer than the last take() has been published; it is now front().
-  bool take();
+  /// In foreign memory, `copy(to, from, size)` copies what is wanted of it.
+  template <class Copy>
+  bool take(const Copy& copy);
+  bool take() { return take(copyAll); }
   /// Either: true if take() would succeed. Then what the producer did before is seen.
   bool fresh() const { return (shared_->load(std::memory_order_acquire) & kFresh) != 0; }
   /// Consumer: what the last successful take() got.
@@ -48,6 +52,7 @@ class LatestCell {
   // Names one of the three, whatever the other side has written.
   static std::uint32_t indexIn(std::uint32_t word) { return std::min(word & 3, kBuffers - 1); }
 
+  bool takeNewest();
   std::byte* bufferAt(std::uint32_t index) const { return data_.get() + index * stride_; }
 
   std::size_t stride_;
@@ -57,5 +62,12 @@ class LatestCell {
   alignas(64) std::uint32_t reading_ = 2;
   std::vector<std::byte> copy_;  // of a consumer in foreign memory
 };
+
+template <class Copy>
+bool LatestCell::take(const Copy& copy) {
+  if (!takeNewest()) return false;
+  if (!copy_.empty()) copy(copy_.data(), bufferAt(reading_), stride_);
+  return true;
+}
 
 }  // namespace suture::rt

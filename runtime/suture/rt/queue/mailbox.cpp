@@ -3,6 +3,7 @@
 #include <suture/rt/queue/mailbox.h>
 
 #include <algorithm>
+#include <cstring>
 #include <new>
 
 namespace suture::rt {
@@ -107,17 +108,28 @@ std::size_t Mailbox::commit() {
   return SpscRing::recordSize(recordBytes(limits_[claimedCommand_]));
 }
 
+// Looks at its copy of the record only, since the original may change.
+void Mailbox::copyForeign(std::byte* to, const std::byte* from, std::size_t size) const {
+  CommandRecord record{};
+  std::memcpy(&record, from, std::min(sizeof(record), size));
+  std::memcpy(to, &record, std::min(sizeof(record), size));
+  if (record.command >= limits_.size()) return;
+  const CommandLimits& limits = limits_[record.command];
+  if (recordBytes(limits) > size) return;
+  copyUsed(to + sizeof(record), from + sizeof(record), limits.argumentsSize, limits.levels);
+}
+
 void Mailbox::fixCut() {
   // Take the cut before the cells: a cell then holds its command up to the cut, or something
   // newer.
   cut_ = published_->load(std::memory_order_acquire);
   left_ = mostWaiting_;
-  for (const auto& cell : cells_) cell->held = cell->values.take() || cell->held;
+  for (const auto& cell : cells_) cell->held = cell->values.take(copier()) || cell->held;
 }
 
 // The command that was sent first, of those at the front of the ring and of the cells.
 CommandRecord* Mailbox::earliest() {
-  CommandRecord* earliest = ownRecord(ring_.front());
+  CommandRecord* earliest = ownRecord(ring_.front(copier()));
   nextCell_ = nullptr;
   for (const auto& cell : cells_) {
     if (!cell->held) continue;

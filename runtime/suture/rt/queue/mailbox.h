@@ -3,6 +3,7 @@
 // ring for queued commands, a newest-wins cell for each latest() command.
 
 #include <suture/base/errors.h>
+#include <suture/base/slots/bounded_level.h>
 #include <suture/base/time.h>
 #include <suture/rt/queue/latest_cell.h>
 #include <suture/rt/queue/spsc_ring.h>
@@ -22,6 +23,7 @@ struct CommandLimits {
   std::uint32_t depth;  ///< how many may wait; for latest(): how many calls with an answer may
   bool latest;          ///< newest wins, unless an answer was asked for
   bool shared = false;  ///< the arguments are a counted pointer, see base/slots/shared_slot.h
+  BoundedLevels levels = {};  ///< of the arguments
 };
 
 /// Precedes the arguments of every command.
@@ -108,6 +110,13 @@ class Mailbox {
 
   static std::size_t ringBytes(std::span<const CommandLimits> commands);
   Credits& returned(std::uint16_t command) const { return returned_.get()[command]; }
+  /// Copies a record out of foreign memory, unless it cannot be: isPossible() finds that out.
+  void copyForeign(std::byte* to, const std::byte* from, std::size_t size) const;
+  auto copier() const {
+    return [this](std::byte* to, const std::byte* from, std::size_t size) {
+      copyForeign(to, from, size);
+    };
+  }
   CommandRecord* earliest();
   bool isPossible(const CommandRecord& record) const;
   /// Releases the counted pointers that the record's arguments hold.

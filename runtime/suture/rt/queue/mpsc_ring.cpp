@@ -1,7 +1,6 @@
 #include <suture/rt/queue/mpsc_ring.h>
 
 #include <bit>
-#include <cstring>
 #include <new>
 
 namespace suture::rt {
@@ -19,15 +18,9 @@ bool MpscRing::pending() const {
   return turnAt(head_).load(std::memory_order_acquire) == head_ + 1;
 }
 
-const std::byte* MpscRing::front() {
-  if (copied_) return copy_.data();
+const std::byte* MpscRing::oldest() const {
   if (!pending()) return nullptr;
-  const std::byte* const cell =
-      reinterpret_cast<const std::byte*>(&turnAt(head_)) + sizeof(std::uint64_t);
-  if (copy_.empty()) return cell;
-  std::memcpy(copy_.data(), cell, copy_.size());
-  copied_ = true;
-  return copy_.data();
+  return reinterpret_cast<const std::byte*>(&turnAt(head_)) + sizeof(std::uint64_t);
 }
 
 void MpscRing::pop() {

@@ -2,6 +2,7 @@
 // A bounded queue of equal cells with any number of producers and one consumer.
 
 #include <suture/base/arena.h>
+#include <suture/rt/queue/copy_all.h>
 
 #include <atomic>
 #include <cstddef>
@@ -37,12 +38,16 @@ class MpscRing {
 
   /// Consumer: true if front() has a cell to return.
   bool pending() const;
-  /// Consumer: the oldest published cell, or nullptr. Stays valid until pop().
-  const std::byte* front();
+  /// Consumer: the oldest published cell, or nullptr. Stays valid until pop(). In foreign memory,
+  /// `copy(to, from, size)` copies what is wanted of it.
+  template <class Copy>
+  const std::byte* front(const Copy& copy);
+  const std::byte* front() { return front(copyAll); }
   /// Consumer: releases the cell that front() returned.
   void pop();
 
  private:
+  const std::byte* oldest() const;
   std::atomic<std::uint64_t>& turnAt(std::uint64_t position) const {
     return *reinterpret_cast<std::atomic<std::uint64_t>*>(data_.get() +
                                                           (position & mask_) * stride_);
@@ -56,6 +61,16 @@ class MpscRing {
   std::vector<std::byte> copy_;  // in foreign memory: the front cell's
   bool copied_ = false;
 };
+
+template <class Copy>
+const std::byte* MpscRing::front(const Copy& copy) {
+  if (copied_) return copy_.data();
+  const std::byte* const cell = oldest();
+  if (cell == nullptr || copy_.empty()) return cell;
+  copy(copy_.data(), cell, copy_.size());
+  copied_ = true;
+  return copy_.data();
+}
 
 // Each cell carries the position at which it may be used next: equal to a producer's position it is
 // free, one more it is published. A cell comes round again one lap (mask_ + 1) later.

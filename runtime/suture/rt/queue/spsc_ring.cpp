@@ -29,13 +29,12 @@ std::byte* SpscRing::claim(std::size_t size) {
   return data_.get() + ((tail_ + skipped) & mask_) + sizeof(std::uint64_t);
 }
 
-const std::byte* SpscRing::front() {
-  if (copied_) return copy_.data();
+const std::byte* SpscRing::oldest() {
   if (head_ == knownTail_) {
     knownTail_ = shared_->tail.load(std::memory_order_acquire);
     if (head_ == knownTail_) return nullptr;
   }
-  if (!copy_.empty()) return copyFront() ? copy_.data() : nullptr;
+  if (!copy_.empty()) return oldestForeign();
   if (headerAt(head_) == kSkip) {
     head_ += untilEnd(head_);
     shared_->head.store(head_, std::memory_order_release);
@@ -44,7 +43,7 @@ const std::byte* SpscRing::front() {
 }
 
 // Reads each number once, since it may change, and believes it only within the ring.
-bool SpscRing::copyFront() {
+const std::byte* SpscRing::oldestForeign() {
   const std::uint64_t published = knownTail_ - head_;
   std::uint64_t position = head_, size;
   std::memcpy(&size, &headerAt(position), sizeof(size));
@@ -58,12 +57,10 @@ bool SpscRing::copyFront() {
                     recordSize(size) <= published - skipped &&
                     recordSize(size) <= untilEnd(position);
   broken_ = broken_ || !fits;
-  if (broken_) return false;
-  std::memcpy(copy_.data(), data_.get() + (position & mask_) + sizeof(size), size);
+  if (broken_) return nullptr;
   head_ = position;
   copySize_ = size;
-  copied_ = true;
-  return true;
+  return data_.get() + (position & mask_) + sizeof(size);
 }
 
 std::size_t SpscRing::frontSize() const { return copied_ ? copySize_ : headerAt(head_); }

@@ -3,6 +3,7 @@
 // and read in place.
 
 #include <suture/base/arena.h>
+#include <suture/rt/queue/copy_all.h>
 
 #include <atomic>
 #include <cstddef>
@@ -40,8 +41,11 @@ class SpscRing {
     shared_->tail.store(tail_, std::memory_order_release);
   }
 
-  /// Consumer: the oldest record, or nullptr. Stays valid until pop().
-  const std::byte* front();
+  /// Consumer: the oldest record, or nullptr. Stays valid until pop(). In foreign memory,
+  /// `copy(to, from, size)` copies what is wanted of it.
+  template <class Copy>
+  const std::byte* front(const Copy& copy);
+  const std::byte* front() { return front(copyAll); }
   /// Consumer: size of the record that front() returned.
   std::size_t frontSize() const;
   /// Consumer: releases the record that front() returned.
@@ -62,7 +66,8 @@ class SpscRing {
     return *reinterpret_cast<std::uint64_t*>(data_.get() + (position & mask_));
   }
   std::size_t untilEnd(std::uint64_t position) const { return mask_ + 1 - (position & mask_); }
-  bool copyFront();
+  const std::byte* oldest();
+  const std::byte* oldestForeign();
 
   std::size_t mask_;
   std::shared_ptr<Shared> shared_;
@@ -80,5 +85,15 @@ class SpscRing {
   bool copied_ = false;
   bool broken_ = false;
 };
+
+template <class Copy>
+const std::byte* SpscRing::front(const Copy& copy) {
+  if (copied_) return copy_.data();
+  const std::byte* const record = oldest();
+  if (record == nullptr || copy_.empty()) return record;
+  copy(copy_.data(), record, copySize_);
+  copied_ = true;
+  return copy_.data();
+}
 
 }  // namespace suture::rt

@@ -17,23 +17,37 @@ SlotPayloads::SlotPayloads(const InterfaceInfo& contract)
       row_(contract, sizeof(rt::RowColumns)),
       values_(row_.columns()),
       own_(std::max<std::size_t>(row_.bytes(), largestSlot(contract))) {
+  std::size_t largest = 0;  // of those with levels
+  const auto regard = [&](const BoundedLevels levels, std::size_t size) {
+    if (!levels.empty()) largest = std::max(largest, size);
+  };
   for (const CommandInfo& one : contract.commands) {
     if (one.column >= 0) reads_.push_back(&one);
+    regard(one.argumentsLevels, one.argumentsSize);
+    regard(one.resultLevels, one.resultSize);
   }
+  for (const EventInfo& one : contract.events) regard(one.payloadLevels, one.payloadSize);
+  scratch_.resize(largest);
 }
 
 SlotPayloads::Form SlotPayloads::formOf(ValueName name) const {
   if (name.kind == Kind::Event) {
     const EventInfo& event = contract_.events[name.number];
-    return {event.payloadSize, event.shiftPayload};
+    return {event.payloadSize, event.shiftPayload, event.payloadLevels};
   }
   const CommandInfo& command = contract_.commands[name.number];
-  if (name.kind == Kind::Reply) return {command.resultSize, command.shiftResult};
-  return {command.argumentsSize, command.shiftArguments};
+  if (name.kind == Kind::Reply) {
+    return {command.resultSize, command.shiftResult, command.resultLevels};
+  }
+  return {command.argumentsSize, command.shiftArguments, command.argumentsLevels};
 }
 
 std::span<const std::byte> SlotPayloads::pack(ValueName name, const std::byte* slot) {
-  return {slot, formOf(name).size};
+  const Form form = formOf(name);
+  const std::size_t used = usedSize(slot, form.size, form.levels);
+  if (used == form.size) return {slot, used};
+  packUsed(scratch_.data(), slot, form.size, form.levels);
+  return std::span(scratch_).first(used);
 }
 
 // The values lie where they go, unless a column before them has none.
@@ -53,9 +67,14 @@ std::span<const std::byte> SlotPayloads::packRow(const rt::StateTable::Row& row)
 
 ArrivedValue SlotPayloads::open(ValueName name, std::span<std::byte> payload, Duration shift) {
   const Form form = formOf(name);
-  if (payload.size() != form.size) return {};
-  if (turns(form.shift, shift)) form.shift(payload.data(), shift);
-  return {payload.data()};
+  std::byte* slot = payload.data();
+  if (payload.size() != form.size) {
+    if (form.levels.empty()) return {};
+    slot = scratch_.data();
+    if (!unpackUsed(slot, payload, form.size, form.levels)) return {};
+  }
+  if (turns(form.shift, shift)) form.shift(slot, shift);
+  return {slot};
 }
 
 // A column whose stamps have to be turned is stored when it is there whole.

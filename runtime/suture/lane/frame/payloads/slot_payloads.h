@@ -1,5 +1,6 @@
 #pragma once
-// Slots as they lie in memory, between processes of one memoryLayout().
+// Slots as they lie in memory, except what is unused of them, between processes of one
+// memoryLayout().
 
 #include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/frame/payloads/payloads.h>
@@ -26,7 +27,8 @@ class SlotPayloads final : public Payloads {
  private:
   struct Form {
     std::uint32_t size;
-    StampShift shift;  ///< null: it has no stamps
+    StampShift shift;      ///< null: it has no stamps
+    BoundedLevels levels;  ///< of which only the used part travels
   };
   Form formOf(ValueName name) const;
 
@@ -35,6 +37,7 @@ class SlotPayloads final : public Payloads {
   RowSlots row_;                               // that is being sent, behind its RowColumns
   std::vector<rt::StateTable::Value> values_;  // of the row that arrives
   bool parted_ = false;                        // parts of it have been stored
+  std::vector<std::byte> scratch_;             // of a slot with large lists
   const std::size_t own_;
 };
 
