@@ -15,6 +15,7 @@
 #include "bench/network/processes/image_process.h"
 #include "bench/network/processes/sample_process.h"
 #include "bench/network/processes/subscriber_process.h"
+#include "bench/network/sizes/block_process.h"
 #include "bench/stop/stop_process.h"
 #include "bench/table2/processes/server_process.h"
 
@@ -73,6 +74,7 @@ int main(int argc, char** argv) try {
   bench::addArmProcess(program);
   bench::addSubscriberProcess(program);
   bench::addImageProcess(program);
+  bench::addBlockProcess(program);
   bench::addStopProcess(program);
 
   int status = 0;

@@ -14,6 +14,7 @@ constexpr Part<NetworkOptions> kNetworkParts[] = {{"round trips", roundTripRows}
                                                   {"connections", linkTimeRows},
                                                   {"idle", idleRows},
                                                   {"sleeping", sleepingRows},
+                                                  {"sizes", sizeRows},
                                                   {"survivors", survivorRows}};
 
 }  // namespace

@@ -1,0 +1,369 @@
+// Written by suturec from bench/block_loop.h. Do not edit.
+#include "bench/block_loop.suture.h"
+
+#include <suture/wire/codec.h>
+#include <suture/wire/wire.h>
+
+#include <type_traits>
+
+#include "bench/block_loop.capnp.h"
+
+namespace bench {
+
+using suture::BoundedLevel;
+using suture::CommandInfo;
+using suture::CommandKind;
+using suture::Duration;
+using suture::Errc;
+using suture::EventInfo;
+using suture::FieldPath;
+using suture::checkSlot;
+using suture::levelAt;
+using suture::load;
+using suture::refusedAt;
+using suture::rpc::CommandCodec;
+using suture::rpc::EventCodec;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::messageOf;
+using suture::rpc::sentIn;
+using suture::rpc::stampIn;
+using suture::rpc::toWire;
+using suture::slotSize;
+using suture::store;
+
+namespace {
+
+// What this compiler sees must be what suturec read.
+static_assert(std::is_same_v<decltype(SmallBlock::bytes), std::vector<std::uint8_t>>);
+static_assert(std::is_same_v<decltype(LargeBlock::bytes), std::vector<std::uint8_t>>);
+
+}  // namespace
+
+bool store(const SmallBlock& value, SmallBlockSlot& slot) {
+  bool fits = true;
+  fits &= store(value.bytes, slot.bytes);
+  return fits;
+}
+
+void load(const SmallBlockSlot& slot, SmallBlock& value) {
+  load(slot.bytes, value.bytes);
+}
+
+void reserve(const SmallBlockSlot*, SmallBlock& value) {
+  suture::reserveFor<decltype(SmallBlockSlot::bytes)>(value.bytes);
+}
+
+bool store(const LargeBlock& value, LargeBlockSlot& slot) {
+  bool fits = true;
+  fits &= store(value.bytes, slot.bytes);
+  return fits;
+}
+
+void load(const LargeBlockSlot& slot, LargeBlock& value) {
+  load(slot.bytes, value.bytes);
+}
+
+void reserve(const LargeBlockSlot*, LargeBlock& value) {
+  suture::reserveFor<decltype(LargeBlockSlot::bytes)>(value.bytes);
+}
+
+bool store(const SmallBlock& block, SmallBlocksBounceArguments& slot) {
+  return store(block, slot.block);
+}
+
+bool store(const LargeBlock& block, LargeBlocksBounceArguments& slot) {
+  return store(block, slot.block);
+}
+
+// --- between slots and Cap'n Proto
+
+void toWire(const SmallBlockSlot& slot, wire::SmallBlock::Builder out) {
+  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
+}
+
+Errc fromWire(wire::SmallBlock::Reader in, SmallBlockSlot& slot, Duration) {
+  return fromWire(in.getBytes(), slot.bytes);
+}
+
+bool isValid(const SmallBlockSlot&, FieldPath*) {
+  return true;
+}
+
+void toWire(const LargeBlockSlot& slot, wire::LargeBlock::Builder out) {
+  toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
+}
+
+Errc fromWire(wire::LargeBlock::Reader in, LargeBlockSlot& slot, Duration) {
+  return fromWire(in.getBytes(), slot.bytes);
+}
+
+bool isValid(const LargeBlockSlot&, FieldPath*) {
+  return true;
+}
+
+namespace {
+
+bool acceptsSmallBlocksBounce(const SmallBlocksBounceArguments& slot, FieldPath* path) {
+  return isValid(slot.block, path) || refusedAt(path, "block");
+}
+
+// --- SmallBlocks as Cap'n Proto
+
+void encodeSmallBlocksBounce(const SmallBlocksBounceArguments& slot,
+                             wire::SmallBlocks::BounceParams::Builder out) {
+  toWire(slot.block, out.initBlock());
+}
+Errc decodeSmallBlocksBounce(wire::SmallBlocks::BounceParams::Reader in,
+                             SmallBlocksBounceArguments& slot, suture::Duration shift) {
+  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : Errc::Invalid;
+}
+
+void encodeSmallBlocksEchoEvent(const SmallBlockSlot& slot,
+                                wire::SmallBlocksEvents::EchoParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeSmallBlocksEchoEvent(wire::SmallBlocksEvents::EchoParams::Reader in,
+                                SmallBlockSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+constexpr CommandCodec kSmallBlocksCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::SmallBlocks>(),
+     .method = 1,
+     .sent = sentIn<wire::SmallBlocks::BounceParams>,
+     .arguments = messageOf<wire::SmallBlocks::BounceParams, SmallBlocksBounceArguments,
+                            encodeSmallBlocksBounce, decodeSmallBlocksBounce>},
+};
+
+constexpr EventCodec kSmallBlocksEventCodecs[] = {
+    {.method = 1,
+     .stamp = stampIn<wire::SmallBlocksEvents::EchoParams>,
+     .payload = messageOf<wire::SmallBlocksEvents::EchoParams, SmallBlockSlot,
+                          encodeSmallBlocksEchoEvent, decodeSmallBlocksEchoEvent>},
+};
+
+const suture::rpc::Codec& smallBlocksCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::SmallBlocks>,
+      .contract = capnp::typeId<wire::SmallBlocks>(),
+      .subscriber = capnp::typeId<wire::SmallBlocksEvents>(),
+      .commands = kSmallBlocksCommandCodecs,
+      .events = kSmallBlocksEventCodecs,
+      .row = suture::rpc::rowOf<wire::SmallBlocksEvents::StateParams, wire::SmallBlocksStateRow>,
+  };
+  return kCodec;
+}
+
+constexpr CommandInfo kSmallBlocksCommands[] = {
+    {.name = "bounce",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<SmallBlocksBounceArguments>,
+     .depth = 2,
+     .accepts = checkSlot<SmallBlocksBounceArguments, acceptsSmallBlocksBounce>},
+};
+
+constexpr EventInfo kSmallBlocksEvents[] = {
+    {.name = "echo",
+     .payloadSize = slotSize<SmallBlockSlot>,
+     .depth = 2,
+     .accepts = checkSlot<SmallBlockSlot, isValid>},
+};
+
+// The self-description, as in bench/block_loop.suture.json.
+constexpr char kSmallBlocksDescription[] = R"json(
+{"name": "bench::SmallBlocks", "hash": "9644ae191aee8643817b33285b8929dd", "commands": [{
+"name": "bounce", "kind": "write", "ordinal": 1,
+"doc": "Client, server, client: sends the block back as the event echo.", "parameters": [{
+"name": "block", "type": {"kind": "struct", "name": "bench::SmallBlock"}}], "queue": 2}],
+"events": [{"name": "echo", "kind": "write", "ordinal": 1, "payload": {"type": {"kind": "struct",
+"name": "bench::SmallBlock"}}, "queue": 2}], "enums": [], "structs": [{"name": "bench::SmallBlock",
+"doc": "As large as a pose.", "fields": [{"name": "bytes", "type": {"kind": "list", "element": {
+"kind": "UInt8"}, "capacity": 120}}]}], "wire": [{"id": "@0xa0a4d60db53264a8", "kind": "interface",
+"name": "SmallBlocks", "cxx": "bench::SmallBlocks", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xf92746b2d211fcbe"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "bounce", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "block",
+"is": "@0xbed5520df9ca5c0d"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}]}, {
+"id": "@0xf92746b2d211fcbe", "kind": "interface", "name": "SmallBlocksEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb2befd803231da25"}]}, {
+"at": 1, "name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0xbed5520df9ca5c0d"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xb2befd803231da25", "kind": "struct",
+"name": "SmallBlocksStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xbed5520df9ca5c0d", "kind": "struct", "name": "SmallBlock", "members": [{"at": 0,
+"name": "bytes", "is": "Data"}]}]})json";
+
+bool acceptsLargeBlocksBounce(const LargeBlocksBounceArguments& slot, FieldPath* path) {
+  return isValid(slot.block, path) || refusedAt(path, "block");
+}
+
+// --- LargeBlocks as Cap'n Proto
+
+void encodeLargeBlocksBounce(const LargeBlocksBounceArguments& slot,
+                             wire::LargeBlocks::BounceParams::Builder out) {
+  toWire(slot.block, out.initBlock());
+}
+Errc decodeLargeBlocksBounce(wire::LargeBlocks::BounceParams::Reader in,
+                             LargeBlocksBounceArguments& slot, suture::Duration shift) {
+  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : Errc::Invalid;
+}
+
+void encodeLargeBlocksEchoEvent(const LargeBlockSlot& slot,
+                                wire::LargeBlocksEvents::EchoParams::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeLargeBlocksEchoEvent(wire::LargeBlocksEvents::EchoParams::Reader in,
+                                LargeBlockSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+constexpr CommandCodec kLargeBlocksCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::LargeBlocks>(),
+     .method = 1,
+     .sent = sentIn<wire::LargeBlocks::BounceParams>,
+     .arguments = messageOf<wire::LargeBlocks::BounceParams, LargeBlocksBounceArguments,
+                            encodeLargeBlocksBounce, decodeLargeBlocksBounce>},
+};
+
+constexpr EventCodec kLargeBlocksEventCodecs[] = {
+    {.method = 1,
+     .stamp = stampIn<wire::LargeBlocksEvents::EchoParams>,
+     .payload = messageOf<wire::LargeBlocksEvents::EchoParams, LargeBlockSlot,
+                          encodeLargeBlocksEchoEvent, decodeLargeBlocksEchoEvent>},
+};
+
+const suture::rpc::Codec& largeBlocksCodec() {
+  static constexpr suture::rpc::Codec kCodec{
+      .schema = suture::rpc::schemaOf<wire::LargeBlocks>,
+      .contract = capnp::typeId<wire::LargeBlocks>(),
+      .subscriber = capnp::typeId<wire::LargeBlocksEvents>(),
+      .commands = kLargeBlocksCommandCodecs,
+      .events = kLargeBlocksEventCodecs,
+      .row = suture::rpc::rowOf<wire::LargeBlocksEvents::StateParams, wire::LargeBlocksStateRow>,
+  };
+  return kCodec;
+}
+
+constexpr BoundedLevel kLargeBlocksBounceArgumentsLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(LargeBlocksBounceArguments,
+                                                                 block.bytes)),
+};
+
+constexpr CommandInfo kLargeBlocksCommands[] = {
+    {.name = "bounce",
+     .kind = CommandKind::Write,
+     .argumentsSize = slotSize<LargeBlocksBounceArguments>,
+     .depth = 2,
+     .accepts = checkSlot<LargeBlocksBounceArguments, acceptsLargeBlocksBounce>,
+     .argumentsLevels = kLargeBlocksBounceArgumentsLevels},
+};
+
+constexpr BoundedLevel kLargeBlocksEchoPayloadLevels[] = {
+    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(LargeBlockSlot, bytes)),
+};
+
+constexpr EventInfo kLargeBlocksEvents[] = {
+    {.name = "echo",
+     .payloadSize = slotSize<LargeBlockSlot>,
+     .depth = 2,
+     .accepts = checkSlot<LargeBlockSlot, isValid>,
+     .payloadLevels = kLargeBlocksEchoPayloadLevels},
+};
+
+// The self-description, as in bench/block_loop.suture.json.
+constexpr char kLargeBlocksDescription[] = R"json(
+{"name": "bench::LargeBlocks", "hash": "e0200f5ded74b3c42339f7d72e4da4d0", "commands": [{
+"name": "bounce", "kind": "write", "ordinal": 1,
+"doc": "Client, server, client: sends the block back as the event echo.", "parameters": [{
+"name": "block", "type": {"kind": "struct", "name": "bench::LargeBlock"}}], "queue": 2}],
+"events": [{"name": "echo", "kind": "write", "ordinal": 1, "payload": {"type": {"kind": "struct",
+"name": "bench::LargeBlock"}}, "queue": 2}], "enums": [], "structs": [{"name": "bench::LargeBlock",
+"doc": "As large as an image at most.", "fields": [{"name": "bytes", "type": {"kind": "list",
+"element": {"kind": "UInt8"}, "capacity": 1048576}}]}], "wire": [{"id": "@0xc823fae657e6cd4d",
+"kind": "interface", "name": "LargeBlocks", "cxx": "bench::LargeBlocks", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xde18174f4b5898cb"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "bounce", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "block",
+"is": "@0xb5fa8205b68955f8"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}]}, {
+"id": "@0xde18174f4b5898cb", "kind": "interface", "name": "LargeBlocksEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xc00ca2fc276d186f"}]}, {
+"at": 1, "name": "echo", "parameters": [{"at": 0, "name": "value", "is": "@0xb5fa8205b68955f8"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xc00ca2fc276d186f", "kind": "struct",
+"name": "LargeBlocksStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}]}, {
+"id": "@0xb5fa8205b68955f8", "kind": "struct", "name": "LargeBlock", "members": [{"at": 0,
+"name": "bytes", "is": "Data"}]}]})json";
+
+}  // namespace
+}  // namespace bench
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<bench::SmallBlocks>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "bench::SmallBlocks",
+      .hash = "9644ae191aee8643817b33285b8929dd",
+      .description = bench::kSmallBlocksDescription,
+      .commands = bench::kSmallBlocksCommands,
+      .events = bench::kSmallBlocksEvents,
+      .codec = &bench::smallBlocksCodec,
+  };
+  return kInfo;
+}
+
+template <>
+const InterfaceInfo& interfaceInfo<bench::LargeBlocks>() {
+  static constexpr InterfaceInfo kInfo{
+      .name = "bench::LargeBlocks",
+      .hash = "e0200f5ded74b3c42339f7d72e4da4d0",
+      .description = bench::kLargeBlocksDescription,
+      .commands = bench::kLargeBlocksCommands,
+      .events = bench::kLargeBlocksEvents,
+      .codec = &bench::largeBlocksCodec,
+  };
+  return kInfo;
+}
+
+auto Provided<bench::SmallBlocks>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(bench::SmallBlocksBounceArguments::block)>(scratch.bounce_block);
+  return scratch;
+}
+
+auto Provided<bench::LargeBlocks>::Scratch::reserved() -> Scratch {
+  Scratch scratch{};
+  reserveFor<decltype(bench::LargeBlocksBounceArguments::block)>(scratch.bounce_block);
+  return scratch;
+}
+
+Errc Provided<bench::SmallBlocks>::execute(std::uint16_t command, const std::byte* arguments,
+                                           std::byte* /*result*/) {
+  using ::bench::SmallBlocksCommand;
+  switch (static_cast<SmallBlocksCommand>(command)) {
+    case SmallBlocksCommand::bounce: {
+      const auto& slot = slotIn<bench::SmallBlocksBounceArguments>(arguments);
+      load(slot.block, scratch_.bounce_block);
+      implementation_.bounce(scratch_.bounce_block);
+      return Errc{};
+    }
+  }
+  return Errc::Invalid;
+}
+
+Errc Provided<bench::LargeBlocks>::execute(std::uint16_t command, const std::byte* arguments,
+                                           std::byte* /*result*/) {
+  using ::bench::LargeBlocksCommand;
+  switch (static_cast<LargeBlocksCommand>(command)) {
+    case LargeBlocksCommand::bounce: {
+      const auto& slot = slotIn<bench::LargeBlocksBounceArguments>(arguments);
+      load(slot.block, scratch_.bounce_block);
+      implementation_.bounce(scratch_.bounce_block);
+      return Errc{};
+    }
+  }
+  return Errc::Invalid;
+}
+
+}  // namespace suture

@@ -1,0 +1,226 @@
+// Written by suturec from bench/block_loop.h. Do not edit.
+#pragma once
+
+#include <suture/base/slots/slot_forms.h>
+#include <suture/component/commands.h>
+#include <suture/component/events.h>
+#include <suture/component/provided.h>
+#include <suture/component/required.h>
+
+#include "bench/block_loop.h"
+
+namespace bench {
+
+/// As large as a pose.
+struct SmallBlockSlot {
+  suture::BoundedList<std::uint8_t, 120> bytes;
+};
+
+bool store(const SmallBlock& value, SmallBlockSlot& slot);
+void load(const SmallBlockSlot& slot, SmallBlock& value);
+void reserve(const SmallBlockSlot*, SmallBlock& value);
+
+/// As large as an image at most.
+struct LargeBlockSlot {
+  suture::BoundedList<std::uint8_t, 1048576> bytes;
+};
+
+bool store(const LargeBlock& value, LargeBlockSlot& slot);
+void load(const LargeBlockSlot& slot, LargeBlock& value);
+void reserve(const LargeBlockSlot*, LargeBlock& value);
+
+// --- SmallBlocks: the arguments of its commands ---
+
+struct SmallBlocksBounceArguments {
+  SmallBlockSlot block;
+};
+
+bool store(const SmallBlock& block, SmallBlocksBounceArguments& slot);
+
+/// The numbers of SmallBlocks's commands in every table and record.
+enum class SmallBlocksCommand : std::uint16_t {
+  bounce,
+};
+
+/// The numbers of SmallBlocks's events.
+enum class SmallBlocksEvent : std::uint16_t {
+  echo,
+};
+
+// --- LargeBlocks: the arguments of its commands ---
+
+struct LargeBlocksBounceArguments {
+  LargeBlockSlot block;
+};
+
+bool store(const LargeBlock& block, LargeBlocksBounceArguments& slot);
+
+/// The numbers of LargeBlocks's commands in every table and record.
+enum class LargeBlocksCommand : std::uint16_t {
+  bounce,
+};
+
+/// The numbers of LargeBlocks's events.
+enum class LargeBlocksEvent : std::uint16_t {
+  echo,
+};
+
+}  // namespace bench
+
+namespace suture {
+
+template <>
+const InterfaceInfo& interfaceInfo<bench::SmallBlocks>();
+
+/// What a client of bench::SmallBlocks calls.
+template <>
+class Required<bench::SmallBlocks> : public RequiredBase {
+  using Contract = bench::SmallBlocks;
+  using Id = bench::SmallBlocksCommand;
+  using EventId = bench::SmallBlocksEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Client, server, client: sends the block back as the event echo.
+  Command<&Contract::bounce, bench::SmallBlocksBounceArguments> bounce{
+      *this, static_cast<std::uint16_t>(Id::bounce)};
+
+  /// The events of bench::SmallBlocks, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
+
+    Subscription<bench::SmallBlockSlot, bench::SmallBlock> echo;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves bench::SmallBlocks from a component.
+template <>
+class Provided<bench::SmallBlocks> : public ProvidedBase {
+  using Contract = bench::SmallBlocks;
+  using EventId = bench::SmallBlocksEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of bench::SmallBlocks, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
+
+    Emitter<bench::SmallBlockSlot, bench::SmallBlock> echo;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once: by reserved().
+  struct Scratch {
+    bench::SmallBlock bounce_block;
+
+    static Scratch reserved();
+  };
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_ = Scratch::reserved();
+};
+
+template <>
+const InterfaceInfo& interfaceInfo<bench::LargeBlocks>();
+
+/// What a client of bench::LargeBlocks calls.
+template <>
+class Required<bench::LargeBlocks> : public RequiredBase {
+  using Contract = bench::LargeBlocks;
+  using Id = bench::LargeBlocksCommand;
+  using EventId = bench::LargeBlocksEvent;
+
+ public:
+  Required(Component& owner, std::string_view name)
+      : Required(owner, name, interfaceInfo<Contract>()) {}
+
+  /// Client, server, client: sends the block back as the event echo.
+  Command<&Contract::bounce, bench::LargeBlocksBounceArguments> bounce{
+      *this, static_cast<std::uint16_t>(Id::bounce)};
+
+  /// The events of bench::LargeBlocks, to subscribe to.
+  struct Events {
+    explicit Events(RequiredBase& required)
+        : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
+
+    Subscription<bench::LargeBlockSlot, bench::LargeBlock> echo;
+  };
+  Events& on() { return events_; }
+
+ protected:
+  // For contracts that derive from this one.
+  Required(Component& owner, std::string_view name, const InterfaceInfo& info)
+      : RequiredBase(owner, name, info) {}
+
+ private:
+  Events events_{*this};
+};
+
+/// What serves bench::LargeBlocks from a component.
+template <>
+class Provided<bench::LargeBlocks> : public ProvidedBase {
+  using Contract = bench::LargeBlocks;
+  using EventId = bench::LargeBlocksEvent;
+
+ public:
+  Provided(Component& owner, std::string_view name, Contract& implementation)
+      : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
+
+  /// The events of bench::LargeBlocks, to emit.
+  struct Events {
+    explicit Events(ProvidedBase& provided)
+        : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
+
+    Emitter<bench::LargeBlockSlot, bench::LargeBlock> echo;
+  };
+  Events& emit() { return events_; }
+
+ protected:
+  // For contracts that derive from this one: `whole` points to their implementation.
+  Provided(Component& owner, std::string_view name, const InterfaceInfo& info, void* whole,
+           Contract& implementation)
+      : ProvidedBase(owner, name, info, whole),
+        implementation_(implementation) {}
+
+  Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
+
+ private:
+  // Reused by every command, so that what they own is allocated once: by reserved().
+  struct Scratch {
+    bench::LargeBlock bounce_block;
+
+    static Scratch reserved();
+  };
+
+  Contract& implementation_;
+  Events events_{*this};
+  Scratch scratch_ = Scratch::reserved();
+};
+
+}  // namespace suture

@@ -1,0 +1,59 @@
+#pragma once
+// The client that goes round and round with a block of bytes.
+
+#include <suture/component/task/event_task.h>
+
+#include <cstdint>
+#include <future>
+#include <vector>
+
+#include "bench/block_loop.suture.h"
+
+namespace bench {
+
+/// Sends a block and, when it is back, the next one, from its first cycle on. `Contract`:
+/// SmallBlocks or LargeBlocks.
+template <class Contract>
+class BlockClient final : public suture::EventTask {
+ public:
+  using Samples = std::vector<std::int64_t>;
+
+  BlockClient(int cpu, std::size_t bytes, std::size_t skipped, std::size_t samples)
+      : EventTask({.scheduling = {.processor = cpu}}), skipped_(skipped) {
+    block_.bytes.assign(bytes, 0xa5);
+    elapsed_.reserve(skipped + samples);
+    server.on().echo([this](const typename Contract::Block&) { arrived(); });
+  }
+  ~BlockClient() override { stop(); }
+
+  void run() override {
+    if (begun_ || !server.connected()) return;
+    begun_ = true;
+    send();
+  }
+  /// ns of each round but the first `skipped`. Once.
+  std::future<Samples> samples() { return finished_.get_future(); }
+
+  suture::Required<Contract> server{*this, "Server"};
+
+ private:
+  void send() {
+    sent_ = suture::now();
+    server.bounce(block_);
+  }
+  void arrived() {
+    elapsed_.push_back((suture::now() - sent_).count());
+    if (elapsed_.size() < elapsed_.capacity()) return send();
+    finished_.set_value(
+        Samples(elapsed_.begin() + static_cast<std::ptrdiff_t>(skipped_), elapsed_.end()));
+  }
+
+  typename Contract::Block block_;
+  suture::Time sent_{};
+  bool begun_ = false;
+  const std::size_t skipped_;
+  Samples elapsed_;
+  std::promise<Samples> finished_;
+};
+
+}  // namespace bench

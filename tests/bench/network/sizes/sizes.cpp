@@ -1,0 +1,87 @@
+#include "bench/figures/table.h"
+#include "bench/network/lanes.h"
+#include "bench/network/rows.h"
+#include "bench/network/sizes/block_client.h"
+#include "bench/network/sizes/block_process.h"
+#include "bench/placement.h"
+#include "bench/table2/ping_pong.h"
+
+namespace bench {
+namespace {
+
+using suture::Lane;
+
+constexpr std::size_t kPose = 120, kImage = std::size_t{1} << 20;
+
+struct SizedRow {
+  const char* title;
+  const char* figure;
+  Transport transport;
+  Lane lane;
+};
+
+constexpr SizedRow kSizedRows[] = {
+    {"shm", "sizes.shm", Transport::Unix, Lane::Shm},
+    {"frame, Unix socket", "sizes.frame.unix", Transport::Unix, Lane::Frame},
+    {"frame, TCP", "sizes.frame.tcp", Transport::Tcp, Lane::Frame},
+    {"rpc, Unix socket", "sizes.rpc.unix", Transport::Unix, Lane::Rpc},
+};
+
+/// Many rounds of small blocks, few of large ones.
+std::size_t roundsOf(std::size_t bytes, std::size_t all) {
+  return bytes == kImage ? (all + 19) / 20 : all;
+}
+
+template <class Contract>
+Statistics rounds(const NetworkOptions& options, const SizedRow& row, const char* provided,
+                  std::size_t bytes) {
+  const Pinned pinned(options.cpu);
+  BlockClient<Contract> client(options.cpu, bytes, roundsOf(bytes, options.skipped()),
+                               roundsOf(bytes, options.kept()));
+  BlockProcess server(row.transport, options.cpu);
+  server.manager().add("Client", client);
+  auto samples = client.samples();
+  server.manager().start();
+  connectBy(row.lane, server.manager(), "Client/Server", provided);
+  if (samples.wait_for(std::chrono::minutes(1)) != std::future_status::ready) {
+    throw suture::SetupError("blocks going round", "they had not ended after a minute",
+                             "Run it again");
+  }
+  return statisticsOf(inUnits(samples.get(), kMicrosecond));
+}
+
+Statistics floorOf(const NetworkOptions& options, Transport transport) {
+  return statisticsOf(
+      inUnits(pingPong(transport, kImage, options.cpu, roundsOf(kImage, options.skipped()),
+                       roundsOf(kImage, options.kept())),
+              kMicrosecond));
+}
+
+}  // namespace
+
+std::string sizeRows(const NetworkOptions& options, Report& report) {
+  const Unpreempted unpreempted;
+  Table table(1);
+  table.row(joined(joined({"us, there and back, one processor"}, statisticsTitles()), {"ratio"}));
+  table.line();
+  for (const SizedRow& row : kSizedRows) {
+    const std::string figure = row.figure;
+    const Statistics small = rounds<SmallBlocks>(options, row, "server:Small/Blocks", kPose);
+    const Statistics roomy = rounds<LargeBlocks>(options, row, "server:Large/Blocks", kPose);
+    const Statistics large = rounds<LargeBlocks>(options, row, "server:Large/Blocks", kImage);
+    const Statistics floor = floorOf(options, row.transport);
+    const double room = roomy.p50 / small.p50, ratio = large.p50 / floor.p50;
+    report.add(figure + ".small", "us", small);
+    report.add(figure + ".roomy", "us", roomy);
+    report.add(figure + ".room", "x", room);
+    report.add(figure + ".large", "us", large);
+    report.add(figure + ".large.ratio", "x", ratio);
+    table.row(joined({std::string(row.title) + ": 120 bytes"}, cellsOf(small, 2)));
+    table.row(joined(joined({"with room for 1 MiB"}, cellsOf(roomy, 2)), {number(room, 2)}));
+    table.row(joined(joined({"1 MiB"}, cellsOf(large, 2)), {number(ratio, 2)}));
+    table.row(joined({"1 MiB, bare socket"}, cellsOf(floor, 2)));
+  }
+  return table.toString();
+}
+
+}  // namespace bench
