@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "rt/model/scenarios.h"
 
@@ -105,6 +106,73 @@ Run eventQueueLatched() {
             require(it->latched == kLast, "the last value of a latched event is lost");
             require(it->queue.delivered() + it->queue.dropped() == kLast,
                     "an event was neither heard nor counted");
+          }};
+}
+
+namespace {
+
+constexpr std::uint32_t kLargeSize = rt::EventRing::kMostShared + 8;
+constexpr rt::EventLimits kWithLarge[] = {{kLargeSize, 2, false}, {8, 1, false}};
+
+/// Large events among small ones.
+struct LargeEvents {
+  explicit LargeEvents(rt::Producers producers) : queue(kWithLarge, producers) {}
+
+  rt::EventQueue queue;
+  std::uint64_t accepted = 0, taken = 0;
+
+  void push(std::uint64_t serial) {
+    std::byte payload[kLargeSize] = {};
+    std::memcpy(payload, &serial, sizeof(serial));
+    std::memcpy(payload + kLargeSize - sizeof(serial), &serial, sizeof(serial));
+    if (queue.push(0, suture::Time{}, payload)) ++accepted;
+  }
+  void pushSmall(std::uint64_t serial) {
+    if (queue.push(1, suture::Time{}, std::as_bytes(std::span(&serial, 1)))) ++accepted;
+  }
+  void receive() {
+    const rt::EventRecord* record = queue.next();
+    if (record == nullptr) return;
+    const std::byte* const payload = record->payload();
+    const std::uint64_t serial = read(payload);
+    const std::size_t last = kWithLarge[record->event].payloadSize - sizeof(serial);
+    require(read(payload + last) == serial, "an event is torn");
+    ++taken;
+    queue.pop();
+  }
+};
+
+}  // namespace
+
+Run eventQueueLarge() {
+  const auto it = std::make_shared<LargeEvents>(rt::Producers::Any);
+  return {.threads = {[it] { it->push(1); }, [it] { it->push(2); }}, .atEnd = [it] {
+            it->receive();
+            it->receive();
+            it->pushSmall(3);
+            it->push(4);  // into a cell that has been given back
+            it->receive();
+            it->receive();
+            require(it->taken == it->accepted, "a queued event is lost");
+            require(it->accepted == 4, "an event was dropped though there was room");
+            require(!it->queue.pending(), "the queue does not empty");
+          }};
+}
+
+Run eventQueueLargeOfOne() {
+  const auto it = std::make_shared<LargeEvents>(rt::Producers::One);
+  return {.threads = {[it] {
+                        it->push(1);
+                        it->pushSmall(2);
+                        for (std::uint64_t i = 3; i < 6; ++i) it->push(i);
+                      },
+                      [it] {
+                        for (int i = 0; i < 4; ++i) it->receive();
+                      }},
+          .atEnd = [it] {
+            for (int i = 0; i < 4; ++i) it->receive();
+            require(it->taken == it->accepted, "a queued event is lost");
+            require(it->accepted >= 3, "an event was dropped though there was room");
           }};
 }
 

@@ -64,8 +64,16 @@ suture_planted(row_read_unordered PART state/state_table SCENARIO StateRow FINDS
   TEXT "from[i].load(std::memory_order_acquire);" REPLACEMENT "from[i].load(std::memory_order_relaxed);")
 suture_planted(events_two_writers PART queue/event_queue SCENARIO EventQueue FINDS "a race on plain memory"
   TEXT "if (!alone && cell.writing.test_and_set(std::memory_order_acquire)) return false;" REPLACEMENT "")
-suture_planted(events_two_alone PART queue/event_queue SCENARIO EventQueueOfTwo FINDS "a "
-  TEXT "producers_ == Producers::One ? ring_.claimAlone() : ring_.claim()" REPLACEMENT "ring_.claimAlone()")
+suture_planted(events_two_alone PART queue/event_ring SCENARIO EventQueueOfTwo FINDS "a "
+  TEXT "producers_ == Producers::One ? ring.claimAlone() : ring.claim()" REPLACEMENT "ring.claimAlone()")
+suture_planted(events_large_lost PART queue/event_ring SCENARIO EventQueueLarge FINDS "an event was dropped"
+  TEXT "cells->release(reinterpret_cast<const Reference*>(memory)->place);" REPLACEMENT "")
+suture_planted(events_large_early PART queue/event_ring SCENARIO EventQueueLargeOfOne FINDS "a race on plain memory"
+  TEXT "    memory = cells->at(" REPLACEMENT "    cells->release(reference.place);
+    memory = cells->at(")
+suture_planted(cells_unordered_release PART queue/mpsc_ring SCENARIO EventQueueLargeOfOne FINDS "a race on plain memory"
+  TEXT "turn.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_release"
+  REPLACEMENT "turn.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_relaxed")
 suture_planted(bell_lost_ring PART doorbell SCENARIO Doorbell FINDS "it sleeps, there is work"
   TEXT "if (word_.compare_exchange_strong(expected, kAsleep, std::memory_order_seq_cst)) return true;"
   REPLACEMENT "word_.store(kAsleep); return true;")

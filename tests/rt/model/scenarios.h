@@ -18,6 +18,8 @@ Run eventQueue();
 Run eventQueueOfTwo();
 Run eventQueueOfOne();
 Run eventQueueLatched();
+Run eventQueueLarge();
+Run eventQueueLargeOfOne();
 Run doorbell();
 Run doorbellForTwo();
 

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 #include <suture/rt/queue/event_queue.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace suture::rt {
@@ -71,6 +74,85 @@ INSTANTIATE_TEST_SUITE_P(Producers, FullEventQueue, testing::Values(Producers::O
                          [](const auto& one) {
                            return one.param == Producers::One ? "One" : "Any";
                          });
+
+constexpr std::uint16_t kSmallOne = 0, kLargeOne = 1;
+constexpr std::uint32_t kLargeSize = 1u << 20;
+constexpr std::array<EventLimits, 2> kWithLarge = {
+    {{.payloadSize = 8, .depth = 60, .latest = false},
+     {.payloadSize = kLargeSize, .depth = 2, .latest = false}}};
+
+class LargeEvents : public testing::TestWithParam<Producers> {
+ protected:
+  bool push(std::uint16_t event, std::uint8_t value) {
+    const std::vector<std::byte> payload(kWithLarge[event].payloadSize, std::byte{value});
+    return queue.push(event, now(), payload);
+  }
+  /// The event that comes next, as its number and the value that all of it has; -1: none comes.
+  std::pair<std::uint16_t, int> next() {
+    const EventRecord* const record = queue.next();
+    if (record == nullptr) return {0, -1};
+    const std::uint16_t event = record->event;
+    const std::span payload(record->payload(), kWithLarge[event].payloadSize);
+    const std::byte first = payload[0];
+    const bool whole = std::ranges::all_of(payload, [&](std::byte one) { return one == first; });
+    queue.pop();
+    return {event, whole ? std::to_integer<int>(first) : -2};
+  }
+
+  EventQueue queue{kWithLarge, GetParam()};
+};
+
+using Heard = std::pair<std::uint16_t, int>;
+
+TEST_P(LargeEvents, ComeInTheOrderOfAll) {
+  for (std::uint8_t lap = 0; lap < 20; ++lap) {
+    EXPECT_TRUE(push(kSmallOne, lap));
+    EXPECT_TRUE(push(kLargeOne, lap));
+    EXPECT_TRUE(push(kSmallOne, 100));
+    EXPECT_TRUE(push(kLargeOne, 101));
+    EXPECT_EQ(next(), Heard(kSmallOne, lap));
+    EXPECT_EQ(next(), Heard(kLargeOne, lap));
+    EXPECT_EQ(next(), Heard(kSmallOne, 100));
+    EXPECT_EQ(next(), Heard(kLargeOne, 101));
+  }
+  EXPECT_FALSE(queue.pending());
+}
+
+TEST_P(LargeEvents, AreDroppedBeyondTheirDepthWithoutHarmToOthers) {
+  EXPECT_TRUE(push(kLargeOne, 1));
+  EXPECT_TRUE(push(kLargeOne, 2));
+  EXPECT_FALSE(push(kLargeOne, 3));
+  EXPECT_EQ(queue.dropped(), 1u);
+  EXPECT_TRUE(push(kSmallOne, 4));
+  EXPECT_EQ(next(), Heard(kLargeOne, 1));
+  EXPECT_TRUE(push(kLargeOne, 5));
+  EXPECT_EQ(next(), Heard(kLargeOne, 2));
+  EXPECT_EQ(next(), Heard(kSmallOne, 4));
+  EXPECT_EQ(next(), Heard(kLargeOne, 5));
+}
+
+// A cell that has found no place in the order is there for the next event.
+TEST_P(LargeEvents, AreDroppedWhileSmallOnesTakeAllPlaces) {
+  while (push(kSmallOne, 1)) continue;
+  for (int i = 0; i < 5; ++i) EXPECT_FALSE(push(kLargeOne, 2));
+  while (next() != Heard(0, -1)) continue;
+  EXPECT_TRUE(push(kLargeOne, 3));
+  EXPECT_TRUE(push(kLargeOne, 4));
+  EXPECT_EQ(next(), Heard(kLargeOne, 3));
+}
+
+TEST_P(LargeEvents, TakeNoMoreMemoryThanTheyDeclare) {
+  Arena measured = Arena::measuring();
+  const EventQueue asked(kWithLarge, GetParam(), measured);
+  EXPECT_LT(measured.used(), 2 * kLargeSize + 16'384);
+}
+
+std::string nameOf(const testing::TestParamInfo<Producers>& producers) {
+  return producers.param == Producers::One ? "One" : "Any";
+}
+
+INSTANTIATE_TEST_SUITE_P(Producers, LargeEvents, testing::Values(Producers::One, Producers::Any),
+                         nameOf);
 
 }  // namespace
 }  // namespace suture::rt

@@ -1,5 +1,5 @@
 #pragma once
-// Copies of a slot that take only what is used of its lists, texts and matrices.
+// Where the lists, texts and matrices of a slot lie, of which little may be used.
 
 #include <suture/base/slots/slot_forms.h>
 
@@ -68,59 +68,6 @@ constexpr BoundedLevel levelAt(std::size_t place, const BoundedMatrix<S, R, C>*)
 template <class Form>
 constexpr BoundedLevel levelAt(std::size_t place) {
   return bounded::levelAt(place, static_cast<const Form*>(nullptr));
-}
-
-/// Copies a slot of `size` bytes to `to`, except what nobody reads. What lies at `from` may change
-/// meanwhile: each size is read from the copy.
-inline void copyUsed(std::byte* to, const std::byte* from, std::size_t size, BoundedLevels levels) {
-  std::size_t place = 0;
-  for (const BoundedLevel& level : levels) {
-    std::memcpy(to + place, from + place, level.data - place);
-    std::memcpy(to + level.data, from + level.data, level.usedBytes(to));
-    place = level.data + level.mostBytes();
-  }
-  std::memcpy(to + place, from + place, size - place);
-}
-
-/// Returns how many bytes packUsed() writes.
-inline std::size_t usedSize(const std::byte* slot, std::size_t size, BoundedLevels levels) {
-  for (const BoundedLevel& level : levels) size -= level.mostBytes() - level.usedBytes(slot);
-  return size;
-}
-
-/// Writes the same bytes one behind the other. Nobody else may change the slot meanwhile.
-inline void packUsed(std::byte* to, const std::byte* slot, std::size_t size, BoundedLevels levels) {
-  std::size_t place = 0;
-  const auto write = [&](std::size_t bytes) {
-    std::memcpy(to, slot + place, bytes);
-    to += bytes;
-    place += bytes;
-  };
-  for (const BoundedLevel& level : levels) {
-    write(level.data - place);
-    write(level.usedBytes(slot));
-    place = level.data + level.mostBytes();
-  }
-  write(size - place);
-}
-
-/// Puts what packUsed() has written where it belongs in a slot. Returns false if `packed`, which
-/// may be any bytes, is not that; the slot may have any bytes then.
-inline bool unpackUsed(std::byte* slot, std::span<const std::byte> packed, std::size_t size,
-                       BoundedLevels levels) {
-  std::size_t place = 0;
-  const auto read = [&](std::size_t bytes) {
-    if (bytes > packed.size()) return false;
-    std::memcpy(slot + place, packed.data(), bytes);
-    packed = packed.subspan(bytes);
-    place += bytes;
-    return true;
-  };
-  for (const BoundedLevel& level : levels) {
-    if (!read(level.data - place) || !read(level.usedBytes(slot))) return false;
-    place = level.data + level.mostBytes();
-  }
-  return read(size - place) && packed.empty();
 }
 
 }  // namespace suture

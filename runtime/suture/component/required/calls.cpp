@@ -1,3 +1,4 @@
+#include <suture/base/slots/used_parts.h>
 #include <suture/component/channel/call_limit.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/required/calls.h>

@@ -1,3 +1,4 @@
+#include <suture/base/slots/used_parts.h>
 #include <suture/component/channel/credit.h>
 #include <suture/lane/carrier/client_carrier.h>
 #include <suture/rt/counter.h>

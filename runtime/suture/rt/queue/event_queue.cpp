@@ -3,33 +3,16 @@
 #include <suture/rt/queue/event_queue.h>
 
 #include <algorithm>
-#include <cstring>
-#include <new>
 
 namespace suture::rt {
-namespace {
-
-std::size_t totalDepth(std::span<const EventLimits> events) {
-  std::size_t depth = 1;
-  for (const auto& event : events) depth += event.latest ? 0 : event.depth;
-  return depth;
-}
-
-std::size_t largestRecord(std::span<const EventLimits> events) {
-  std::size_t size = 0;
-  for (const auto& event : events) size = std::max<std::size_t>(size, event.payloadSize);
-  return sizeof(EventRecord) + size;
-}
-
-}  // namespace
 
 EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers, Arena& arena)
-    : producers_(producers),
+    : forms_(events),
+      producers_(producers),
       foreign_(arena.foreign()),
-      ring_(totalDepth(events), largestRecord(events), arena),
+      ring_(events, forms_, producers, arena),
       counters_(arena.make<EventCounters>()) {
   for (const auto& event : events) {
-    payloads_.push_back({event.payloadSize, event.levels});
     const bool hasCell = event.latest || event.latched;
     cells_.push_back(hasCell ? std::make_unique<Cell>(event, arena) : nullptr);
     const std::uint64_t bit = std::uint64_t{1} << (cells_.size() - 1);
@@ -49,24 +32,6 @@ EventQueue::~EventQueue() {
   }
 }
 
-void EventQueue::write(std::byte* memory, const EventRecord& record,
-                       std::span<const std::byte> payload) const {
-  new (memory) EventRecord(record);
-  if (payload.empty()) return;
-  copyUsed(memory + sizeof(record), payload.data(), payload.size(), payloads_[record.event].levels);
-}
-
-// Looks at its copy of the record only, since the original may change.
-void EventQueue::copyForeign(std::byte* to, const std::byte* from, std::size_t size) const {
-  EventRecord record;
-  std::memcpy(&record, from, sizeof(record));
-  std::memcpy(to, &record, sizeof(record));
-  if (record.event >= payloads_.size()) return;
-  const Payload& payload = payloads_[record.event];
-  if (payload.size > size - sizeof(record)) return;
-  copyUsed(to + sizeof(record), from + sizeof(record), payload.size, payload.levels);
-}
-
 // Two threads that emit it at the same moment have no order: one of them gives way.
 bool EventQueue::pushLatest(Cell& cell, const EventRecord& record,
                             std::span<const std::byte> payload) {
@@ -81,17 +46,9 @@ void EventQueue::replace(Cell& cell, const EventRecord& record,
                          std::span<const std::byte> payload) {
   std::byte* const memory = cell.values.claim();
   if (cell.shared) releaseSharedSlot(memory + sizeof(EventRecord));  // of one that was replaced
-  write(memory, record, payload);
+  forms_.write(memory, record, payload);
   const bool replaced = cell.values.commit();
   if (replaced && cell.queued) countDropped();
-}
-
-bool EventQueue::enqueue(const EventRecord& record, std::span<const std::byte> payload) {
-  std::byte* const memory = producers_ == Producers::One ? ring_.claimAlone() : ring_.claim();
-  if (memory == nullptr) return false;
-  write(memory, record, payload);
-  ring_.commit(memory);
-  return true;
 }
 
 bool EventQueue::pushSpecial(const EventRecord& record, std::span<const std::byte> payload) {
@@ -106,43 +63,46 @@ bool EventQueue::pushSpecial(const EventRecord& record, std::span<const std::byt
 // ring.
 bool EventQueue::enter(const EventRecord& record, std::span<const std::byte> payload) {
   Cell* const cell = cells_[record.event].get();
-  if (cell == nullptr) return enqueue(record, payload);
-  if (cell->queued && !cell->values.fresh() && enqueue(record, payload)) return true;
+  if (cell == nullptr) return ring_.push(record, payload);
+  if (cell->queued && !cell->values.fresh() && ring_.push(record, payload)) return true;
   return pushLatest(*cell, record, payload);
 }
 
 bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte> payload) {
   const EventRecord record{stamp, event, {}};
-  if (isPlain(event) ? enqueue(record, payload) : pushSpecial(record, payload)) return true;
+  if (isPlain(event) ? ring_.push(record, payload) : pushSpecial(record, payload)) return true;
   countDropped();
   return false;
 }
 
 // Looks into the ring once more when it sees a queued event in a cell: what had room was put into
 // the ring before that, perhaps since the last look.
-const std::byte* EventQueue::takeKept() {
+EventRecord* EventQueue::takeKept() {
+  const auto copy = [this](std::byte* to, const std::byte* from, std::size_t) {
+    forms_.copyForeign(to, from, static_cast<std::uint16_t>(cell_));
+  };
   for (cell_ = 0; cell_ < cells_.size(); ++cell_) {
     Cell* const cell = cells_[cell_].get();
     if (cell == nullptr || !cell->values.fresh()) continue;
-    const std::byte* const earlier = cell->queued ? ring_.front(copier()) : nullptr;
+    EventRecord* const earlier = cell->queued ? ring_.front() : nullptr;
     fromRing_ = earlier != nullptr;
     if (fromRing_) return earlier;
-    if (cell->values.take(copier())) return cell->values.front();
+    if (!cell->values.take(copy)) continue;
+    return reinterpret_cast<EventRecord*>(const_cast<std::byte*>(cell->values.front()));
   }
   return nullptr;
 }
 
 EventRecord* EventQueue::oldest() {
-  const std::byte* memory = ring_.front(copier());
-  fromRing_ = memory != nullptr;
-  if (!fromRing_) memory = takeKept();
-  return reinterpret_cast<EventRecord*>(const_cast<std::byte*>(memory));
+  EventRecord* const record = ring_.front();
+  fromRing_ = record != nullptr;
+  return fromRing_ ? record : takeKept();
 }
 
-// True if the provider could have written it. A cell's payload has room for its own event only.
+// True if the provider could have written it.
 bool EventQueue::makePossible(EventRecord& record) const {
   record.stamp = std::clamp(record.stamp, Time{}, now());
-  if (!fromRing_) return record.event == cell_;
+  if (!fromRing_) return true;
   if (record.event >= cells_.size()) return false;
   const Cell* const cell = cells_[record.event].get();
   return cell == nullptr || cell->queued;
@@ -151,7 +111,7 @@ bool EventQueue::makePossible(EventRecord& record) const {
 const EventRecord* EventQueue::next() {
   next_ = oldest();
   // Skip no more than the ring has room for: the provider may write faster than this reads.
-  for (std::size_t left = ring_.cells(); next_ != nullptr && foreign_; --left) {
+  for (std::size_t left = ring_.records(); next_ != nullptr && foreign_; --left) {
     if (makePossible(*next_)) break;
     if (fromRing_) ring_.pop();
     next_ = left == 0 ? nullptr : oldest();

@@ -1,4 +1,5 @@
 #include <suture/base/slots/shared_slot.h>
+#include <suture/base/slots/used_parts.h>
 #include <suture/rt/counter.h>
 #include <suture/rt/queue/mailbox.h>
 

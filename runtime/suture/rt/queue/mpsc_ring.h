@@ -16,6 +16,9 @@ namespace suture::rt {
 /// calls front() and pop(). Lock-free, no allocation after construction. A producer that is stopped
 /// between claim and commit holds up the consumer at its cell, never the other producers.
 ///
+/// A ring may also lend its cells instead of publishing them: what claim() returned is then found
+/// by its place, and given back by release(), in any order.
+///
 /// In foreign memory the producers are of one process and the consumer of another, each process
 /// with an object of its own; front() then is a copy, and whatever the other side writes harms
 /// itself alone.
@@ -36,6 +39,17 @@ class MpscRing {
   /// Producer: publishes what claim() returned.
   void commit(std::byte* cell);
 
+  /// Producer: the place of a cell that claim() returned.
+  std::uint64_t placeOf(const std::byte* cell) const {
+    return static_cast<std::uint64_t>(cell - data_.get()) / stride_;
+  }
+  /// Consumer: the cell lent at a place, which may be any number. In foreign memory it is copied as
+  /// by front().
+  template <class Copy>
+  const std::byte* at(std::uint64_t place, const Copy& copy);
+  /// Whoever has a lent cell gives it back.
+  void release(std::uint64_t place);
+
   /// Consumer: true if front() has a cell to return.
   bool pending() const;
   /// Consumer: the oldest published cell, or nullptr. Stays valid until pop(). In foreign memory,
@@ -47,7 +61,10 @@ class MpscRing {
   void pop();
 
  private:
-  const std::byte* oldest() const;
+  const std::byte* oldest() const { return pending() ? cellAt(head_) : nullptr; }
+  std::byte* cellAt(std::uint64_t position) const {
+    return reinterpret_cast<std::byte*>(&turnAt(position)) + sizeof(std::uint64_t);
+  }
   std::atomic<std::uint64_t>& turnAt(std::uint64_t position) const {
     return *reinterpret_cast<std::atomic<std::uint64_t>*>(data_.get() +
                                                           (position & mask_) * stride_);
@@ -61,6 +78,14 @@ class MpscRing {
   std::vector<std::byte> copy_;  // in foreign memory: the front cell's
   bool copied_ = false;
 };
+
+template <class Copy>
+const std::byte* MpscRing::at(std::uint64_t place, const Copy& copy) {
+  const std::byte* const cell = cellAt(place);
+  if (copy_.empty()) return cell;
+  copy(copy_.data(), cell, copy_.size());
+  return copy_.data();
+}
 
 template <class Copy>
 const std::byte* MpscRing::front(const Copy& copy) {
@@ -83,7 +108,7 @@ inline std::byte* MpscRing::claim() {
     const std::uint64_t turn = turnAt(position).load(std::memory_order_acquire);
     if (turn == position) {
       if (tail_.compare_exchange_weak(position, position + 1, std::memory_order_relaxed)) {
-        return reinterpret_cast<std::byte*>(&turnAt(position)) + sizeof(std::uint64_t);
+        return cellAt(position);
       }
     } else if (turn < position) {
       return nullptr;

@@ -1,8 +1,9 @@
 // What is copied of slots with much room.
 
-#include <suture/base/slots/bounded_level.h>
+#include <suture/base/slots/used_parts.h>
 #include <suture/component/contract/interface_info.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "round_trip.h"
@@ -17,6 +18,7 @@ namespace {
 
 using suture::BoundedLevel;
 using suture::BoundedLevels;
+using suture::UsedReader;
 
 const suture::InterfaceInfo& info() { return suture::interfaceInfo<Recorder>(); }
 
@@ -75,7 +77,8 @@ class LargeSlots : public testing::TestWithParam<double> {
     return all;
   }
   bool unpack(std::span<const std::byte> packed) {
-    return unpackUsed(bytesOf(*received_).data(), packed, sizeof(LargeSlot), levels_);
+    UsedReader reader(bytesOf(*received_).data(), sizeof(LargeSlot), levels_);
+    return reader.take(packed).empty() && reader.done();
   }
 
   const BoundedLevels levels_ = info().commands[2].resultLevels;
@@ -91,6 +94,32 @@ TEST_P(LargeSlots, AreThereWhenWhatIsUsedHasBeenCopied) {
 TEST_P(LargeSlots, AreThereWhenTheyHaveTravelled) {
   EXPECT_TRUE(unpack(packed()));
   EXPECT_EQ(contentOf(*received_), contentOf(*sent_));
+}
+
+// In a row of state, values are packed where they lie.
+TEST_P(LargeSlots, ArePackedInPlaceAndInFrontOfIt) {
+  const std::vector<std::byte> expected = packed();
+  for (const std::size_t ahead : {0, 8, 4096}) {
+    std::vector<std::byte> row(ahead + sizeof(LargeSlot));
+    std::ranges::copy(bytesOf(*sent_), row.begin() + std::ptrdiff_t(ahead));
+    packUsed(row.data(), row.data() + ahead, sizeof(LargeSlot), levels_);
+    EXPECT_TRUE(std::equal(expected.begin(), expected.end(), row.begin())) << ahead;
+  }
+}
+
+TEST_P(LargeSlots, AreReadAsTheyArriveBitByBit) {
+  const std::vector<std::byte> all = packed();
+  for (const std::size_t bit : {1, 7, 300, 5000}) {
+    soil(*received_, 0x5a);
+    UsedReader reader(bytesOf(*received_).data(), sizeof(LargeSlot), levels_);
+    for (std::size_t i = 0; i < all.size(); i += bit) {
+      EXPECT_FALSE(reader.done());
+      EXPECT_TRUE(reader.take(std::span(all).subspan(i, std::min(bit, all.size() - i))).empty());
+      EXPECT_GE(reader.place(), std::min(i + bit, all.size()));
+    }
+    EXPECT_TRUE(reader.done());
+    EXPECT_EQ(contentOf(*received_), contentOf(*sent_)) << bit;
+  }
 }
 
 TEST_P(LargeSlots, TakeWhatTheirContentNeeds) {
@@ -127,7 +156,9 @@ TEST(LargeSlotsOfAForeigner, AreNotCopiedBeyondTheirRoom) {
   copyUsed(bytesOf(*received).data(), bytesOf(*sent).data(), sizeof(LargeSlot), levels);
   EXPECT_EQ(std::memcmp(sent.get(), received.get(), sizeof(LargeSlot)), 0);
   soil(*received, 0);
-  EXPECT_TRUE(unpackUsed(bytesOf(*received).data(), bytesOf(*sent), sizeof(LargeSlot), levels));
+  UsedReader reader(bytesOf(*received).data(), sizeof(LargeSlot), levels);
+  EXPECT_TRUE(reader.take(bytesOf(*sent)).empty());
+  EXPECT_TRUE(reader.done());
   EXPECT_EQ(std::memcmp(sent.get(), received.get(), sizeof(LargeSlot)), 0);
 }
 
