@@ -5,6 +5,8 @@
 #include <suture/lane/frame/payloads/row_copy.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
@@ -193,6 +195,174 @@ TEST_F(Rows, OfWhichTheEndIsMissingAreNone) {
   for (const std::size_t end : {bytes.size() - 8, std::size_t{16}}) {
     EXPECT_FALSE(there->openRow(bytes.first(end), Duration{0}, mirror));
   }
+}
+
+// ---- values of which not all travels
+
+constexpr std::uint32_t kRoom = 4 * kMostPayload + 12, kRemark = 600;
+constexpr BoundedLevel kListOfPixels[] = {
+    {.size = 4, .data = 8, .stride = 1, .capacity = kRoom - 12}};
+constexpr BoundedLevel kListOfWords[] = {{.size = 0, .data = 8, .stride = 8, .capacity = 70}};
+
+const InterfaceInfo& scrapbook() {
+  static const std::vector<CommandInfo> commands{
+      {.name = "remark",
+       .kind = CommandKind::Read,
+       .resultSize = kRemark,
+       .depth = 1,
+       .column = 0,
+       .resultLevels = kListOfWords},
+      {.name = "photo",
+       .kind = CommandKind::Read,
+       .resultSize = kRoom,
+       .depth = 1,
+       .column = 1,
+       .shiftResult = [](std::byte* photo,
+                         Duration shift) { photo[0] = static_cast<std::byte>(shift.count()); },
+       .resultLevels = kListOfPixels},
+      {.name = "place", .kind = CommandKind::Read, .resultSize = kTitle, .depth = 1, .column = 2},
+      {.name = "paste",
+       .kind = CommandKind::Write,
+       .argumentsSize = kRoom,
+       .depth = 1,
+       .argumentsLevels = kListOfPixels}};
+  static const InterfaceInfo info{.name = "Scrapbook",
+                                  .hash = "",
+                                  .description = "{}",
+                                  .commands = commands,
+                                  .events = {},
+                                  .codec = nullptr};
+  return info;
+}
+
+class LargeRows : public testing::Test {
+ protected:
+  /// The photo has so many pixels of `value`, the remark `written` words of 77.
+  void publish(int value, std::uint32_t pixels, std::uint32_t written = 3) {
+    std::byte* const remark = table.draft(0);
+    std::memset(remark, 77, kRemark);
+    std::memcpy(remark, &written, sizeof(written));
+    std::byte* const photo = table.draft(1);
+    std::memset(photo, value, kRoom);
+    std::memcpy(photo + 4, &pixels, sizeof(pixels));
+    std::memset(table.draft(2), 5, kTitle);
+    table.publish(now(), {.valid = kAll});
+  }
+  /// The newest row, as its bytes arrive; how many they are.
+  std::size_t send() {
+    copy.begin(here->slotsOf(kAll), kAll);
+    while (!copy.go()) continue;
+    const auto packed = here->packRow(copy.row());
+    words.resize(packed.size() / 8);
+    std::ranges::copy(packed, std::as_writable_bytes(std::span(words)).begin());
+    return packed.size();
+  }
+  std::optional<ArrivedRow> arrive(Duration shift = {}, std::size_t piece = kMostPayload) {
+    const std::span bytes = std::as_writable_bytes(std::span(words));
+    for (std::size_t end = piece; end < bytes.size(); end += piece) {
+      there->openRowPart(bytes.first(end), shift, mirror);
+    }
+    return there->openRow(bytes, shift, mirror);
+  }
+  /// Publishes what has arrived, and compares it with what was published here.
+  void expectArrived(const ArrivedRow& row, int value, std::uint32_t pixels, int first) {
+    mirror.publish(now(), row.columns, row.values);
+    std::vector<std::byte> photo(kRoom), remark(kRemark), place(kTitle);
+    EXPECT_TRUE(mirror.read(0, remark.data()));
+    EXPECT_TRUE(mirror.read(1, photo.data()));
+    EXPECT_TRUE(mirror.read(2, place.data()));
+    std::uint32_t count = 0;
+    std::memcpy(&count, &photo[4], sizeof(count));
+    EXPECT_EQ(count, pixels);
+    EXPECT_EQ(photo[0], std::byte(first));
+    const auto isValue = [&](std::byte one) { return one == std::byte(value); };
+    EXPECT_TRUE(std::all_of(photo.begin() + 8, photo.begin() + 8 + pixels, isValue));
+    EXPECT_TRUE(std::all_of(photo.end() - 4, photo.end(), isValue));
+    EXPECT_EQ(remark[8 + 3 * 8 - 1], std::byte{77});
+    EXPECT_EQ(remark[kRemark - 1], std::byte{77});
+    EXPECT_EQ(place[kTitle - 1], std::byte{5});
+  }
+
+  static constexpr std::array<std::uint32_t, 3> kSizes = {kRemark, kRoom, kTitle};
+  static constexpr std::array<BoundedLevels, 3> kLevels = {kListOfWords, kListOfPixels, {}};
+  rt::StateTable table{kSizes, 2, 0, rt::StateTable::Readers::Here, kLevels},
+      mirror{kSizes, 2, 0, rt::StateTable::Readers::Here, kLevels};
+  const std::unique_ptr<Payloads> here = makePayloads(scrapbook(), Form::Slots),
+                                  there = makePayloads(scrapbook(), Form::Slots);
+  RowCopy copy{table};
+  std::vector<std::uint64_t> words;  // that have been sent
+};
+
+TEST_F(LargeRows, AreThereWhateverIsUsedOfThem) {
+  int value = 10;
+  for (const std::size_t used : {kRoom - 12ul, 120ul, 0ul, 2 * kMostPayload, 1ul, kRoom - 13ul}) {
+    const auto pixels = static_cast<std::uint32_t>(used);
+    publish(++value, pixels);
+    send();
+    const auto row = arrive();
+    ASSERT_TRUE(row);
+    expectArrived(*row, value, pixels, value);
+  }
+}
+
+TEST_F(LargeRows, TakeWhatIsUsedOfThem) {
+  publish(10, 120);
+  EXPECT_LT(send(), 400u);
+  publish(10, kRoom - 12, 70);
+  EXPECT_GT(send(), kRoom + kRemark - 100);
+}
+
+TEST_F(LargeRows, OfPiecesOfAnySizeAreThere) {
+  int value = 10;
+  for (const std::size_t piece : {std::size_t{1024}, std::size_t{8}, std::size_t{4096}}) {
+    publish(++value, kMostPayload / 4 + 1);
+    send();
+    const auto row = arrive({}, piece);
+    ASSERT_TRUE(row);
+    EXPECT_GT(row->values[1].stored, kMostPayload / 8) << "the mirror has most of it already";
+    expectArrived(*row, value, kMostPayload / 4 + 1, value);
+  }
+}
+
+TEST_F(LargeRows, WithStampsOfAnotherClockAreStoredWhenTheyAreWhole) {
+  publish(10, 2 * kMostPayload);
+  send();
+  const auto row = arrive(Duration{99});
+  ASSERT_TRUE(row);
+  EXPECT_EQ(row->values[1].stored, 0u);
+  expectArrived(*row, 10, 2 * kMostPayload, 99);
+}
+
+TEST_F(LargeRows, OfWhichTheEndIsMissingOrTooLongAreNone) {
+  publish(10, 120);
+  const std::size_t size = send();
+  const std::vector<std::uint64_t> all = words;
+  for (std::size_t end = 0; end < size / 8; ++end) {
+    words.assign(all.begin(), all.begin() + std::ptrdiff_t(end));
+    EXPECT_FALSE(arrive()) << end;
+  }
+  words = all;
+  words.push_back(0);
+  EXPECT_FALSE(arrive());
+  words = all;
+  EXPECT_TRUE(arrive()) << "what came before is forgotten";
+}
+
+// What is being sent in pieces stays as it is while other values arrive.
+TEST_F(LargeRows, DoNotShareMemoryWithArguments) {
+  constexpr ValueName kPaste{Kind::Command, 3};
+  const std::uint32_t pixels = 2 * kMostPayload;
+  std::vector<std::byte> slot(kRoom, std::byte{1});
+  std::memcpy(&slot[4], &pixels, sizeof(pixels));
+  const auto sent = here->pack(kPaste, slot.data());
+  const std::vector<std::byte> before(sent.begin(), sent.end());
+  std::vector<std::byte> other(8 + 100 + 4, std::byte{2});
+  const std::uint32_t few = 100;
+  std::memcpy(&other[4], &few, sizeof(few));
+  const ArrivedValue arrived = here->open(kPaste, other, Duration{0});
+  ASSERT_NE(arrived.slot, nullptr);
+  EXPECT_EQ(arrived.slot[kRoom - 1], std::byte{2});
+  EXPECT_TRUE(std::ranges::equal(sent, before));
 }
 
 }  // namespace

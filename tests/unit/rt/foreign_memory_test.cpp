@@ -286,18 +286,20 @@ TEST(ForeignMailbox, ADrainEndsThoughTheProducerDoesNot) {
   }
 }
 
-const std::array<EventLimits, 4> kEvents = {
+constexpr std::uint32_t kLarge = EventRing::kMostShared + 88;
+constexpr BoundedLevel kListOfLarge[] = {listOf(kLarge - 12)};
+const std::array<EventLimits, 5> kEvents = {
     EventLimits{.payloadSize = 16, .depth = 4, .latest = false},
     EventLimits{.payloadSize = 40, .depth = 1, .latest = true, .levels = kList28},
     EventLimits{.payloadSize = 0, .depth = 2, .latest = false},
-    EventLimits{
-        .payloadSize = 24, .depth = 1, .latest = false, .latched = true, .levels = kList12}};
+    EventLimits{.payloadSize = 24, .depth = 1, .latest = false, .latched = true, .levels = kList12},
+    EventLimits{.payloadSize = kLarge, .depth = 2, .latest = false, .levels = kListOfLarge}};
 
 TEST(ForeignEventQueue, CopiesWhatIsUsedOfALargeList) {
   Shared<EventQueue> queue(std::span<const EventLimits>{kEvents}, Producers::One);
-  for (const std::uint16_t event : {1, 3}) {
+  for (const std::uint16_t event : {1, 3, 4}) {
     const std::uint32_t used = 7;
-    std::array<std::byte, 40> payload;
+    std::array<std::byte, kLarge> payload;
     payload.fill(std::byte{0xee});
     std::memcpy(&payload[4], &used, sizeof(used));
     queue.producer->push(event, now(), std::span(payload).first(kEvents[event].payloadSize));
@@ -312,7 +314,7 @@ TEST(ForeignEventQueue, SurvivesAnything) {
   for (const Producers producers : {Producers::One, Producers::Any}) {
     survivesAnything<EventQueue>(
         [](Shared<EventQueue>& queue, const auto& scramble) {
-          const std::array<std::byte, 40> payload{};
+          const std::array<std::byte, kLarge> payload{};
           for (int lap = 0; lap < 4; ++lap) {
             for (std::uint16_t event = 0; event < kEvents.size(); ++event) {
               queue.producer->push(event, now(),
@@ -354,6 +356,34 @@ TEST(ForeignStateTable, IsReadInAnotherProcessAndAskedThere) {
     EXPECT_EQ(slot[23], static_cast<std::byte>(row));
   }
   EXPECT_EQ(view.rows(), 10u);
+}
+
+TEST(ForeignStateTable, CopiesWhatIsUsedOfALargeList) {
+  const std::array<std::uint32_t, 2> sizes = {12, kLarge};
+  const std::array<BoundedLevels, 2> levels = {BoundedLevels{}, kListOfLarge};
+  StateTable table(sizes, 4, 0, StateTable::Readers::Elsewhere, levels);
+  const StateTable view(sizes, 4, table.memory(), std::make_shared<std::atomic<ColumnSet>>(),
+                        levels);
+  for (const std::uint32_t used : {0u, 1u, 5u, kLarge / 2, kLarge - 12}) {
+    std::memset(table.draft(0), 0xdd, sizes[0]);
+    std::memset(table.draft(1), 0xee, kLarge);
+    std::memcpy(table.draft(1) + 4, &used, sizeof(used));
+    table.publish(now(), {.valid = 3});
+    std::array<std::byte, 12> small{};
+    std::array<std::byte, kLarge> large{};
+    const std::array<std::byte*, 2> slots = {small.data(), large.data()};
+    EXPECT_EQ(view.readRow(slots).valid, 3u);
+    EXPECT_EQ(small[11], std::byte{0xdd});
+    for (std::size_t i = 0; i < kLarge; ++i) {
+      if (i >= 4 && i < 8) continue;  // how many they are
+      const bool fixed = i < 8 || i >= kLarge - 4;
+      if (fixed || i < 8 + used) {
+        EXPECT_EQ(large[i], std::byte{0xee}) << i;
+      } else if (i >= 16 + used && i < kLarge - 12) {  // beyond the words that it shares
+        EXPECT_EQ(large[i], std::byte{0}) << i;
+      }
+    }
+  }
 }
 
 // As many rows as there cannot be: the search for a time ends all the same.

@@ -134,9 +134,18 @@ Channel::~Channel() {
   while (!foreign && client.nextReply() != nullptr) client.popReply();
 }
 
+std::vector<BoundedLevels> columnLevels(const InterfaceInfo& info) {
+  std::vector<BoundedLevels> levels;
+  for (const CommandInfo& command : info.commands) {
+    if (command.kind == CommandKind::Read) levels.push_back(command.resultLevels);
+  }
+  return levels;
+}
+
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,
                                                rt::StateTable::Readers readers, unsigned rows) {
   std::vector<std::uint32_t> sizes;
+  const std::vector<BoundedLevels> levels = columnLevels(info);
   rt::ColumnSet shared = 0;
   for (const CommandInfo& command : info.commands) {
     if (command.kind != CommandKind::Read) continue;
@@ -145,7 +154,7 @@ std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,
   }
   if (shared != 0) readers = rt::StateTable::Readers::Here;  // pointers mean nothing elsewhere
   if (rows == 0) rows = rowsOf(sizes);
-  return std::make_shared<rt::StateTable>(sizes, rows, shared, readers);
+  return std::make_shared<rt::StateTable>(sizes, rows, shared, readers, levels);
 }
 
 }  // namespace suture

@@ -170,6 +170,9 @@ void ChannelProvider::reply(std::uint32_t call, ResultForm form, const Produce& 
   channel_.countSent(rt::SpscRing::recordSize(sizeof(ReplyRecord) + form.size));
 }
 
+/// Tells by column what need not be copied of it.
+std::vector<BoundedLevels> columnLevels(const InterfaceInfo& info);
+
 /// A contract's state table: one column a read. `readers`: whether another process may map it.
 /// `rows`: at least so many; 0: as many as their size suggests.
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,

@@ -22,7 +22,7 @@ bool ClientSide::take(const Header& header, std::span<std::byte> payload) {
   }
 }
 
-void ClientSide::takePart(Kind kind, std::span<const std::byte> payload) {
+void ClientSide::takePart(Kind kind, std::span<std::byte> payload) {
   if (kind == Kind::Row) payloads_->openRowPart(payload, channel_->clockShift(), *channel_->state);
 }
 

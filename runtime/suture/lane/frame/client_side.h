@@ -19,7 +19,7 @@ class ClientSide final : public Connection, private ClientCarrier::Wire {
 
  private:
   bool take(const Header& header, std::span<std::byte> payload) override;
-  void takePart(Kind kind, std::span<const std::byte> payload) override;
+  void takePart(Kind kind, std::span<std::byte> payload) override;
   void taken() override { carrier_.ringClient(); }
   bool give() override;
   void letGo(Kind) override { carrier_.commandSent(); }

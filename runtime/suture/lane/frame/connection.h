@@ -56,7 +56,7 @@ class Connection {
 
   virtual bool take(const Header& header, std::span<std::byte> payload) = 0;
   /// So much has come of the payload of a frame of this kind, which take() gets whole.
-  virtual void takePart(Kind, std::span<const std::byte>) {}
+  virtual void takePart(Kind, std::span<std::byte>) {}
   /// Sends what there is; true: it goes on at the next turn.
   virtual bool give() = 0;
   /// All of the payload that sendValue() got has been sent, in a frame of this kind.

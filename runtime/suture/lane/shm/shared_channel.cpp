@@ -70,7 +70,8 @@ std::shared_ptr<Channel> takeShared(OutgoingConnection connection, const SharedP
   requireColumns(connection.contract, connection.terms.name, parts.columns);
   Arena arena(parts.channel, Arena::Content::Made);
   auto state =
-      std::make_shared<rt::StateTable>(parts.columns, parts.rows, parts.state, arena.make<Asked>());
+      std::make_shared<rt::StateTable>(parts.columns, parts.rows, parts.state, arena.make<Asked>(),
+                                       columnLevels(connection.contract));
   return std::make_shared<Channel>(
       connection.contract, std::move(connection.terms), "shm",
       Channel::Ends{.client = std::move(connection.client),

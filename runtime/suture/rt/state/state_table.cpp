@@ -40,6 +40,42 @@ void loadWords(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_
   std::memcpy(to + 8 * whole, &word, rest);
 }
 
+constexpr std::size_t wordBefore(std::size_t place) { return place & ~std::size_t{7}; }
+
+// Stores what is used of a value behind `place`, in whole words: of what is unused, nothing is
+// read.
+void storeUsed(std::atomic<std::uint64_t>* to, const std::byte* from, std::size_t place,
+               std::size_t size, BoundedLevels levels) {
+  const auto storeUntil = [&](std::size_t end) {
+    end = std::min(8 * wordsFor(end), size);
+    if (place < end) storeWords(to + place / 8, from + place, end - place);
+    place = std::max(place, end);
+  };
+  for (const BoundedLevel& level : levels) {
+    storeUntil(level.data + level.usedBytes(from));
+    place = std::max(place, wordBefore(level.data + level.mostBytes()));
+  }
+  storeUntil(size);
+}
+
+// Loads the same. Each size is read from the copy, since the original may change: the row then does
+// not count.
+void loadUsed(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_t size,
+              BoundedLevels levels) {
+  std::size_t place = 0;
+  const auto loadUntil = [&](std::size_t end) {
+    end = std::min(8 * wordsFor(end), size);
+    if (place < end) loadWords(to + place, from + place / 8, end - place);
+    place = std::max(place, end);
+  };
+  for (const BoundedLevel& level : levels) {
+    loadUntil(level.data);
+    loadUntil(level.data + level.usedBytes(to));
+    place = wordBefore(level.data + level.mostBytes());
+  }
+  loadUntil(size);
+}
+
 std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
   std::size_t bytes = 0;
   for (const std::uint32_t size : columnSizes) bytes += 8 * wordsFor(size);
@@ -54,25 +90,26 @@ Time possible(std::uint64_t stamp) {
 }  // namespace
 
 StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows, ColumnSet shared,
-                       Readers readers)
+                       Readers readers, std::span<const BoundedLevels> levels)
     : readers_(readers),
       rowBytes_(bytesOfRow(columnSizes)),
       draft_(payloadBytes(columnSizes)),
       shared_(shared, columnSizes.size()),
       demand_(std::make_shared<std::atomic<ColumnSet>>(0)) {
-  addColumns(columnSizes);
+  addColumns(columnSizes, levels);
   resize(rows);
 }
 
 StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows,
                        std::shared_ptr<MemoryBlock> memory,
-                       std::shared_ptr<std::atomic<ColumnSet>> demand)
+                       std::shared_ptr<std::atomic<ColumnSet>> demand,
+                       std::span<const BoundedLevels> levels)
     : readers_(Readers::Elsewhere),
       rowBytes_(bytesOfRow(columnSizes)),
       rowMask_(std::bit_ceil(rows) - 1),
       shared_(0, columnSizes.size()),
       demand_(std::move(demand)) {
-  addColumns(columnSizes);
+  addColumns(columnSizes, levels);
   if (const std::size_t needed = bytesFor(columnSizes, rows); memory->size() < needed) {
     throw SetupError(
         "read a state table of " + std::to_string(rows) + " rows",
@@ -83,10 +120,12 @@ StateTable::StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows
   layOut(memory_->data());
 }
 
-void StateTable::addColumns(std::span<const std::uint32_t> sizes) {
+void StateTable::addColumns(std::span<const std::uint32_t> sizes,
+                            std::span<const BoundedLevels> levels) {
   std::uint32_t offset = 0;
   for (const std::uint32_t size : sizes) {
-    columns_.push_back({offset, size});
+    const std::size_t column = columns_.size();
+    columns_.push_back({offset, size, column < levels.size() ? levels[column] : BoundedLevels{}});
     offset += static_cast<std::uint32_t>(8 * wordsFor(size));
   }
 }
@@ -130,11 +169,11 @@ std::byte* StateTable::draft(unsigned column) {
 }
 
 void StateTable::loadColumn(unsigned column, RowHeader& header, std::byte* slot) const {
-  const auto [offset, size] = columns_[column];
+  const auto& [offset, size, levels] = columns_[column];
   if (isShared(column)) {
     shared_.copy(column, slot);
   } else {
-    loadWords(slot, payloadOf(header) + offset / 8, size);
+    loadUsed(slot, payloadOf(header) + offset / 8, size, levels);
   }
 }
 
@@ -168,10 +207,10 @@ void StateTable::publishBy(const Store& store, Time stamp, const RowColumns& col
 
 void StateTable::publish(Time stamp, const RowColumns& columns) {
   const auto store = [this](unsigned column, Word* place) {
-    const auto [offset, size] = columns_[column];
+    const auto& [offset, size, levels] = columns_[column];
     std::byte* const draft = draft_.data() + offset;
     if (isShared(column)) return shared_.take(column, draft);
-    storeWords(place, draft, size);
+    storeUsed(place, draft, 0, size, levels);
   };
   publishBy(store, stamp, columns);
 }
@@ -179,14 +218,14 @@ void StateTable::publish(Time stamp, const RowColumns& columns) {
 void StateTable::publish(Time stamp, const RowColumns& columns, std::span<const Value> values) {
   const auto store = [&](unsigned column, Word* place) {
     const auto [bytes, stored] = values[column];
-    const std::size_t size = columns_[column].size;
-    if (stored < size) storeWords(place + stored / 8, bytes + stored, size - stored);
+    const auto& [offset, size, levels] = columns_[column];
+    storeUsed(place, bytes, stored, size, levels);
   };
   publishBy(store, stamp, columns);
 }
 
 void StateTable::storeAhead(unsigned column, Value& value, std::size_t bytes) {
-  const auto [offset, size] = columns_[column];
+  const std::size_t offset = columns_[column].offset, size = columns_[column].size;
   RowHeader& header = headerAt(newest_->load(std::memory_order_relaxed) + 1);
   header.sequence.store(0, std::memory_order_relaxed);
   const std::size_t stored = value.stored, end = std::min<std::size_t>(bytes, size);

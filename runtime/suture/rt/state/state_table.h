@@ -3,6 +3,7 @@
 
 #include <suture/base/errors.h>
 #include <suture/base/memory_block.h>
+#include <suture/base/slots/bounded_level.h>
 #include <suture/base/time.h>
 #include <suture/rt/state/row_columns.h>
 #include <suture/rt/state/shared_columns.h>
@@ -36,13 +37,16 @@ class StateTable {
   /// least `rows` rows: a power of two.
   /// Columns in `shared` hold counted pointers (base/slots/shared_slot.h): of those only the newest
   /// value is kept, and the table is used under a lock.
+  /// `levels`: by column, what need not be copied of it; empty: all of each is.
   explicit StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows = kDefaultRows,
-                      ColumnSet shared = 0, Readers readers = Readers::Elsewhere);
+                      ColumnSet shared = 0, Readers readers = Readers::Elsewhere,
+                      std::span<const BoundedLevels> levels = {});
   /// For readers only: a table that another process writes, in memory() of it. What is asked of it
   /// is put into `demand`, for somebody to ask there. Throws SetupError if the memory has no room
   /// for `rows` rows.
   StateTable(std::span<const std::uint32_t> columnSizes, unsigned rows,
-             std::shared_ptr<MemoryBlock> memory, std::shared_ptr<std::atomic<ColumnSet>> demand);
+             std::shared_ptr<MemoryBlock> memory, std::shared_ptr<std::atomic<ColumnSet>> demand,
+             std::span<const BoundedLevels> levels = {});
   ~StateTable();
   StateTable(const StateTable&) = delete;
   StateTable& operator=(const StateTable&) = delete;
@@ -114,6 +118,8 @@ class StateTable {
   /// Those of `columns` that there are.
   ColumnSet existing(ColumnSet columns) const;
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
+  /// What need not be copied of it.
+  BoundedLevels columnLevels(unsigned column) const { return columns_[column].levels; }
   /// True if a copy of the column has to be released.
   bool isShared(unsigned column) const { return shared_.contains(column); }
   /// Where the rows lie, if other processes may read them; else nullptr, as if a column is shared.
@@ -125,6 +131,7 @@ class StateTable {
   using Word = std::atomic<std::uint64_t>;
   struct Column {
     std::uint32_t offset, size;
+    BoundedLevels levels;
   };
   struct alignas(64) Line {
     std::byte bytes[64];
@@ -135,7 +142,7 @@ class StateTable {
   };
 
   static std::size_t bytesOfRow(std::span<const std::uint32_t> columnSizes);
-  void addColumns(std::span<const std::uint32_t> sizes);
+  void addColumns(std::span<const std::uint32_t> sizes, std::span<const BoundedLevels> levels);
   void layOut(std::byte* memory);
   template <class Store>
   void publishBy(const Store& store, Time stamp, const RowColumns& columns);

@@ -57,7 +57,7 @@ class Payloads {
   /// process's.
   virtual ArrivedValue open(ValueName name, std::span<std::byte> payload, Duration shift) = 0;
   /// So much has come of a row: what can be is stored in `mirror` already.
-  virtual void openRowPart(std::span<const std::byte>, Duration, rt::StateTable&) {}
+  virtual void openRowPart(std::span<std::byte>, Duration, rt::StateTable&) {}
   /// Does so with a row; `mirror` is where it will be published. None if the frame makes no sense.
   virtual std::optional<ArrivedRow> openRow(std::span<std::byte> payload, Duration shift,
                                             rt::StateTable& mirror) = 0;

@@ -1,3 +1,5 @@
+#include <suture/base/slots/used_parts.h>
+#include <suture/base/words.h>
 #include <suture/lane/frame/bytes/frame.h>
 #include <suture/lane/frame/payloads/row_copy.h>
 
@@ -24,16 +26,24 @@ bool RowCopy::go() {
   return true;
 }
 
-/// Returns whether that was all of the column.
+/// Returns whether that was all of the column. What is unused of it stays as it is.
 bool RowCopy::copyPart(std::size_t& most) {
-  const std::size_t part = std::min(table_.columnSize(column_) - copied_, most);
-  if (!table_.readPart(row_, column_, copied_, {slots_[column_] + copied_, part})) {
-    copyNewest();
-    return true;
+  std::byte* const slot = slots_[column_];
+  const std::size_t size = table_.columnSize(column_);
+  const BoundedLevels levels = table_.columnLevels(column_);
+  for (;;) {
+    const UsedPart used = nextUsedPart(slot, copied_, size, levels);
+    if (used.begin == size) return true;
+    if (most == 0) return false;
+    const std::size_t begin = used.begin & ~std::size_t{7};
+    const std::size_t end = std::min({wordBytes(used.end), size, begin + most});
+    if (!table_.readPart(row_, column_, begin, {slot + begin, end - begin})) {
+      copyNewest();
+      return true;
+    }
+    copied_ = end;
+    most -= std::min(most, wordBytes(end - begin));
   }
-  copied_ += part;
-  most -= std::min(most, wordBytes(part));
-  return copied_ == table_.columnSize(column_);
 }
 
 /// The provider has gone round all rows meanwhile: the newest one is copied at once.

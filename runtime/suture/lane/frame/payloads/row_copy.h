@@ -33,7 +33,7 @@ class RowCopy {
   rt::ColumnSet columns_ = 0;
   rt::StateTable::Row row_;
   unsigned column_ = 0;     // that is being copied
-  std::size_t copied_ = 0;  // of it, bytes
+  std::size_t copied_ = 0;  // of it, or unused, bytes
   bool underWay_ = false;
 };
 

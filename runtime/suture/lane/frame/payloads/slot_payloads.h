@@ -4,6 +4,7 @@
 
 #include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/frame/payloads/payloads.h>
+#include <suture/lane/frame/payloads/row_reader.h>
 
 #include <vector>
 
@@ -19,10 +20,13 @@ class SlotPayloads final : public Payloads {
   std::span<std::byte* const> slotsOf(rt::ColumnSet columns) override { return row_.of(columns); }
   std::span<const std::byte> packRow(const rt::StateTable::Row& row) override;
   ArrivedValue open(ValueName name, std::span<std::byte> payload, Duration shift) override;
-  void openRowPart(std::span<const std::byte> payload, Duration shift,
-                   rt::StateTable& mirror) override;
+  void openRowPart(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror) override {
+    arriving_.part(payload, shift, mirror);
+  }
   std::optional<ArrivedRow> openRow(std::span<std::byte> payload, Duration shift,
-                                    rt::StateTable& mirror) override;
+                                    rt::StateTable&) override {
+    return arriving_.whole(payload, shift);
+  }
 
  private:
   struct Form {
@@ -33,11 +37,11 @@ class SlotPayloads final : public Payloads {
   Form formOf(ValueName name) const;
 
   const InterfaceInfo& contract_;
-  std::vector<const CommandInfo*> reads_;      // by column
-  RowSlots row_;                               // that is being sent, behind its RowColumns
-  std::vector<rt::StateTable::Value> values_;  // of the row that arrives
-  bool parted_ = false;                        // parts of it have been stored
-  std::vector<std::byte> scratch_;             // of a slot with large lists
+  std::vector<BoundedLevels> levels_;  // by column
+  RowSlots row_;                       // that is being sent, behind its RowColumns
+  RowReader arriving_;
+  // Of values of which not all travels, once there has been one.
+  std::vector<std::byte> packed_, opened_;
   const std::size_t own_;
 };
 

@@ -1,0 +1,101 @@
+#include <suture/base/words.h>
+#include <suture/lane/frame/payloads/row_reader.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace suture::frame {
+namespace {
+
+/// True if the column has stamps, and they are another clock's.
+bool turns(const CommandInfo& read, Duration shift) {
+  return read.shiftResult != nullptr && shift != Duration{0};
+}
+
+}  // namespace
+
+RowReader::RowReader(const InterfaceInfo& contract) {
+  for (const CommandInfo& one : contract.commands) {
+    if (one.column >= 0) columns_.push_back({&one});
+  }
+  values_.resize(columns_.size());
+}
+
+bool RowReader::begin(std::span<const std::byte> payload) {
+  if (payload.size() < sizeof(row_)) return false;
+  std::memcpy(&row_, payload.data(), sizeof(row_));
+  std::ranges::fill(values_, rt::StateTable::Value{});
+  begun_ = true;
+  column_ = 0;
+  place_ = sizeof(row_);
+  come_ = taken_ = 0;
+  reader_.reset();
+  return true;
+}
+
+// Goes on with the column that arrives; true: all have.
+bool RowReader::advance(std::span<const std::byte> payload) {
+  for (; column_ < columns_.size(); ++column_) {
+    if (!row_.hasValue(static_cast<unsigned>(column_))) continue;
+    if (place_ > payload.size()) return false;
+    Column& column = columns_[column_];
+    column.begin = place_;
+    if (!takeValue(column, payload.subspan(place_))) return false;
+    place_ += wordBytes(taken_);
+    come_ = taken_ = 0;
+  }
+  return true;
+}
+
+bool RowReader::takeValue(Column& column, std::span<const std::byte> come) {
+  if (!column.read->resultLevels.empty()) return takeUsed(column, come);
+  const std::size_t size = column.read->resultSize;
+  come_ = taken_ = std::min(size, come.size());
+  return come_ == size;
+}
+
+bool RowReader::takeUsed(Column& column, std::span<const std::byte> come) {
+  const CommandInfo& read = *column.read;
+  if (column.slot == nullptr) column.slot = std::make_unique<std::byte[]>(read.resultSize);
+  if (!reader_) reader_.emplace(column.slot.get(), read.resultSize, read.resultLevels);
+  taken_ = come.size() - reader_->take(come.subspan(taken_)).size();
+  const bool done = reader_->done();
+  come_ = done ? read.resultSize : reader_->place() & ~std::size_t{7};
+  if (done) reader_.reset();
+  return done;
+}
+
+// A column whose stamps have to be turned is stored when it is there whole.
+void RowReader::part(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror) {
+  if (!begun_ && !begin(payload)) return;
+  const std::size_t before = column_;
+  const bool all = advance(payload);
+  const std::size_t last = all ? columns_.size() : column_ + 1;
+  for (std::size_t i = before; i < last; ++i) {
+    const auto number = static_cast<unsigned>(i);
+    const std::size_t come = i < column_ ? columns_[i].read->resultSize : come_;
+    if (!row_.hasValue(number) || come == 0 || turns(*columns_[i].read, shift)) continue;
+    std::byte* const slot = columns_[i].slot.get();
+    values_[i].bytes = slot != nullptr ? slot : payload.data() + columns_[i].begin;
+    mirror.storeAhead(number, values_[i], come);
+  }
+}
+
+std::optional<ArrivedRow> RowReader::whole(std::span<std::byte> payload, Duration shift) {
+  if (!begun_ && !begin(payload)) return std::nullopt;
+  begun_ = false;
+  if (!advance(payload) || place_ != payload.size()) return std::nullopt;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (!row_.hasValue(static_cast<unsigned>(i))) continue;
+    const Column& column = columns_[i];
+    std::byte* const value =
+        column.slot != nullptr ? column.slot.get() : payload.data() + column.begin;
+    values_[i].bytes = value;
+    if (!turns(*column.read, shift)) continue;
+    values_[i].stored = 0;
+    column.read->shiftResult(value, shift);
+  }
+  return ArrivedRow{row_, values_};
+}
+
+}  // namespace suture::frame

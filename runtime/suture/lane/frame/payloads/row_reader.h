@@ -1,0 +1,49 @@
+#pragma once
+// This puts the values of a row that arrives where they belong, as its bytes come.
+
+#include <suture/base/slots/used_parts.h>
+#include <suture/lane/frame/payloads/payloads.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace suture::frame {
+
+/// Reads a row of slots: its RowColumns, then what is used of each value, up to whole words.
+/// Belongs to the lane thread.
+class RowReader {
+ public:
+  explicit RowReader(const InterfaceInfo& contract);
+
+  /// So much has come of a row: what can be is stored in `mirror` already.
+  void part(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror);
+  /// The row is there, and may be changed. None if it makes no sense.
+  std::optional<ArrivedRow> whole(std::span<std::byte> payload, Duration shift);
+
+ private:
+  struct Column {
+    const CommandInfo* read;
+    std::size_t begin = 0;                // in the payload
+    std::unique_ptr<std::byte[]> slot{};  // of a value that does not travel whole, once it has
+  };
+
+  bool begin(std::span<const std::byte> payload);
+  bool advance(std::span<const std::byte> payload);
+  bool takeValue(Column& column, std::span<const std::byte> come);
+  bool takeUsed(Column& column, std::span<const std::byte> come);
+
+  std::vector<Column> columns_;
+  std::vector<rt::StateTable::Value> values_;  // by column
+  rt::RowColumns row_;
+  bool begun_ = false;
+  std::size_t column_ = 0;            // that arrives
+  std::size_t place_ = 0;             // where it begins in the payload
+  std::size_t come_ = 0;              // of its slot, bytes
+  std::size_t taken_ = 0;             // of the payload for it, bytes
+  std::optional<UsedReader> reader_;  // of one that does not travel whole
+};
+
+}  // namespace suture::frame
