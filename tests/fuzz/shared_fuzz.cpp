@@ -29,12 +29,15 @@ constexpr std::array<rt::CommandLimits, 3> kCommands = {
     {{.argumentsSize = 24, .depth = 3, .latest = false, .levels = kLevelsOf24},
      {.argumentsSize = 136, .depth = 2, .latest = true, .levels = kLevelsOf136},
      {.argumentsSize = 0, .depth = 1, .latest = false}}};
-constexpr std::array<rt::EventLimits, 4> kEvents = {
+constexpr std::array<rt::EventLimits, 5> kEvents = {
     {{.payloadSize = 40, .depth = 3, .latest = false},
      {.payloadSize = 8, .depth = 2, .latest = true},
      {.payloadSize = 0, .depth = 4, .latest = false},
-     {.payloadSize = 24, .depth = 1, .latest = false, .latched = true, .levels = kLevelsOf24}}};
+     {.payloadSize = 24, .depth = 1, .latest = false, .latched = true, .levels = kLevelsOf24},
+     {.payloadSize = 600, .depth = 2, .latest = false, .levels = kLevelsOf136}}};
 constexpr std::array<std::uint32_t, 2> kColumns = {48, 8};
+constexpr BoundedLevel kLevelsOf48[] = {{.size = 4, .data = 8, .stride = 4, .capacity = 9}};
+constexpr std::array<BoundedLevels, 1> kColumnLevels = {kLevelsOf48};
 constexpr unsigned kRows = 4;
 
 /// Both queues, in the order in which each process makes them.
@@ -154,9 +157,9 @@ class Processes {
   Input& input_;
   const std::shared_ptr<MemoryBlock> shared_ = blockForQueues();
   Queues other_{Arena(shared_, Arena::Content::Zeros)}, own_{Arena(shared_, Arena::Content::Made)};
-  rt::StateTable table_{kColumns, kRows};
+  rt::StateTable table_{kColumns, kRows, 0, rt::StateTable::Readers::Elsewhere, kColumnLevels};
   rt::StateTable reader_{kColumns, kRows, table_.memory(),
-                         std::make_shared<std::atomic<rt::ColumnSet>>()};
+                         std::make_shared<std::atomic<rt::ColumnSet>>(), kColumnLevels};
 };
 
 }  // namespace
