@@ -364,7 +364,8 @@ TEST(ForeignStateTable, CopiesWhatIsUsedOfALargeList) {
   StateTable table(sizes, 4, 0, StateTable::Readers::Elsewhere, levels);
   const StateTable view(sizes, 4, table.memory(), std::make_shared<std::atomic<ColumnSet>>(),
                         levels);
-  for (const std::uint32_t used : {0u, 1u, 5u, kLarge / 2, kLarge - 12}) {
+  constexpr std::uint32_t kFull = kLarge - 12;  // in each row, before there is less
+  for (const std::uint32_t used : {kFull, kFull, kFull, kFull, 0u, 1u, 5u, kLarge / 2}) {
     std::memset(table.draft(0), 0xdd, sizes[0]);
     std::memset(table.draft(1), 0xee, kLarge);
     std::memcpy(table.draft(1) + 4, &used, sizeof(used));

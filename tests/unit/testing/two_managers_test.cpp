@@ -149,7 +149,6 @@ TEST(SteppedClock, RefusesToTalkToAnotherProcess) {
 }
 
 struct SleepingArm final : EventTask, StillArm {
-  SleepingArm() : EventTask({.longestSleep = 1s}) {}
   ~SleepingArm() override { stop(); }
   void run() override {}
   Provided<reference::ArmLike> port{*this, "Arm", *this};

@@ -1,0 +1,53 @@
+// The client's end of a connection tells once why it carries nothing any more.
+
+#include <gtest/gtest.h>
+#include <suture/lane/client_end.h>
+
+#include <string>
+#include <vector>
+
+#include "reference/played_channel.h"
+
+namespace suture {
+namespace {
+
+using Reasons = std::vector<std::string>;
+
+class ClientEnds : public testing::Test {
+ public:
+  ~ClientEnds() noexcept override {}
+
+ protected:
+  void listen() {
+    end->onBroken([this](std::string why) { told.push_back(std::move(why)); });
+  }
+
+  const std::shared_ptr<Channel> channel = reference::armChannel(reference::playedEnds(), "frame");
+  kj::Own<rpc::ClientEnd> end = kj::refcounted<rpc::ClientEnd>(channel);
+  Reasons told;
+};
+
+TEST_F(ClientEnds, TellTheFirstReason) {
+  listen();
+  end->tellBroken("silent");
+  end->tellBroken("closed");
+  EXPECT_EQ(told, Reasons{"silent"});
+}
+
+TEST_F(ClientEnds, TellWhoeverListensLater) {
+  end->tellBroken("silent");
+  end->tellBroken("closed");
+  listen();
+  EXPECT_EQ(told, Reasons{"silent"});
+}
+
+TEST_F(ClientEnds, TellNothingOnceTheyAreClosed) {
+  listen();
+  end->close(ChannelStatus::Closed);
+  end->tellBroken("silent");
+  EXPECT_EQ(told, Reasons{});
+  EXPECT_EQ(channel->status, ChannelStatus::Closed);
+}
+
+}  // namespace
+}  // namespace suture
