@@ -78,10 +78,15 @@ struct ArraySlot<std::array<T, N>> : ElementByElement {};
 template <class T, std::size_t N>
 struct ArraySlot<T[N]> : ElementByElement {};
 
+/// A vector of such numbers is copied as one block.
+template <class T, class S>
+inline constexpr bool liesAlike = Number<T>&& std::is_same_v<T, S>;
+
 template <class T, class S, std::uint32_t N>
 bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
   if (!resize(slot, value.size())) return false;
   const std::uint32_t size = sizeOf(slot);  // g++ 12 at -O3 is not sure that value.size() is <= N
+  if constexpr (liesAlike<T, S>) return std::copy_n(value.data(), size, elements(slot)), true;
   bool fits = true;
   for (std::uint32_t i = 0; i < size; ++i) {
     const T& element = value[i];  // binds a vector<bool> proxy to a bool
@@ -91,6 +96,7 @@ bool store(const std::vector<T>& value, BoundedList<S, N>& slot) {
 }
 template <class T, class S, std::uint32_t N>
 void load(const BoundedList<S, N>& slot, std::vector<T>& value) {
+  if constexpr (liesAlike<T, S>) return value.assign(elements(slot), elements(slot) + sizeOf(slot));
   value.resize(sizeOf(slot));
   for (std::size_t i = 0; i < value.size(); ++i) {
     if constexpr (std::is_same_v<T, bool>) {
