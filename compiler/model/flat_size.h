@@ -1,5 +1,5 @@
 #pragma once
-// How many bytes a value takes up in its slot.
+// This counts the bytes that a value takes up in its slot.
 
 #include <cstdint>
 
@@ -7,8 +7,8 @@
 
 namespace suture::compiler::model {
 
-/// Bytes of the type's flat form without padding; saturates. Unbounded levels count as empty. The
-/// type must be free of recursion.
+/// Returns the bytes of the type's flat form without padding, and saturates. Unbounded levels count
+/// as empty. The type must be free of recursion.
 std::uint64_t flatSize(const Type& type, const Lookup& lookup);
 
 }  // namespace suture::compiler::model

@@ -1,5 +1,5 @@
 #pragma once
-// Where the lists, texts and matrices of a slot lie, of which little may be used.
+// This tells where the lists, texts and matrices of a slot lie, of which little may be used.
 
 #include <suture/base/slots/slot_forms.h>
 
@@ -11,8 +11,8 @@
 
 namespace suture {
 
-/// A list, a text or a matrix that lies in a slot. What lies behind its last element means nothing.
-/// Places are bytes from the beginning of the slot.
+/// Tells where a list, a text or a matrix lies in a slot. What lies behind its last element means
+/// nothing. Places are bytes from the beginning of the slot.
 struct BoundedLevel {
   std::uint32_t size = 0;         ///< place of the number of elements, or of rows and columns
   std::uint32_t data = 0;         ///< place of the first element, behind `size`
@@ -38,7 +38,7 @@ struct BoundedLevel {
   }
 };
 
-/// The levels of a slot that lie in no other, in the order of their places.
+/// Has the levels of a slot that lie in no other, in the order of their places.
 using BoundedLevels = std::span<const BoundedLevel>;
 
 namespace bounded {
@@ -64,7 +64,7 @@ constexpr BoundedLevel levelAt(std::size_t place, const BoundedMatrix<S, R, C>*)
 
 }  // namespace bounded
 
-/// The level of form `Form` that lies at `place`.
+/// Returns the level of form `Form` that lies at `place`.
 template <class Form>
 constexpr BoundedLevel levelAt(std::size_t place) {
   return bounded::levelAt(place, static_cast<const Form*>(nullptr));

@@ -1,5 +1,5 @@
 #pragma once
-// Copies of a slot that take only what is used of its lists, texts and matrices.
+// These copy a slot without what is unused of its lists, texts and matrices.
 
 #include <suture/base/slots/bounded_level.h>
 
@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// Bytes of a slot that are used, one behind the other; none if both are its end.
+/// Names bytes of a slot that are used, one behind the other; none if both are its end.
 struct UsedPart {
   std::size_t begin, end;
 };
@@ -45,9 +45,9 @@ class UsedReader {
 
   /// Takes as much of `packed` as belongs to the slot, and returns what is left.
   std::span<const std::byte> take(std::span<const std::byte> packed);
-  /// All of the slot is there.
+  /// True if all of the slot is there.
   bool done() const { return next().begin == size_; }
-  /// Up to here the slot is there, or unused.
+  /// Returns the place up to which the slot is there, or unused.
   std::size_t place() const { return place_; }
 
  private:

@@ -48,7 +48,7 @@ struct CommandInfo {
   ValueCheck accepts = nullptr, acceptsResult = nullptr;  ///< null: it admits all
   // Turn the stamps in a slot, of any bytes, into those of another clock; null: it has none.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
-  // What need not be copied of a slot with large lists.
+  // They tell what need not be copied of a slot with large lists.
   BoundedLevels argumentsLevels = {}, resultLevels = {};
 
   /// A peer that may only read may call it.

@@ -8,9 +8,9 @@ namespace suture {
 
 struct EventOptions {
   rt::Scheduling scheduling{};
-  /// The longest sleep: run() is called at least this often even if nothing arrives. Without it, a
-  /// task that nothing arrives for sleeps on, except that it looks again once a second while a
-  /// client on the `shm` lane may ring.
+  /// run() is called at least this often, even if nothing arrives. Without it, a task that nothing
+  /// arrives for sleeps on; while a client on the `shm` lane may ring, it looks again once a
+  /// second.
   std::optional<Duration> longestSleep{};
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A socket for calls, as the client's process has it.
+// The client's process has a socket for calls so.
 
 #include <suture/calls.capnp.h>
 #include <suture/framing/link.h>
@@ -21,7 +21,7 @@ class CallsLink {
   /// Returns the capability of a connection's contract; `counts` is told what becomes of its
   /// commands.
   capnp::Capability::Client contract(std::uint32_t connection, wire::CommandCounts::Client counts);
-  /// How long the kernel waits for an answer to what was sent.
+  /// Tells the kernel how long to wait for an answer to what was sent.
   void bear(Duration silence) const;
 
  private:

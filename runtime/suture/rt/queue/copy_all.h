@@ -1,5 +1,5 @@
 #pragma once
-// How a consumer copies a record out of foreign memory if it knows nothing of it.
+// A consumer that knows nothing of a record copies it so out of foreign memory.
 
 #include <cstddef>
 #include <cstring>

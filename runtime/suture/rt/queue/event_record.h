@@ -1,5 +1,5 @@
 #pragma once
-// An event on its way to one subscriber, as it lies in memory.
+// An event lies in memory so, on its way to one subscriber.
 
 #include <suture/base/slots/bounded_level.h>
 #include <suture/base/time.h>
@@ -11,7 +11,7 @@
 
 namespace suture::rt {
 
-/// What a queue must know of each event of a contract.
+/// Tells a queue what it must know of each event of a contract.
 struct EventLimits {
   std::uint32_t payloadSize;  ///< bytes of its payload's slot
   std::uint32_t depth;        ///< how many may wait
@@ -56,7 +56,7 @@ class EventForms {
   std::vector<EventLimits> events_;
 };
 
-/// The number of the event of a record in foreign memory, where it may change at any time.
+/// Returns the number of the event of a record in foreign memory, where it may change at any time.
 std::uint16_t eventIn(const std::byte* record);
 
 }  // namespace suture::rt

@@ -13,7 +13,7 @@
 
 namespace suture::rt {
 
-/// Which threads push.
+/// Says which threads push.
 enum class Producers : std::uint8_t {
   One,  ///< one thread at a time, each after the one before: a task's events come from its own
   Any,  ///< any thread, also several at once: a device's
@@ -34,7 +34,7 @@ class EventRing {
   EventRing(std::span<const EventLimits> events, const EventForms& forms, Producers producers,
             Arena& arena);
 
-  /// How many may wait.
+  /// Returns how many may wait.
   std::size_t records() const { return order_.cells(); }
 
   /// Producer: false if there is no room.

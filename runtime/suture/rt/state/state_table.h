@@ -118,7 +118,7 @@ class StateTable {
   /// Those of `columns` that there are.
   ColumnSet existing(ColumnSet columns) const;
   std::uint32_t columnSize(unsigned column) const { return columns_[column].size; }
-  /// What need not be copied of it.
+  /// Returns what need not be copied of it.
   BoundedLevels columnLevels(unsigned column) const { return columns_[column].levels; }
   /// True if a copy of the column has to be released.
   bool isShared(unsigned column) const { return shared_.contains(column); }

@@ -1,4 +1,4 @@
-// What is copied of slots with much room.
+// These tests look at what is copied of slots with much room.
 
 #include <suture/base/slots/used_parts.h>
 #include <suture/component/contract/interface_info.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Slots as they lie in memory, except what is unused of them, between processes of one
+// This sends slots as they lie in memory, without what is unused of them, between processes of one
 // memoryLayout().
 
 #include <suture/lane/carrier/row_slots.h>
@@ -40,7 +40,7 @@ class SlotPayloads final : public Payloads {
   std::vector<BoundedLevels> levels_;  // by column
   RowSlots row_;                       // that is being sent, behind its RowColumns
   RowReader arriving_;
-  // Of values of which not all travels, once there has been one.
+  // They have values of which not all travels, once there has been one.
   std::vector<std::byte> packed_, opened_;
   const std::size_t own_;
 };
