@@ -24,6 +24,15 @@ bool hasSteadyClock(const nlohmann::json& json) {
   return json.is_structured() && std::any_of(json.begin(), json.end(), hasSteadyClock);
 }
 
+/// Tells what of a slot travels: code that an earlier suturec has written sends all of it.
+nlohmann::json placesOf(BoundedLevels levels) {
+  auto places = nlohmann::json::array();
+  for (const BoundedLevel& one : levels) {
+    places.push_back({one.size, one.data, one.stride, one.capacity, one.mostColumns});
+  }
+  return places;
+}
+
 /// FNV-1a, 64 bits: nobody gains by a collision, for what lies in the memory is not believed.
 std::string digest(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325;
@@ -41,10 +50,11 @@ std::string memoryLayout(const InterfaceInfo& info) {
   removeTexts(description);
   nlohmann::json layout = {kForm, sizeof(void*), info.hash, std::move(description)};
   for (const CommandInfo& one : info.commands) {
-    layout.push_back({one.argumentsSize, one.resultSize, one.depth, one.latest, one.column});
+    layout.push_back({one.argumentsSize, one.resultSize, one.depth, one.latest, one.column,
+                      placesOf(one.argumentsLevels), placesOf(one.resultLevels)});
   }
   for (const EventInfo& one : info.events) {
-    layout.push_back({one.payloadSize, one.depth, one.latest});
+    layout.push_back({one.payloadSize, one.depth, one.latest, placesOf(one.payloadLevels)});
   }
   return digest(layout.dump());
 }

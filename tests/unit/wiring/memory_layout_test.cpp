@@ -37,6 +37,26 @@ TEST(MemoryLayout, IsThatOfTheTablesToo) {
   EXPECT_NE(memoryLayout(info), layout);
 }
 
+// Who sends all of a value is not understood by who takes its used part, and the other way round.
+TEST(MemoryLayout, IsThatOfWhatTravelsOfAValue) {
+  constexpr BoundedLevel kList[] = {{.size = 0, .data = 8, .stride = 8, .capacity = 100}};
+  InterfaceInfo info = infoWith(kDescription);
+  const std::string layout = memoryLayout(info);
+  for (BoundedLevels CommandInfo::*const one :
+       {&CommandInfo::argumentsLevels, &CommandInfo::resultLevels}) {
+    std::vector<CommandInfo> commands(info.commands.begin(), info.commands.end());
+    commands[0].*one = kList;
+    InterfaceInfo other = infoWith(kDescription);
+    other.commands = commands;
+    EXPECT_NE(memoryLayout(other), layout);
+  }
+  std::vector<EventInfo> events(info.events.begin(), info.events.end());
+  ASSERT_FALSE(events.empty());
+  events[0].payloadLevels = kList;
+  info.events = events;
+  EXPECT_NE(memoryLayout(info), layout);
+}
+
 TEST(MemoryLayout, WhatHasNoBoundIsNamed) {
   InterfaceInfo info = infoWith(kDescription);
   EXPECT_EQ(whyUnbounded(info), "");
