@@ -20,8 +20,9 @@ bool MpscRing::pending() const {
   return turnAt(head_).load(std::memory_order_acquire) == head_ + 1;
 }
 
-const std::byte* MpscRing::oldest() const {
-  return pending() ? reinterpret_cast<const std::byte*>(&turnAt(head_) + 1) : nullptr;
+void MpscRing::release(std::uint64_t place) {
+  auto& turn = turnAt(place);
+  turn.store(turn.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_release);
 }
 
 void MpscRing::pop() {
