@@ -112,6 +112,13 @@ TEST_P(SmallValuesBy, TakeLittleThoughThereIsRoomForMore) {
   const auto sent = [&] { return channel->bytesSent.load(); };
   const auto received = [&] { return channel->bytesReceived.load(); };
   ASSERT_TRUE(visitor_.gallery.hang.start(picture).within(suture::kPatience).has_value());
+  // Large ones that were emitted before are on their way until then, and are counted, over rpc,
+  // when the next command is sent.
+  ASSERT_TRUE(eventually([&] {
+    visitor_.processEvents();
+    return visitor_.size == picture.pixels.size();
+  }));
+  ASSERT_TRUE(visitor_.gallery.dimmed.start(picture).within(suture::kPatience).has_value());
   const auto sentBefore = sent(), receivedBefore = received();
   constexpr unsigned kTimes = 4;
   for (unsigned i = 0; i < kTimes; ++i) {
