@@ -100,15 +100,23 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
   if (!parse.header) return nullptr;
   if (bytes.size() < parse.header->totalBytes) {
     incoming_.expect(parse.header->totalBytes);
+    countUnfinished();
     return nullptr;
   }
   anyMessage_ = true;
   partialSince_ = nullptr;
   auto frame = incoming_.take(parse.header->totalBytes);
+  countUnfinished();
   kj::Array<kj::AutoCloseFd> descriptors;
   if (!arrivedDescriptors_.empty()) descriptors = arrivedDescriptors_.takeUntil(taken());
   return kj::Own<capnp::IncomingRpcMessage>(kj::heap<ReceivedMessage>(
       kj::mv(frame), *parse.header, readerOptions(limits_), kj::mv(descriptors)));
+}
+
+// Counts what has come before it waits for more: a peer may send a part and then nothing for long.
+void MessageStream::countUnfinished() {
+  if (guard_.share == nullptr) return;
+  if (const auto beyond = guard_.share->hold(incoming_.longBytes())) refuse(*beyond);
 }
 
 void MessageStream::refuse(std::string why) {
@@ -130,9 +138,6 @@ std::uint64_t MessageStream::taken() const {
 
 MessageStream::Received MessageStream::receive() {
   const auto space = incoming_.space();
-  if (guard_.share != nullptr) {
-    if (const auto beyond = guard_.share->hold(incoming_.longBytes())) refuse(*beyond);
-  }
   Descriptors descriptors;
   const ssize_t count = bytes_.receive(space, descriptors);
   if (count == 0) return Received::End;

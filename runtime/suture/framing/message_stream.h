@@ -84,6 +84,7 @@ class MessageStream final : private EventPort::Output {
   Reading readBuffered();
   Reading waitAndRead();
   kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> takeMessage();
+  void countUnfinished();
   Received receive();
   kj::Maybe<kj::TimePoint> readDeadline();
   std::uint64_t taken() const;

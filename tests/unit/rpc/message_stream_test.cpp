@@ -28,6 +28,17 @@ class MessageStreamTest : public testing::Test {
     stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.ours), limits);
   }
 
+  /// The peer is bounded to so many bytes of unfinished messages.
+  void openBounded(std::size_t bytes) {
+    auto pair = makeSocketPair();
+    peer_ = kj::mv(pair.theirs);
+    budget_ = std::make_shared<ReceiveBudget>(ReceiveBudget::Limits{.peer = bytes});
+    StrangerGuard guard;
+    guard.share = std::make_unique<ReceiveBudget::Share>(budget_, "the peer");
+    stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.ours), StreamLimits(),
+                                      std::span<const std::byte>(), std::move(guard));
+  }
+
   auto read() { return stream_->read(); }
 
   /// Size of the blob in the next message, -1 at the end of the stream.
@@ -57,6 +68,7 @@ class MessageStreamTest : public testing::Test {
 
   EventPort port_;
   kj::AutoCloseFd peer_;
+  std::shared_ptr<ReceiveBudget> budget_;
   kj::Own<MessageStream> stream_;
 };
 
@@ -227,6 +239,28 @@ TEST_F(MessageStreamTest, ALongMessageTakesNoMemoryBeforeItArrives) {
     streams.push_back(kj::mv(stream_));
   }
   EXPECT_LT(residentBytes(), before + (8u << 20));
+}
+
+TEST_F(MessageStreamTest, WhatHasComeOfAMessageCountsBeforeMoreComes) {
+  openBounded(100'000);
+  auto reading = read();  // it waits: from here on each read knows that the peer has not closed
+  EXPECT_FALSE(reading.poll(port_.scope()));
+  sendAll(peer_, blobFrame(8));
+  EXPECT_TRUE(reading.poll(port_.scope()));
+  const auto frame = blobFrame(200'000);
+  sendAll(peer_, std::span(frame).first(120'000));
+  const std::string fault = nextFault();
+  EXPECT_NE(fault.find("the unfinished messages of the peer would need more than 100000 bytes"),
+            std::string::npos)
+      << fault;
+}
+
+TEST_F(MessageStreamTest, AMessageThatHasComeWholeCountsNoMore) {
+  openBounded(100'000);
+  sendAll(peer_, blobFrame(90'000));
+  EXPECT_EQ(nextBlob(), 90'000);
+  ReceiveBudget::Share ofAnotherLink(budget_, "the peer");
+  EXPECT_EQ(ofAnotherLink.hold(90'000), std::nullopt);
 }
 
 TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
