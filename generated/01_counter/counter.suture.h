@@ -19,13 +19,13 @@ struct CounterAddArguments {
 
 bool store(const std::int32_t& amount, CounterAddArguments& slot);
 
-/// The numbers of Counter's commands in every table and record.
+/// Names the numbers of Counter's commands in every table and record.
 enum class CounterCommand : std::uint16_t {
   add,
   value,
 };
 
-/// The numbers of Counter's events.
+/// Names the numbers of Counter's events.
 enum class CounterEvent : std::uint16_t {
   ten_more,
 };
@@ -37,7 +37,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<counting::Counter>();
 
-/// What a client of counting::Counter calls.
+/// Calls counting::Counter of another component.
 template <>
 class Required<counting::Counter> : public RequiredBase {
   using Contract = counting::Counter;
@@ -54,7 +54,7 @@ class Required<counting::Counter> : public RequiredBase {
   /// The newest count; never waits for anyone.
   ReadCommand<&Contract::value, std::int64_t> value{*this, static_cast<std::uint16_t>(Id::value)};
 
-  /// The events of counting::Counter, to subscribe to.
+  /// Subscribes to the events of counting::Counter.
   struct Events {
     explicit Events(RequiredBase& required)
         : ten_more{required, static_cast<std::uint16_t>(EventId::ten_more)} {}
@@ -73,7 +73,7 @@ class Required<counting::Counter> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves counting::Counter from a component.
+/// Serves counting::Counter from a component.
 template <>
 class Provided<counting::Counter> : public ProvidedBase {
   using Contract = counting::Counter;
@@ -83,7 +83,7 @@ class Provided<counting::Counter> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of counting::Counter, to emit.
+  /// Emits the events of counting::Counter.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : ten_more{provided, static_cast<std::uint16_t>(EventId::ten_more)} {}

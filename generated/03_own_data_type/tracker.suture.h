@@ -12,7 +12,7 @@
 
 namespace tracking {
 
-/// The numbers of Tracker's commands in every table and record.
+/// Names the numbers of Tracker's commands in every table and record.
 enum class TrackerCommand : std::uint16_t {
   observation,
 };
@@ -24,7 +24,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<tracking::Tracker>();
 
-/// What a client of tracking::Tracker calls.
+/// Calls tracking::Tracker of another component.
 template <>
 class Required<tracking::Tracker> : public RequiredBase {
   using Contract = tracking::Tracker;
@@ -44,7 +44,7 @@ class Required<tracking::Tracker> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves tracking::Tracker from a component.
+/// Serves tracking::Tracker from a component.
 template <>
 class Provided<tracking::Tracker> : public ProvidedBase {
   using Contract = tracking::Tracker;

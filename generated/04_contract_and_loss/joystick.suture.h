@@ -11,7 +11,7 @@
 
 namespace following {
 
-/// The numbers of Joystick's commands in every table and record.
+/// Names the numbers of Joystick's commands in every table and record.
 enum class JoystickCommand : std::uint16_t {
   angle,
 };
@@ -23,7 +23,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<following::Joystick>();
 
-/// What a client of following::Joystick calls.
+/// Calls following::Joystick of another component.
 template <>
 class Required<following::Joystick> : public RequiredBase {
   using Contract = following::Joystick;
@@ -42,7 +42,7 @@ class Required<following::Joystick> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves following::Joystick from a component.
+/// Serves following::Joystick from a component.
 template <>
 class Provided<following::Joystick> : public ProvidedBase {
   using Contract = following::Joystick;

@@ -11,13 +11,13 @@
 
 namespace gripping {
 
-/// The numbers of Gripper's commands in every table and record.
+/// Names the numbers of Gripper's commands in every table and record.
 enum class GripperCommand : std::uint16_t {
   grasp,
   release,
 };
 
-/// The numbers of Gripper's events.
+/// Names the numbers of Gripper's events.
 enum class GripperEvent : std::uint16_t {
   jaws_changed,
   touched,
@@ -30,7 +30,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<gripping::Gripper>();
 
-/// What a client of gripping::Gripper calls.
+/// Calls gripping::Gripper of another component.
 template <>
 class Required<gripping::Gripper> : public RequiredBase {
   using Contract = gripping::Gripper;
@@ -47,7 +47,7 @@ class Required<gripping::Gripper> : public RequiredBase {
   ReturningCommand<&Contract::release, NoSlot, std::uint8_t> release{
       *this, static_cast<std::uint16_t>(Id::release)};
 
-  /// The events of gripping::Gripper, to subscribe to.
+  /// Subscribes to the events of gripping::Gripper.
   struct Events {
     explicit Events(RequiredBase& required)
         : jaws_changed{required, static_cast<std::uint16_t>(EventId::jaws_changed)},
@@ -69,7 +69,7 @@ class Required<gripping::Gripper> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves gripping::Gripper from a component.
+/// Serves gripping::Gripper from a component.
 template <>
 class Provided<gripping::Gripper> : public ProvidedBase {
   using Contract = gripping::Gripper;
@@ -79,7 +79,7 @@ class Provided<gripping::Gripper> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of gripping::Gripper, to emit.
+  /// Emits the events of gripping::Gripper.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : jaws_changed{provided, static_cast<std::uint16_t>(EventId::jaws_changed)},

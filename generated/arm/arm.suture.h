@@ -204,7 +204,7 @@ struct ArmLocalQueryCpArguments {
 bool store(const JointGoal& q, ArmLocalQueryCpArguments& slot);
 void shiftStamps(ArmLocalQueryCpArguments& slot, suture::Duration shift);
 
-/// The numbers of Arm's commands in every table and record.
+/// Names the numbers of Arm's commands in every table and record.
 enum class ArmCommand : std::uint16_t {
   enable,
   disable,
@@ -265,7 +265,7 @@ enum class ArmCommand : std::uint16_t {
   local_query_cp,
 };
 
-/// The numbers of Arm's own events.
+/// Names the numbers of Arm's own events.
 enum class ArmEvent : std::uint16_t {
   operating_state = 3,
   goal_reached,
@@ -283,7 +283,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>();
 
-/// What a client of robots::Arm calls.
+/// Calls robots::Arm of another component.
 template <>
 class Required<robots::Arm> : public Required<suture::Messages> {
   using Contract = robots::Arm;
@@ -467,7 +467,7 @@ class Required<robots::Arm> : public Required<suture::Messages> {
                        robots::PoseStampedSlot> local_query_cp{
       *this, static_cast<std::uint16_t>(Id::local_query_cp)};
 
-  /// The events of robots::Arm, to subscribe to.
+  /// Subscribes to the events of robots::Arm.
   struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
         : Required<suture::Messages>::Events(required),
@@ -501,7 +501,7 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   Events events_{*this};
 };
 
-/// What serves robots::Arm from a component.
+/// Serves robots::Arm from a component.
 template <>
 class Provided<robots::Arm> : public Provided<suture::Messages> {
   using Contract = robots::Arm;
@@ -511,7 +511,7 @@ class Provided<robots::Arm> : public Provided<suture::Messages> {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Arm, to emit.
+  /// Emits the events of robots::Arm.
   struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<suture::Messages>::Events(provided),

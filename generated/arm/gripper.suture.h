@@ -13,13 +13,13 @@
 
 namespace robots {
 
-/// The numbers of Gripper's commands in every table and record.
+/// Names the numbers of Gripper's commands in every table and record.
 enum class GripperCommand : std::uint16_t {
   configuration_js,
   measured_js,
 };
 
-/// The numbers of Gripper's events.
+/// Names the numbers of Gripper's events.
 enum class GripperEvent : std::uint16_t {
   closed,
 };
@@ -31,7 +31,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Gripper>();
 
-/// What a client of robots::Gripper calls.
+/// Calls robots::Gripper of another component.
 template <>
 class Required<robots::Gripper> : public RequiredBase {
   using Contract = robots::Gripper;
@@ -49,7 +49,7 @@ class Required<robots::Gripper> : public RequiredBase {
   ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
       *this, static_cast<std::uint16_t>(Id::measured_js)};
 
-  /// The events of robots::Gripper, to subscribe to.
+  /// Subscribes to the events of robots::Gripper.
   struct Events {
     explicit Events(RequiredBase& required)
         : closed{required, static_cast<std::uint16_t>(EventId::closed)} {}
@@ -69,7 +69,7 @@ class Required<robots::Gripper> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::Gripper from a component.
+/// Serves robots::Gripper from a component.
 template <>
 class Provided<robots::Gripper> : public ProvidedBase {
   using Contract = robots::Gripper;
@@ -79,7 +79,7 @@ class Provided<robots::Gripper> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Gripper, to emit.
+  /// Emits the events of robots::Gripper.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : closed{provided, static_cast<std::uint16_t>(EventId::closed)} {}

@@ -37,7 +37,7 @@ struct JawMoveJpArguments {
 bool store(const JointGoal& goal, JawMoveJpArguments& slot);
 void shiftStamps(JawMoveJpArguments& slot, suture::Duration shift);
 
-/// The numbers of Jaw's commands in every table and record.
+/// Names the numbers of Jaw's commands in every table and record.
 enum class JawCommand : std::uint16_t {
   configuration_js,
   measured_js,
@@ -47,7 +47,7 @@ enum class JawCommand : std::uint16_t {
   move_jp,
 };
 
-/// The numbers of Jaw's own events.
+/// Names the numbers of Jaw's own events.
 enum class JawEvent : std::uint16_t {
   goal_reached = 3,
 };
@@ -59,7 +59,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Jaw>();
 
-/// What a client of robots::Jaw calls.
+/// Calls robots::Jaw of another component.
 template <>
 class Required<robots::Jaw> : public Required<suture::Messages> {
   using Contract = robots::Jaw;
@@ -93,7 +93,7 @@ class Required<robots::Jaw> : public Required<suture::Messages> {
   Command<&Contract::move_jp, robots::JawMoveJpArguments> move_jp{
       *this, static_cast<std::uint16_t>(Id::move_jp)};
 
-  /// The events of robots::Jaw, to subscribe to.
+  /// Subscribes to the events of robots::Jaw.
   struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
         : Required<suture::Messages>::Events(required),
@@ -113,7 +113,7 @@ class Required<robots::Jaw> : public Required<suture::Messages> {
   Events events_{*this};
 };
 
-/// What serves robots::Jaw from a component.
+/// Serves robots::Jaw from a component.
 template <>
 class Provided<robots::Jaw> : public Provided<suture::Messages> {
   using Contract = robots::Jaw;
@@ -123,7 +123,7 @@ class Provided<robots::Jaw> : public Provided<suture::Messages> {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Jaw, to emit.
+  /// Emits the events of robots::Jaw.
   struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<suture::Messages>::Events(provided),

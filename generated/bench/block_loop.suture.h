@@ -37,12 +37,12 @@ struct SmallBlocksBounceArguments {
 
 bool store(const SmallBlock& block, SmallBlocksBounceArguments& slot);
 
-/// The numbers of SmallBlocks's commands in every table and record.
+/// Names the numbers of SmallBlocks's commands in every table and record.
 enum class SmallBlocksCommand : std::uint16_t {
   bounce,
 };
 
-/// The numbers of SmallBlocks's events.
+/// Names the numbers of SmallBlocks's events.
 enum class SmallBlocksEvent : std::uint16_t {
   echo,
 };
@@ -55,12 +55,12 @@ struct LargeBlocksBounceArguments {
 
 bool store(const LargeBlock& block, LargeBlocksBounceArguments& slot);
 
-/// The numbers of LargeBlocks's commands in every table and record.
+/// Names the numbers of LargeBlocks's commands in every table and record.
 enum class LargeBlocksCommand : std::uint16_t {
   bounce,
 };
 
-/// The numbers of LargeBlocks's events.
+/// Names the numbers of LargeBlocks's events.
 enum class LargeBlocksEvent : std::uint16_t {
   echo,
 };
@@ -72,7 +72,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<bench::SmallBlocks>();
 
-/// What a client of bench::SmallBlocks calls.
+/// Calls bench::SmallBlocks of another component.
 template <>
 class Required<bench::SmallBlocks> : public RequiredBase {
   using Contract = bench::SmallBlocks;
@@ -87,7 +87,7 @@ class Required<bench::SmallBlocks> : public RequiredBase {
   Command<&Contract::bounce, bench::SmallBlocksBounceArguments> bounce{
       *this, static_cast<std::uint16_t>(Id::bounce)};
 
-  /// The events of bench::SmallBlocks, to subscribe to.
+  /// Subscribes to the events of bench::SmallBlocks.
   struct Events {
     explicit Events(RequiredBase& required)
         : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
@@ -105,7 +105,7 @@ class Required<bench::SmallBlocks> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves bench::SmallBlocks from a component.
+/// Serves bench::SmallBlocks from a component.
 template <>
 class Provided<bench::SmallBlocks> : public ProvidedBase {
   using Contract = bench::SmallBlocks;
@@ -115,7 +115,7 @@ class Provided<bench::SmallBlocks> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of bench::SmallBlocks, to emit.
+  /// Emits the events of bench::SmallBlocks.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}
@@ -149,7 +149,7 @@ class Provided<bench::SmallBlocks> : public ProvidedBase {
 template <>
 const InterfaceInfo& interfaceInfo<bench::LargeBlocks>();
 
-/// What a client of bench::LargeBlocks calls.
+/// Calls bench::LargeBlocks of another component.
 template <>
 class Required<bench::LargeBlocks> : public RequiredBase {
   using Contract = bench::LargeBlocks;
@@ -164,7 +164,7 @@ class Required<bench::LargeBlocks> : public RequiredBase {
   Command<&Contract::bounce, bench::LargeBlocksBounceArguments> bounce{
       *this, static_cast<std::uint16_t>(Id::bounce)};
 
-  /// The events of bench::LargeBlocks, to subscribe to.
+  /// Subscribes to the events of bench::LargeBlocks.
   struct Events {
     explicit Events(RequiredBase& required)
         : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
@@ -182,7 +182,7 @@ class Required<bench::LargeBlocks> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves bench::LargeBlocks from a component.
+/// Serves bench::LargeBlocks from a component.
 template <>
 class Provided<bench::LargeBlocks> : public ProvidedBase {
   using Contract = bench::LargeBlocks;
@@ -192,7 +192,7 @@ class Provided<bench::LargeBlocks> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of bench::LargeBlocks, to emit.
+  /// Emits the events of bench::LargeBlocks.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}

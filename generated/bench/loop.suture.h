@@ -28,14 +28,14 @@ struct LoopServerBounceArguments {
 bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot);
 void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift);
 
-/// The numbers of LoopServer's commands in every table and record.
+/// Names the numbers of LoopServer's commands in every table and record.
 enum class LoopServerCommand : std::uint16_t {
   put,
   bounce,
   value,
 };
 
-/// The numbers of LoopServer's events.
+/// Names the numbers of LoopServer's events.
 enum class LoopServerEvent : std::uint16_t {
   echo,
 };
@@ -47,7 +47,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<bench::LoopServer>();
 
-/// What a client of bench::LoopServer calls.
+/// Calls bench::LoopServer of another component.
 template <>
 class Required<bench::LoopServer> : public RequiredBase {
   using Contract = bench::LoopServer;
@@ -68,7 +68,7 @@ class Required<bench::LoopServer> : public RequiredBase {
   ReadCommand<&Contract::value, robots::PosePrmSlot> value{
       *this, static_cast<std::uint16_t>(Id::value)};
 
-  /// The events of bench::LoopServer, to subscribe to.
+  /// Subscribes to the events of bench::LoopServer.
   struct Events {
     explicit Events(RequiredBase& required)
         : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
@@ -87,7 +87,7 @@ class Required<bench::LoopServer> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves bench::LoopServer from a component.
+/// Serves bench::LoopServer from a component.
 template <>
 class Provided<bench::LoopServer> : public ProvidedBase {
   using Contract = bench::LoopServer;
@@ -97,7 +97,7 @@ class Provided<bench::LoopServer> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of bench::LoopServer, to emit.
+  /// Emits the events of bench::LoopServer.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}

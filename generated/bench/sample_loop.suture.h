@@ -28,14 +28,14 @@ struct SampleServerBounceArguments {
 bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot);
 void shiftStamps(SampleServerBounceArguments& slot, suture::Duration shift);
 
-/// The numbers of SampleServer's commands in every table and record.
+/// Names the numbers of SampleServer's commands in every table and record.
 enum class SampleServerCommand : std::uint16_t {
   put,
   bounce,
   value,
 };
 
-/// The numbers of SampleServer's events.
+/// Names the numbers of SampleServer's events.
 enum class SampleServerEvent : std::uint16_t {
   echo,
 };
@@ -47,7 +47,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<bench::SampleServer>();
 
-/// What a client of bench::SampleServer calls.
+/// Calls bench::SampleServer of another component.
 template <>
 class Required<bench::SampleServer> : public RequiredBase {
   using Contract = bench::SampleServer;
@@ -67,7 +67,7 @@ class Required<bench::SampleServer> : public RequiredBase {
   ReadCommand<&Contract::value, robots::PoseSampleSlot> value{
       *this, static_cast<std::uint16_t>(Id::value)};
 
-  /// The events of bench::SampleServer, to subscribe to.
+  /// Subscribes to the events of bench::SampleServer.
   struct Events {
     explicit Events(RequiredBase& required)
         : echo{required, static_cast<std::uint16_t>(EventId::echo)} {}
@@ -86,7 +86,7 @@ class Required<bench::SampleServer> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves bench::SampleServer from a component.
+/// Serves bench::SampleServer from a component.
 template <>
 class Provided<bench::SampleServer> : public ProvidedBase {
   using Contract = bench::SampleServer;
@@ -96,7 +96,7 @@ class Provided<bench::SampleServer> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of bench::SampleServer, to emit.
+  /// Emits the events of bench::SampleServer.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : echo{provided, static_cast<std::uint16_t>(EventId::echo)} {}

@@ -12,14 +12,14 @@
 
 namespace robots {
 
-/// The numbers of Console's commands in every table and record.
+/// Names the numbers of Console's commands in every table and record.
 enum class ConsoleCommand : std::uint16_t {
   bring_up,
   bring_down,
   console_state,
 };
 
-/// The numbers of Console's own events.
+/// Names the numbers of Console's own events.
 enum class ConsoleEvent : std::uint16_t {
   console_state = 3,
 };
@@ -31,7 +31,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Console>();
 
-/// What a client of robots::Console calls.
+/// Calls robots::Console of another component.
 template <>
 class Required<robots::Console> : public Required<suture::Messages> {
   using Contract = robots::Console;
@@ -51,7 +51,7 @@ class Required<robots::Console> : public Required<suture::Messages> {
   ReadCommand<&Contract::console_state, std::uint8_t> console_state{
       *this, static_cast<std::uint16_t>(Id::console_state)};
 
-  /// The events of robots::Console, to subscribe to.
+  /// Subscribes to the events of robots::Console.
   struct Events : Required<suture::Messages>::Events {
     explicit Events(RequiredBase& required)
         : Required<suture::Messages>::Events(required),
@@ -71,7 +71,7 @@ class Required<robots::Console> : public Required<suture::Messages> {
   Events events_{*this};
 };
 
-/// What serves robots::Console from a component.
+/// Serves robots::Console from a component.
 template <>
 class Provided<robots::Console> : public Provided<suture::Messages> {
   using Contract = robots::Console;
@@ -81,7 +81,7 @@ class Provided<robots::Console> : public Provided<suture::Messages> {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Console, to emit.
+  /// Emits the events of robots::Console.
   struct Events : Provided<suture::Messages>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<suture::Messages>::Events(provided),

@@ -32,14 +32,14 @@ bool store(const StopNews& value, StopNewsSlot& slot);
 void load(const StopNewsSlot& slot, StopNews& value);
 void shiftStamps(StopNewsSlot& slot, suture::Duration shift);
 
-/// The numbers of EmergencyStop's commands in every table and record.
+/// Names the numbers of EmergencyStop's commands in every table and record.
 enum class EmergencyStopCommand : std::uint16_t {
   press,
   release,
   permit,
 };
 
-/// The numbers of EmergencyStop's events.
+/// Names the numbers of EmergencyStop's events.
 enum class EmergencyStopEvent : std::uint16_t {
   stop,
 };
@@ -51,7 +51,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::EmergencyStop>();
 
-/// What a client of robots::EmergencyStop calls.
+/// Calls robots::EmergencyStop of another component.
 template <>
 class Required<robots::EmergencyStop> : public RequiredBase {
   using Contract = robots::EmergencyStop;
@@ -71,7 +71,7 @@ class Required<robots::EmergencyStop> : public RequiredBase {
   ReadCommand<&Contract::permit, robots::PermitSlot> permit{
       *this, static_cast<std::uint16_t>(Id::permit)};
 
-  /// The events of robots::EmergencyStop, to subscribe to.
+  /// Subscribes to the events of robots::EmergencyStop.
   struct Events {
     explicit Events(RequiredBase& required)
         : stop{required, static_cast<std::uint16_t>(EventId::stop)} {}
@@ -90,7 +90,7 @@ class Required<robots::EmergencyStop> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::EmergencyStop from a component.
+/// Serves robots::EmergencyStop from a component.
 template <>
 class Provided<robots::EmergencyStop> : public ProvidedBase {
   using Contract = robots::EmergencyStop;
@@ -100,7 +100,7 @@ class Provided<robots::EmergencyStop> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::EmergencyStop, to emit.
+  /// Emits the events of robots::EmergencyStop.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : stop{provided, static_cast<std::uint16_t>(EventId::stop)} {}

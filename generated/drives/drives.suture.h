@@ -54,7 +54,7 @@ struct DrivesServoJpArguments {
 
 bool store(const DriveGoal& goal, DrivesServoJpArguments& slot);
 
-/// The numbers of Drives's commands in every table and record.
+/// Names the numbers of Drives's commands in every table and record.
 enum class DrivesCommand : std::uint16_t {
   power_on,
   power_off,
@@ -62,7 +62,7 @@ enum class DrivesCommand : std::uint16_t {
   feedback,
 };
 
-/// The numbers of Drives's events.
+/// Names the numbers of Drives's events.
 enum class DrivesEvent : std::uint16_t {
   power,
 };
@@ -74,7 +74,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Drives>();
 
-/// What a client of robots::Drives calls.
+/// Calls robots::Drives of another component.
 template <>
 class Required<robots::Drives> : public RequiredBase {
   using Contract = robots::Drives;
@@ -98,7 +98,7 @@ class Required<robots::Drives> : public RequiredBase {
   ReadCommand<&Contract::feedback, robots::DriveFeedbackSlot> feedback{
       *this, static_cast<std::uint16_t>(Id::feedback)};
 
-  /// The events of robots::Drives, to subscribe to.
+  /// Subscribes to the events of robots::Drives.
   struct Events {
     explicit Events(RequiredBase& required)
         : power{required, static_cast<std::uint16_t>(EventId::power)} {}
@@ -117,7 +117,7 @@ class Required<robots::Drives> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::Drives from a component.
+/// Serves robots::Drives from a component.
 template <>
 class Provided<robots::Drives> : public ProvidedBase {
   using Contract = robots::Drives;
@@ -127,7 +127,7 @@ class Provided<robots::Drives> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Drives, to emit.
+  /// Emits the events of robots::Drives.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : power{provided, static_cast<std::uint16_t>(EventId::power)} {}

@@ -19,7 +19,7 @@ struct GripperHandSqueezeArguments {
 
 bool store(const double& angle, GripperHandSqueezeArguments& slot);
 
-/// The numbers of GripperHand's commands in every table and record.
+/// Names the numbers of GripperHand's commands in every table and record.
 enum class GripperHandCommand : std::uint16_t {
   squeeze,
 };
@@ -31,7 +31,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::GripperHand>();
 
-/// What a client of robots::GripperHand calls.
+/// Calls robots::GripperHand of another component.
 template <>
 class Required<robots::GripperHand> : public RequiredBase {
   using Contract = robots::GripperHand;
@@ -52,7 +52,7 @@ class Required<robots::GripperHand> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves robots::GripperHand from a component.
+/// Serves robots::GripperHand from a component.
 template <>
 class Provided<robots::GripperHand> : public ProvidedBase {
   using Contract = robots::GripperHand;

@@ -23,7 +23,7 @@ bool store(const GuidanceProgress& value, GuidanceProgressSlot& slot);
 void load(const GuidanceProgressSlot& slot, GuidanceProgress& value);
 void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift);
 
-/// The numbers of Guidance's commands in every table and record.
+/// Names the numbers of Guidance's commands in every table and record.
 enum class GuidanceCommand : std::uint16_t {
   guidance_state,
   progress,
@@ -31,7 +31,7 @@ enum class GuidanceCommand : std::uint16_t {
   disable,
 };
 
-/// The numbers of Guidance's events.
+/// Names the numbers of Guidance's events.
 enum class GuidanceEvent : std::uint16_t {
   guidance_state,
 };
@@ -43,7 +43,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Guidance>();
 
-/// What a client of robots::Guidance calls.
+/// Calls robots::Guidance of another component.
 template <>
 class Required<robots::Guidance> : public RequiredBase {
   using Contract = robots::Guidance;
@@ -65,7 +65,7 @@ class Required<robots::Guidance> : public RequiredBase {
   /// Stops guiding; both slaves hold.
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
 
-  /// The events of robots::Guidance, to subscribe to.
+  /// Subscribes to the events of robots::Guidance.
   struct Events {
     explicit Events(RequiredBase& required)
         : guidance_state{required, static_cast<std::uint16_t>(EventId::guidance_state)} {}
@@ -84,7 +84,7 @@ class Required<robots::Guidance> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::Guidance from a component.
+/// Serves robots::Guidance from a component.
 template <>
 class Provided<robots::Guidance> : public ProvidedBase {
   using Contract = robots::Guidance;
@@ -94,7 +94,7 @@ class Provided<robots::Guidance> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Guidance, to emit.
+  /// Emits the events of robots::Guidance.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : guidance_state{provided, static_cast<std::uint16_t>(EventId::guidance_state)} {}

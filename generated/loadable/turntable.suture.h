@@ -19,7 +19,7 @@ struct TurntableTurnArguments {
 
 bool store(const double& angle, TurntableTurnArguments& slot);
 
-/// The numbers of Turntable's commands in every table and record.
+/// Names the numbers of Turntable's commands in every table and record.
 enum class TurntableCommand : std::uint16_t {
   turn,
   angle,
@@ -32,7 +32,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<loadable::Turntable>();
 
-/// What a client of loadable::Turntable calls.
+/// Calls loadable::Turntable of another component.
 template <>
 class Required<loadable::Turntable> : public RequiredBase {
   using Contract = loadable::Turntable;
@@ -52,7 +52,7 @@ class Required<loadable::Turntable> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves loadable::Turntable from a component.
+/// Serves loadable::Turntable from a component.
 template <>
 class Provided<loadable::Turntable> : public ProvidedBase {
   using Contract = loadable::Turntable;

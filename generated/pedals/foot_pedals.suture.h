@@ -24,12 +24,12 @@ bool store(const PedalState& value, PedalStateSlot& slot);
 void load(const PedalStateSlot& slot, PedalState& value);
 void shiftStamps(PedalStateSlot& slot, suture::Duration shift);
 
-/// The numbers of FootPedals's commands in every table and record.
+/// Names the numbers of FootPedals's commands in every table and record.
 enum class FootPedalsCommand : std::uint16_t {
   pedals,
 };
 
-/// The numbers of FootPedals's events.
+/// Names the numbers of FootPedals's events.
 enum class FootPedalsEvent : std::uint16_t {
   clutch,
   camera,
@@ -43,7 +43,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::FootPedals>();
 
-/// What a client of robots::FootPedals calls.
+/// Calls robots::FootPedals of another component.
 template <>
 class Required<robots::FootPedals> : public RequiredBase {
   using Contract = robots::FootPedals;
@@ -57,7 +57,7 @@ class Required<robots::FootPedals> : public RequiredBase {
   ReadCommand<&Contract::pedals, robots::PedalStateSlot> pedals{
       *this, static_cast<std::uint16_t>(Id::pedals)};
 
-  /// The events of robots::FootPedals, to subscribe to.
+  /// Subscribes to the events of robots::FootPedals.
   struct Events {
     explicit Events(RequiredBase& required)
         : clutch{required, static_cast<std::uint16_t>(EventId::clutch)},
@@ -80,7 +80,7 @@ class Required<robots::FootPedals> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::FootPedals from a component.
+/// Serves robots::FootPedals from a component.
 template <>
 class Provided<robots::FootPedals> : public ProvidedBase {
   using Contract = robots::FootPedals;
@@ -90,7 +90,7 @@ class Provided<robots::FootPedals> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::FootPedals, to emit.
+  /// Emits the events of robots::FootPedals.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : clutch{provided, static_cast<std::uint16_t>(EventId::clutch)},

@@ -21,12 +21,12 @@ bool store(const Presence& value, PresenceSlot& slot);
 void load(const PresenceSlot& slot, Presence& value);
 void shiftStamps(PresenceSlot& slot, suture::Duration shift);
 
-/// The numbers of OperatorPresence's commands in every table and record.
+/// Names the numbers of OperatorPresence's commands in every table and record.
 enum class OperatorPresenceCommand : std::uint16_t {
   presence,
 };
 
-/// The numbers of OperatorPresence's events.
+/// Names the numbers of OperatorPresence's events.
 enum class OperatorPresenceEvent : std::uint16_t {
   operator_present,
 };
@@ -38,7 +38,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::OperatorPresence>();
 
-/// What a client of robots::OperatorPresence calls.
+/// Calls robots::OperatorPresence of another component.
 template <>
 class Required<robots::OperatorPresence> : public RequiredBase {
   using Contract = robots::OperatorPresence;
@@ -52,7 +52,7 @@ class Required<robots::OperatorPresence> : public RequiredBase {
   ReadCommand<&Contract::presence, robots::PresenceSlot> presence{
       *this, static_cast<std::uint16_t>(Id::presence)};
 
-  /// The events of robots::OperatorPresence, to subscribe to.
+  /// Subscribes to the events of robots::OperatorPresence.
   struct Events {
     explicit Events(RequiredBase& required)
         : operator_present{required, static_cast<std::uint16_t>(EventId::operator_present)} {}
@@ -71,7 +71,7 @@ class Required<robots::OperatorPresence> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::OperatorPresence from a component.
+/// Serves robots::OperatorPresence from a component.
 template <>
 class Provided<robots::OperatorPresence> : public ProvidedBase {
   using Contract = robots::OperatorPresence;
@@ -81,7 +81,7 @@ class Provided<robots::OperatorPresence> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::OperatorPresence, to emit.
+  /// Emits the events of robots::OperatorPresence.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : operator_present{provided, static_cast<std::uint16_t>(EventId::operator_present)} {}

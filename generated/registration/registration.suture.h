@@ -34,7 +34,7 @@ struct RegistrationSetCameraArguments {
 
 bool store(const Eigen::Isometry3d& camera, RegistrationSetCameraArguments& slot);
 
-/// The numbers of Registration's commands in every table and record.
+/// Names the numbers of Registration's commands in every table and record.
 enum class RegistrationCommand : std::uint16_t {
   frames,
   set_camera,
@@ -47,7 +47,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Registration>();
 
-/// What a client of robots::Registration calls.
+/// Calls robots::Registration of another component.
 template <>
 class Required<robots::Registration> : public RequiredBase {
   using Contract = robots::Registration;
@@ -71,7 +71,7 @@ class Required<robots::Registration> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves robots::Registration from a component.
+/// Serves robots::Registration from a component.
 template <>
 class Provided<robots::Registration> : public ProvidedBase {
   using Contract = robots::Registration;

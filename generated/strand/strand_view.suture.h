@@ -24,7 +24,7 @@ bool store(const StrandState& value, StrandStateSlot& slot);
 void load(const StrandStateSlot& slot, StrandState& value);
 void shiftStamps(StrandStateSlot& slot, suture::Duration shift);
 
-/// The numbers of StrandView's commands in every table and record.
+/// Names the numbers of StrandView's commands in every table and record.
 enum class StrandViewCommand : std::uint16_t {
   strand,
 };
@@ -36,7 +36,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::StrandView>();
 
-/// What a client of robots::StrandView calls.
+/// Calls robots::StrandView of another component.
 template <>
 class Required<robots::StrandView> : public RequiredBase {
   using Contract = robots::StrandView;
@@ -56,7 +56,7 @@ class Required<robots::StrandView> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves robots::StrandView from a component.
+/// Serves robots::StrandView from a component.
 template <>
 class Provided<robots::StrandView> : public ProvidedBase {
   using Contract = robots::StrandView;

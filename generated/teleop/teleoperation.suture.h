@@ -58,7 +58,7 @@ struct TeleoperationLockTranslationArguments {
 
 bool store(const bool& lock, TeleoperationLockTranslationArguments& slot);
 
-/// The numbers of Teleoperation's commands in every table and record.
+/// Names the numbers of Teleoperation's commands in every table and record.
 enum class TeleoperationCommand : std::uint16_t {
   enable,
   disable,
@@ -70,7 +70,7 @@ enum class TeleoperationCommand : std::uint16_t {
   settings,
 };
 
-/// The numbers of Teleoperation's events.
+/// Names the numbers of Teleoperation's events.
 enum class TeleoperationEvent : std::uint16_t {
   teleop_state,
   followed,
@@ -84,7 +84,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Teleoperation>();
 
-/// What a client of robots::Teleoperation calls.
+/// Calls robots::Teleoperation of another component.
 template <>
 class Required<robots::Teleoperation> : public RequiredBase {
   using Contract = robots::Teleoperation;
@@ -117,7 +117,7 @@ class Required<robots::Teleoperation> : public RequiredBase {
   ReadCommand<&Contract::settings, robots::TeleopSettingsSlot> settings{
       *this, static_cast<std::uint16_t>(Id::settings)};
 
-  /// The events of robots::Teleoperation, to subscribe to.
+  /// Subscribes to the events of robots::Teleoperation.
   struct Events {
     explicit Events(RequiredBase& required)
         : teleop_state{required, static_cast<std::uint16_t>(EventId::teleop_state)},
@@ -141,7 +141,7 @@ class Required<robots::Teleoperation> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::Teleoperation from a component.
+/// Serves robots::Teleoperation from a component.
 template <>
 class Provided<robots::Teleoperation> : public ProvidedBase {
   using Contract = robots::Teleoperation;
@@ -151,7 +151,7 @@ class Provided<robots::Teleoperation> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Teleoperation, to emit.
+  /// Emits the events of robots::Teleoperation.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : teleop_state{provided, static_cast<std::uint16_t>(EventId::teleop_state)},

@@ -24,7 +24,7 @@ bool store(const KnotSighting& value, KnotSightingSlot& slot);
 void load(const KnotSightingSlot& slot, KnotSighting& value);
 void shiftStamps(KnotSightingSlot& slot, suture::Duration shift);
 
-/// The numbers of KnotVision's commands in every table and record.
+/// Names the numbers of KnotVision's commands in every table and record.
 enum class KnotVisionCommand : std::uint16_t {
   sighting,
 };
@@ -36,7 +36,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::KnotVision>();
 
-/// What a client of robots::KnotVision calls.
+/// Calls robots::KnotVision of another component.
 template <>
 class Required<robots::KnotVision> : public RequiredBase {
   using Contract = robots::KnotVision;
@@ -56,7 +56,7 @@ class Required<robots::KnotVision> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves robots::KnotVision from a component.
+/// Serves robots::KnotVision from a component.
 template <>
 class Provided<robots::KnotVision> : public ProvidedBase {
   using Contract = robots::KnotVision;

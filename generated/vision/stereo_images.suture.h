@@ -23,7 +23,7 @@ void load(const StereoPairSlot& slot, StereoPair& value);
 void reserve(const StereoPairSlot*, StereoPair& value);
 void shiftStamps(StereoPairSlot& slot, suture::Duration shift);
 
-/// The numbers of StereoImages's commands in every table and record.
+/// Names the numbers of StereoImages's commands in every table and record.
 enum class StereoImagesCommand : std::uint16_t {
   images,
   exposed,
@@ -36,7 +36,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::StereoImages>();
 
-/// What a client of robots::StereoImages calls.
+/// Calls robots::StereoImages of another component.
 template <>
 class Required<robots::StereoImages> : public RequiredBase {
   using Contract = robots::StereoImages;
@@ -60,7 +60,7 @@ class Required<robots::StereoImages> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves robots::StereoImages from a component.
+/// Serves robots::StereoImages from a component.
 template <>
 class Provided<robots::StereoImages> : public ProvidedBase {
   using Contract = robots::StereoImages;

@@ -13,7 +13,7 @@
 
 namespace robots {
 
-/// The numbers of TrackedObject's commands in every table and record.
+/// Names the numbers of TrackedObject's commands in every table and record.
 enum class TrackedObjectCommand : std::uint16_t {
   measured_cp,
   measured_cv,
@@ -26,7 +26,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::TrackedObject>();
 
-/// What a client of robots::TrackedObject calls.
+/// Calls robots::TrackedObject of another component.
 template <>
 class Required<robots::TrackedObject> : public RequiredBase {
   using Contract = robots::TrackedObject;
@@ -51,7 +51,7 @@ class Required<robots::TrackedObject> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves robots::TrackedObject from a component.
+/// Serves robots::TrackedObject from a component.
 template <>
 class Provided<robots::TrackedObject> : public ProvidedBase {
   using Contract = robots::TrackedObject;

@@ -68,7 +68,7 @@ bool store(const PoseStamped& value, const double& value2, ArmLikeMovedPayload& 
 void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2);
 void shiftStamps(ArmLikeMovedPayload& slot, suture::Duration shift);
 
-/// The numbers of ArmLike's commands in every table and record.
+/// Names the numbers of ArmLike's commands in every table and record.
 enum class ArmLikeCommand : std::uint16_t {
   servo_cp,
   servo_jp,
@@ -83,7 +83,7 @@ enum class ArmLikeCommand : std::uint16_t {
   park,
 };
 
-/// The numbers of ArmLike's events.
+/// Names the numbers of ArmLike's events.
 enum class ArmLikeEvent : std::uint16_t {
   mode,
   arrived,
@@ -98,7 +98,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<reference::ArmLike>();
 
-/// What a client of reference::ArmLike calls.
+/// Calls reference::ArmLike of another component.
 template <>
 class Required<reference::ArmLike> : public RequiredBase {
   using Contract = reference::ArmLike;
@@ -134,7 +134,7 @@ class Required<reference::ArmLike> : public RequiredBase {
   /// Folds the arm.
   Command<&Contract::park, NoSlot> park{*this, static_cast<std::uint16_t>(Id::park)};
 
-  /// The events of reference::ArmLike, to subscribe to.
+  /// Subscribes to the events of reference::ArmLike.
   struct Events {
     explicit Events(RequiredBase& required)
         : mode{required, static_cast<std::uint16_t>(EventId::mode)},
@@ -159,7 +159,7 @@ class Required<reference::ArmLike> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves reference::ArmLike from a component.
+/// Serves reference::ArmLike from a component.
 template <>
 class Provided<reference::ArmLike> : public ProvidedBase {
   using Contract = reference::ArmLike;
@@ -169,7 +169,7 @@ class Provided<reference::ArmLike> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of reference::ArmLike, to emit.
+  /// Emits the events of reference::ArmLike.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : mode{provided, static_cast<std::uint16_t>(EventId::mode)},

@@ -27,7 +27,7 @@ struct GripperArmFitsArguments {
 
 bool store(const double& width, GripperArmFitsArguments& slot);
 
-/// The numbers of GripperArm's own commands in every table and record.
+/// Names the numbers of GripperArm's own commands in every table and record.
 enum class GripperArmCommand : std::uint16_t {
   close = 11,
   opening,
@@ -35,7 +35,7 @@ enum class GripperArmCommand : std::uint16_t {
   fits,
 };
 
-/// The numbers of GripperArm's own events.
+/// Names the numbers of GripperArm's own events.
 enum class GripperArmEvent : std::uint16_t {
   gripped = 4,
 };
@@ -47,7 +47,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<reference::GripperArm>();
 
-/// What a client of reference::GripperArm calls.
+/// Calls reference::GripperArm of another component.
 template <>
 class Required<reference::GripperArm> : public Required<reference::ArmLike> {
   using Contract = reference::GripperArm;
@@ -67,7 +67,7 @@ class Required<reference::GripperArm> : public Required<reference::ArmLike> {
   QualifiedReadCommand<&Contract::fits, reference::GripperArmFitsArguments, std::uint8_t> fits{
       *this, static_cast<std::uint16_t>(Id::fits)};
 
-  /// The events of reference::GripperArm, to subscribe to.
+  /// Subscribes to the events of reference::GripperArm.
   struct Events : Required<reference::ArmLike>::Events {
     explicit Events(RequiredBase& required)
         : Required<reference::ArmLike>::Events(required),
@@ -86,7 +86,7 @@ class Required<reference::GripperArm> : public Required<reference::ArmLike> {
   Events events_{*this};
 };
 
-/// What serves reference::GripperArm from a component.
+/// Serves reference::GripperArm from a component.
 template <>
 class Provided<reference::GripperArm> : public Provided<reference::ArmLike> {
   using Contract = reference::GripperArm;
@@ -96,7 +96,7 @@ class Provided<reference::GripperArm> : public Provided<reference::ArmLike> {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of reference::GripperArm, to emit.
+  /// Emits the events of reference::GripperArm.
   struct Events : Provided<reference::ArmLike>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<reference::ArmLike>::Events(provided),

@@ -150,7 +150,7 @@ void emitNumbers(Code& code, const std::string& contract, const char* kind, cons
   if (own.empty()) return;
   std::size_t inherited = all - own.size();
   const char* const whose = inherited == 0 ? "" : "own ";
-  code.line("/// The numbers of ", contract, "'s ", whose, plural, ".");
+  code.line("/// Names the numbers of ", contract, "'s ", whose, plural, ".");
   code.open("enum class ", contract, kind, " : std::uint16_t {");
   for (const auto* const declaration : own) {
     code.line(declaration->name, startOf(std::exchange(inherited, 0)), ",");

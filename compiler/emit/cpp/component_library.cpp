@@ -38,7 +38,7 @@ model::Artefact emitComponentLibrary(const model::Model& model, const std::strin
     code.line("#include \"", model::stemOf(header.path), ".suture.h\"");
   }
   if (any) code.blank();
-  code.line("/// What a deployment finds when it names this library.");
+  code.line("/// A deployment that names this library calls it.");
   code.open("extern \"C\" const suture::ComponentLibrary* suture_components() {");
   if (any) emitClasses(code, model);
   code.line("static const suture::ComponentLibrary kLibrary{.version = suture::kVersion, ",

@@ -6,7 +6,7 @@ namespace {
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
   const std::string base = baseClass("Provided", interface);
-  code.blank().line("/// The events of ", interface.name, ", to emit.");
+  code.blank().line("/// Emits the events of ", interface.name, ".");
   emitEventsHead(code, interface, base);
   emitEventConstructor(code, interface, base, "ProvidedBase& provided", "provided");
   code.blank();
@@ -51,7 +51,7 @@ void emitProvided(Code& code, const Context& context, const model::Interface& in
   const bool commands = !ownCommands(interface).empty();
   const bool events = !ownEvents(interface).empty();
   const bool executes = commands || interface.base.empty();
-  code.line("/// What serves ", interface.name, " from a component.").line("template <>");
+  code.line("/// Serves ", interface.name, " from a component.").line("template <>");
   code.open("class Provided<", interface.name, "> : public ", baseClass("Provided", interface),
             " {");
   code.line("using Contract = ", interface.name, ";");

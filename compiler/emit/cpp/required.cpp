@@ -62,7 +62,7 @@ void withoutWarning(Code& code, const std::vector<const Member*>& members,
 
 void emitEvents(Code& code, const Context& context, const model::Interface& interface) {
   const std::string base = baseClass("Required", interface);
-  code.blank().line("/// The events of ", interface.name, ", to subscribe to.");
+  code.blank().line("/// Subscribes to the events of ", interface.name, ".");
   emitEventsHead(code, interface, base);
   withoutWarning(code, ownEvents(interface), [&] {
     emitEventConstructor(code, interface, base, "RequiredBase& required", "required");
@@ -105,7 +105,7 @@ void emitProtectedConstructor(Code& code, const model::Interface& interface) {
 }  // namespace
 
 void emitRequired(Code& code, const Context& context, const model::Interface& interface) {
-  code.line("/// What a client of ", interface.name, " calls.").line("template <>");
+  code.line("/// Calls ", interface.name, " of another component.").line("template <>");
   code.open("class Required<", interface.name, "> : public ", baseClass("Required", interface),
             " {");
   code.line("using Contract = ", interface.name, ";");

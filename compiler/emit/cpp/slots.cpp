@@ -118,7 +118,7 @@ void emitMembers(Code& code, const Context& context) {
     const auto& fields = declaration.fields;
     const auto isHidden = [](const model::Field& field) { return field.isHidden; };
     if (std::none_of(fields.begin(), fields.end(), isHidden)) continue;
-    code.line("/// What SUTURE_FRIEND() lets generated code reach.");
+    code.line("/// Reaches members that SUTURE_FRIEND() opens to generated code.");
     code.line("template <>").open("struct Members<", declaration.name, "> {");
     for (const model::Field& field : fields) {
       if (!field.isHidden) continue;

@@ -89,7 +89,7 @@ struct AllKindsSwapTextArguments {
 
 bool store(const std::string& value, AllKindsSwapTextArguments& slot);
 
-/// The numbers of AllKinds's commands in every table and record.
+/// Names the numbers of AllKinds's commands in every table and record.
 enum class AllKindsCommand : std::uint16_t {
   clear,
   set_scalar,
@@ -114,7 +114,7 @@ enum class AllKindsCommand : std::uint16_t {
   swap_text,
 };
 
-/// The numbers of AllKinds's events.
+/// Names the numbers of AllKinds's events.
 enum class AllKindsEvent : std::uint16_t {
   cleared,
   scalar_set,
@@ -130,7 +130,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<scenarios::AllKinds>();
 
-/// What a client of scenarios::AllKinds calls.
+/// Calls scenarios::AllKinds of another component.
 template <>
 class Required<scenarios::AllKinds> : public RequiredBase {
   using Contract = scenarios::AllKinds;
@@ -194,7 +194,7 @@ class Required<scenarios::AllKinds> : public RequiredBase {
                    suture::BoundedText<31>> swap_text{
       *this, static_cast<std::uint16_t>(Id::swap_text)};
 
-  /// The events of scenarios::AllKinds, to subscribe to.
+  /// Subscribes to the events of scenarios::AllKinds.
   struct Events {
     explicit Events(RequiredBase& required)
         : cleared{required, static_cast<std::uint16_t>(EventId::cleared)},
@@ -222,7 +222,7 @@ class Required<scenarios::AllKinds> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves scenarios::AllKinds from a component.
+/// Serves scenarios::AllKinds from a component.
 template <>
 class Provided<scenarios::AllKinds> : public ProvidedBase {
   using Contract = scenarios::AllKinds;
@@ -232,7 +232,7 @@ class Provided<scenarios::AllKinds> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of scenarios::AllKinds, to emit.
+  /// Emits the events of scenarios::AllKinds.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : cleared{provided, static_cast<std::uint16_t>(EventId::cleared)},

@@ -39,7 +39,7 @@ struct CollectingSetIntervalArguments {
 
 bool store(const CollectingInterval& interval, CollectingSetIntervalArguments& slot);
 
-/// The numbers of Collecting's commands in every table and record.
+/// Names the numbers of Collecting's commands in every table and record.
 enum class CollectingCommand : std::uint16_t {
   start_collecting,
   stop_collecting,
@@ -56,7 +56,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<suture::Collecting>();
 
-/// What a client of suture::Collecting calls.
+/// Calls suture::Collecting of another component.
 template <>
 class Required<suture::Collecting> : public RequiredBase {
   using Contract = suture::Collecting;
@@ -89,7 +89,7 @@ class Required<suture::Collecting> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves suture::Collecting from a component.
+/// Serves suture::Collecting from a component.
 template <>
 class Provided<suture::Collecting> : public ProvidedBase {
   using Contract = suture::Collecting;

@@ -31,7 +31,7 @@ struct LifecycleResumeConnectionArguments {
 
 bool store(const std::string& required, LifecycleResumeConnectionArguments& slot);
 
-/// The numbers of Lifecycle's commands in every table and record.
+/// Names the numbers of Lifecycle's commands in every table and record.
 enum class LifecycleCommand : std::uint16_t {
   suspend,
   resume,
@@ -39,7 +39,7 @@ enum class LifecycleCommand : std::uint16_t {
   resume_connection,
 };
 
-/// The numbers of Lifecycle's events.
+/// Names the numbers of Lifecycle's events.
 enum class LifecycleEvent : std::uint16_t {
   state_changed,
 };
@@ -51,7 +51,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<suture::Lifecycle>();
 
-/// What a client of suture::Lifecycle calls.
+/// Calls suture::Lifecycle of another component.
 template <>
 class Required<suture::Lifecycle> : public RequiredBase {
   using Contract = suture::Lifecycle;
@@ -76,7 +76,7 @@ class Required<suture::Lifecycle> : public RequiredBase {
                    std::uint8_t> resume_connection{
       *this, static_cast<std::uint16_t>(Id::resume_connection)};
 
-  /// The events of suture::Lifecycle, to subscribe to.
+  /// Subscribes to the events of suture::Lifecycle.
   struct Events {
     explicit Events(RequiredBase& required)
         : state_changed{required, static_cast<std::uint16_t>(EventId::state_changed)} {}
@@ -95,7 +95,7 @@ class Required<suture::Lifecycle> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves suture::Lifecycle from a component.
+/// Serves suture::Lifecycle from a component.
 template <>
 class Provided<suture::Lifecycle> : public ProvidedBase {
   using Contract = suture::Lifecycle;
@@ -105,7 +105,7 @@ class Provided<suture::Lifecycle> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of suture::Lifecycle, to emit.
+  /// Emits the events of suture::Lifecycle.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : state_changed{provided, static_cast<std::uint16_t>(EventId::state_changed)} {}

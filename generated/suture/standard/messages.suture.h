@@ -23,7 +23,7 @@ void load(const MessageSlot& slot, Message& value);
 void reserve(const MessageSlot*, Message& value);
 void shiftStamps(MessageSlot& slot, suture::Duration shift);
 
-/// The numbers of Messages's events.
+/// Names the numbers of Messages's events.
 enum class MessagesEvent : std::uint16_t {
   status,
   warning,
@@ -37,7 +37,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<suture::Messages>();
 
-/// What a client of suture::Messages calls.
+/// Calls suture::Messages of another component.
 template <>
 class Required<suture::Messages> : public RequiredBase {
   using Contract = suture::Messages;
@@ -48,7 +48,7 @@ class Required<suture::Messages> : public RequiredBase {
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
 
-  /// The events of suture::Messages, to subscribe to.
+  /// Subscribes to the events of suture::Messages.
   struct Events {
     explicit Events(RequiredBase& required)
         : status{required, static_cast<std::uint16_t>(EventId::status)},
@@ -73,7 +73,7 @@ class Required<suture::Messages> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves suture::Messages from a component.
+/// Serves suture::Messages from a component.
 template <>
 class Provided<suture::Messages> : public ProvidedBase {
   using Contract = suture::Messages;
@@ -83,7 +83,7 @@ class Provided<suture::Messages> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of suture::Messages, to emit.
+  /// Emits the events of suture::Messages.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : status{provided, static_cast<std::uint16_t>(EventId::status)},

@@ -35,7 +35,7 @@ bool store(const TaskWindow& value, TaskWindowSlot& slot);
 void load(const TaskWindowSlot& slot, TaskWindow& value);
 void shiftStamps(TaskWindowSlot& slot, suture::Duration shift);
 
-/// The numbers of TaskTiming's commands in every table and record.
+/// Names the numbers of TaskTiming's commands in every table and record.
 enum class TaskTimingCommand : std::uint16_t {
   window,
   cycles,
@@ -49,7 +49,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<suture::TaskTiming>();
 
-/// What a client of suture::TaskTiming calls.
+/// Calls suture::TaskTiming of another component.
 template <>
 class Required<suture::TaskTiming> : public RequiredBase {
   using Contract = suture::TaskTiming;
@@ -75,7 +75,7 @@ class Required<suture::TaskTiming> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves suture::TaskTiming from a component.
+/// Serves suture::TaskTiming from a component.
 template <>
 class Provided<suture::TaskTiming> : public ProvidedBase {
   using Contract = suture::TaskTiming;

@@ -20,7 +20,7 @@ struct LampLightArguments {
 
 bool store(const bool& on, LampLightArguments& slot);
 
-/// The numbers of Lamp's commands in every table and record.
+/// Names the numbers of Lamp's commands in every table and record.
 enum class LampCommand : std::uint16_t {
   light,
   lit,
@@ -33,7 +33,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<contracts::Lamp>();
 
-/// What a client of contracts::Lamp calls.
+/// Calls contracts::Lamp of another component.
 template <>
 class Required<contracts::Lamp> : public Required<suture::Messages> {
   using Contract = contracts::Lamp;
@@ -53,7 +53,7 @@ class Required<contracts::Lamp> : public Required<suture::Messages> {
       : Required<suture::Messages>(owner, name, info) {}
 };
 
-/// What serves contracts::Lamp from a component.
+/// Serves contracts::Lamp from a component.
 template <>
 class Provided<contracts::Lamp> : public Provided<suture::Messages> {
   using Contract = contracts::Lamp;

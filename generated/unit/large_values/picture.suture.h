@@ -33,7 +33,7 @@ struct GalleryHangArguments {
 
 bool store(const Picture& picture, GalleryHangArguments& slot);
 
-/// The numbers of Gallery's commands in every table and record.
+/// Names the numbers of Gallery's commands in every table and record.
 enum class GalleryCommand : std::uint16_t {
   newest,
   oldest,
@@ -41,7 +41,7 @@ enum class GalleryCommand : std::uint16_t {
   hang,
 };
 
-/// The numbers of Gallery's events.
+/// Names the numbers of Gallery's events.
 enum class GalleryEvent : std::uint16_t {
   hung,
 };
@@ -53,7 +53,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<large_values::Gallery>();
 
-/// What a client of large_values::Gallery calls.
+/// Calls large_values::Gallery of another component.
 template <>
 class Required<large_values::Gallery> : public RequiredBase {
   using Contract = large_values::Gallery;
@@ -74,7 +74,7 @@ class Required<large_values::Gallery> : public RequiredBase {
   Command<&Contract::hang, large_values::GalleryHangArguments> hang{
       *this, static_cast<std::uint16_t>(Id::hang)};
 
-  /// The events of large_values::Gallery, to subscribe to.
+  /// Subscribes to the events of large_values::Gallery.
   struct Events {
     explicit Events(RequiredBase& required)
         : hung{required, static_cast<std::uint16_t>(EventId::hung)} {}
@@ -92,7 +92,7 @@ class Required<large_values::Gallery> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves large_values::Gallery from a component.
+/// Serves large_values::Gallery from a component.
 template <>
 class Provided<large_values::Gallery> : public ProvidedBase {
   using Contract = large_values::Gallery;
@@ -102,7 +102,7 @@ class Provided<large_values::Gallery> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of large_values::Gallery, to emit.
+  /// Emits the events of large_values::Gallery.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : hung{provided, static_cast<std::uint16_t>(EventId::hung)} {}

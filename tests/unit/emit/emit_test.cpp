@@ -200,7 +200,7 @@ TEST_F(EmitTest, TheEntryPointListsTheComponentsOfAllOwnHeaders) {
 #include "robots/simulated_arm.suture.h"
 #include "robots/other_arm.suture.h"
 
-/// What a deployment finds when it names this library.
+/// A deployment that names this library calls it.
 extern "C" const suture::ComponentLibrary* suture_components() {
   static const suture::ComponentClass kClasses[] = {
       suture::componentClass<robots::SimulatedArm>(),

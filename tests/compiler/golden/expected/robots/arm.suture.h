@@ -87,7 +87,7 @@ bool store(const PoseStamped& value, const double& value2, const Mode& value3,
 void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode& value3);
 void shiftStamps(ArmMovedPayload& slot, suture::Duration shift);
 
-/// The numbers of Arm's commands in every table and record.
+/// Names the numbers of Arm's commands in every table and record.
 enum class ArmCommand : std::uint16_t {
   enable,
   servo_cp,
@@ -102,7 +102,7 @@ enum class ArmCommand : std::uint16_t {
   load,
 };
 
-/// The numbers of Arm's events.
+/// Names the numbers of Arm's events.
 enum class ArmEvent : std::uint16_t {
   mode_changed,
   stopped,
@@ -117,7 +117,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>();
 
-/// What a client of robots::Arm calls.
+/// Calls robots::Arm of another component.
 template <>
 class Required<robots::Arm> : public RequiredBase {
   using Contract = robots::Arm;
@@ -151,7 +151,7 @@ class Required<robots::Arm> : public RequiredBase {
   Command<&Contract::park, NoSlot> park{*this, static_cast<std::uint16_t>(Id::park)};
   ReadCommand<&Contract::load, double> load{*this, static_cast<std::uint16_t>(Id::load)};
 
-  /// The events of robots::Arm, to subscribe to.
+  /// Subscribes to the events of robots::Arm.
   struct Events {
     explicit Events(RequiredBase& required)
         : mode_changed{required, static_cast<std::uint16_t>(EventId::mode_changed)},
@@ -179,7 +179,7 @@ class Required<robots::Arm> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::Arm from a component.
+/// Serves robots::Arm from a component.
 template <>
 class Provided<robots::Arm> : public ProvidedBase {
   using Contract = robots::Arm;
@@ -189,7 +189,7 @@ class Provided<robots::Arm> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Arm, to emit.
+  /// Emits the events of robots::Arm.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : mode_changed{provided, static_cast<std::uint16_t>(EventId::mode_changed)},

@@ -37,14 +37,14 @@ struct GripperGrippedPayload {
 bool store(const double& value, const bool& value2, GripperGrippedPayload& slot);
 void load(const GripperGrippedPayload& slot, double& value, bool& value2);
 
-/// The numbers of Gripper's own commands in every table and record.
+/// Names the numbers of Gripper's own commands in every table and record.
 enum class GripperCommand : std::uint16_t {
   open = 11,
   opening,
   fits,
 };
 
-/// The numbers of Gripper's own events.
+/// Names the numbers of Gripper's own events.
 enum class GripperEvent : std::uint16_t {
   gripped = 4,
 };
@@ -66,14 +66,14 @@ struct NamesNameArguments {
 bool store(const double& range, const double& slot, const double& store_,
            NamesNameArguments& arguments_);
 
-/// The numbers of Names's commands in every table and record.
+/// Names the numbers of Names's commands in every table and record.
 enum class NamesCommand : std::uint16_t {
   queue,
   name,
   range,
 };
 
-/// The numbers of Names's events.
+/// Names the numbers of Names's events.
 enum class NamesEvent : std::uint16_t {
   latched,
 };
@@ -85,7 +85,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Gripper>();
 
-/// What a client of robots::Gripper calls.
+/// Calls robots::Gripper of another component.
 template <>
 class Required<robots::Gripper> : public Required<robots::Arm> {
   using Contract = robots::Gripper;
@@ -102,7 +102,7 @@ class Required<robots::Gripper> : public Required<robots::Arm> {
   QualifiedReadCommand<&Contract::fits, robots::GripperFitsArguments, std::uint8_t> fits{
       *this, static_cast<std::uint16_t>(Id::fits)};
 
-  /// The events of robots::Gripper, to subscribe to.
+  /// Subscribes to the events of robots::Gripper.
   struct Events : Required<robots::Arm>::Events {
     explicit Events(RequiredBase& required)
         : Required<robots::Arm>::Events(required),
@@ -121,7 +121,7 @@ class Required<robots::Gripper> : public Required<robots::Arm> {
   Events events_{*this};
 };
 
-/// What serves robots::Gripper from a component.
+/// Serves robots::Gripper from a component.
 template <>
 class Provided<robots::Gripper> : public Provided<robots::Arm> {
   using Contract = robots::Gripper;
@@ -131,7 +131,7 @@ class Provided<robots::Gripper> : public Provided<robots::Arm> {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Gripper, to emit.
+  /// Emits the events of robots::Gripper.
   struct Events : Provided<robots::Arm>::Events {
     explicit Events(ProvidedBase& provided)
         : Provided<robots::Arm>::Events(provided),
@@ -165,7 +165,7 @@ class Provided<robots::Gripper> : public Provided<robots::Arm> {
 template <>
 const InterfaceInfo& interfaceInfo<robots::Names>();
 
-/// What a client of robots::Names calls.
+/// Calls robots::Names of another component.
 template <>
 class Required<robots::Names> : public RequiredBase {
   using Contract = robots::Names;
@@ -182,7 +182,7 @@ class Required<robots::Names> : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::name)};
   ReadCommand<&Contract::range, double> range{*this, static_cast<std::uint16_t>(Id::range)};
 
-  /// The events of robots::Names, to subscribe to.
+  /// Subscribes to the events of robots::Names.
   struct Events {
     explicit Events(RequiredBase& required)
         : latched{required, static_cast<std::uint16_t>(EventId::latched)} {}
@@ -200,7 +200,7 @@ class Required<robots::Names> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves robots::Names from a component.
+/// Serves robots::Names from a component.
 template <>
 class Provided<robots::Names> : public ProvidedBase {
   using Contract = robots::Names;
@@ -210,7 +210,7 @@ class Provided<robots::Names> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of robots::Names, to emit.
+  /// Emits the events of robots::Names.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : latched{provided, static_cast<std::uint16_t>(EventId::latched)} {}

@@ -45,7 +45,7 @@ struct CameraAimArguments {
 
 bool store(const cv::Point3d& at, CameraAimArguments& slot);
 
-/// The numbers of Camera's commands in every table and record.
+/// Names the numbers of Camera's commands in every table and record.
 enum class CameraCommand : std::uint16_t {
   aim,
   view,
@@ -58,7 +58,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<foreign::Camera>();
 
-/// What a client of foreign::Camera calls.
+/// Calls foreign::Camera of another component.
 template <>
 class Required<foreign::Camera> : public RequiredBase {
   using Contract = foreign::Camera;
@@ -78,7 +78,7 @@ class Required<foreign::Camera> : public RequiredBase {
       : RequiredBase(owner, name, info) {}
 };
 
-/// What serves foreign::Camera from a component.
+/// Serves foreign::Camera from a component.
 template <>
 class Provided<foreign::Camera> : public ProvidedBase {
   using Contract = foreign::Camera;

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// What SUTURE_FRIEND() lets generated code reach.
+/// Reaches members that SUTURE_FRIEND() opens to generated code.
 template <>
 struct Members<shapes::Counter> {
   static auto& count_(auto&& value) { return value.count_; }

@@ -98,7 +98,7 @@ struct StoreChooseArguments {
 
 bool store(const std::optional<double>& gain, StoreChooseArguments& slot);
 
-/// The numbers of Store's commands in every table and record.
+/// Names the numbers of Store's commands in every table and record.
 enum class StoreCommand : std::uint16_t {
   put,
   choose,
@@ -108,7 +108,7 @@ enum class StoreCommand : std::uint16_t {
   reading,
 };
 
-/// The numbers of Store's events.
+/// Names the numbers of Store's events.
 enum class StoreEvent : std::uint16_t {
   changed,
 };
@@ -120,7 +120,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Store>();
 
-/// What a client of shapes::Store calls.
+/// Calls shapes::Store of another component.
 template <>
 class Required<shapes::Store> : public RequiredBase {
   using Contract = shapes::Store;
@@ -144,7 +144,7 @@ class Required<shapes::Store> : public RequiredBase {
   ReadCommand<&Contract::reading, suture::SlotTuple<double, std::int16_t>> reading{
       *this, static_cast<std::uint16_t>(Id::reading)};
 
-  /// The events of shapes::Store, to subscribe to.
+  /// Subscribes to the events of shapes::Store.
   struct Events {
     explicit Events(RequiredBase& required)
         : changed{required, static_cast<std::uint16_t>(EventId::changed)} {}
@@ -163,7 +163,7 @@ class Required<shapes::Store> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves shapes::Store from a component.
+/// Serves shapes::Store from a component.
 template <>
 class Provided<shapes::Store> : public ProvidedBase {
   using Contract = shapes::Store;
@@ -173,7 +173,7 @@ class Provided<shapes::Store> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of shapes::Store, to emit.
+  /// Emits the events of shapes::Store.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : changed{provided, static_cast<std::uint16_t>(EventId::changed)} {}

@@ -68,14 +68,14 @@ bool store(const std::int32_t& value, const Large& value2, RecorderSaidPayload& 
 void load(const RecorderSaidPayload& slot, std::int32_t& value, Large& value2);
 void reserve(const RecorderSaidPayload*, std::int32_t& /*value*/, Large& value2);
 
-/// The numbers of Recorder's commands in every table and record.
+/// Names the numbers of Recorder's commands in every table and record.
 enum class RecorderCommand : std::uint16_t {
   keep,
   rename,
   kept,
 };
 
-/// The numbers of Recorder's events.
+/// Names the numbers of Recorder's events.
 enum class RecorderEvent : std::uint16_t {
   heard,
   said,
@@ -88,7 +88,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Recorder>();
 
-/// What a client of shapes::Recorder calls.
+/// Calls shapes::Recorder of another component.
 template <>
 class Required<shapes::Recorder> : public RequiredBase {
   using Contract = shapes::Recorder;
@@ -105,7 +105,7 @@ class Required<shapes::Recorder> : public RequiredBase {
       *this, static_cast<std::uint16_t>(Id::rename)};
   ReadCommand<&Contract::kept, shapes::LargeSlot> kept{*this, static_cast<std::uint16_t>(Id::kept)};
 
-  /// The events of shapes::Recorder, to subscribe to.
+  /// Subscribes to the events of shapes::Recorder.
   struct Events {
     explicit Events(RequiredBase& required)
         : heard{required, static_cast<std::uint16_t>(EventId::heard)},
@@ -125,7 +125,7 @@ class Required<shapes::Recorder> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves shapes::Recorder from a component.
+/// Serves shapes::Recorder from a component.
 template <>
 class Provided<shapes::Recorder> : public ProvidedBase {
   using Contract = shapes::Recorder;
@@ -135,7 +135,7 @@ class Provided<shapes::Recorder> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of shapes::Recorder, to emit.
+  /// Emits the events of shapes::Recorder.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : heard{provided, static_cast<std::uint16_t>(EventId::heard)},

@@ -74,7 +74,7 @@ bool store(const Moment& value, const std::int64_t& value2, JournalChangedPayloa
 void load(const JournalChangedPayload& slot, Moment& value, std::int64_t& value2);
 void shiftStamps(JournalChangedPayload& slot, suture::Duration shift);
 
-/// The numbers of Journal's commands in every table and record.
+/// Names the numbers of Journal's commands in every table and record.
 enum class JournalCommand : std::uint16_t {
   put,
   count,
@@ -83,7 +83,7 @@ enum class JournalCommand : std::uint16_t {
   find,
 };
 
-/// The numbers of Journal's events.
+/// Names the numbers of Journal's events.
 enum class JournalEvent : std::uint16_t {
   added,
   changed,
@@ -97,7 +97,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Journal>();
 
-/// What a client of shapes::Journal calls.
+/// Calls shapes::Journal of another component.
 template <>
 class Required<shapes::Journal> : public RequiredBase {
   using Contract = shapes::Journal;
@@ -120,7 +120,7 @@ class Required<shapes::Journal> : public RequiredBase {
                        suture::SlotOptional<shapes::MomentSlot>> find{
       *this, static_cast<std::uint16_t>(Id::find)};
 
-  /// The events of shapes::Journal, to subscribe to.
+  /// Subscribes to the events of shapes::Journal.
   struct Events {
     explicit Events(RequiredBase& required)
         : added{required, static_cast<std::uint16_t>(EventId::added)},
@@ -142,7 +142,7 @@ class Required<shapes::Journal> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves shapes::Journal from a component.
+/// Serves shapes::Journal from a component.
 template <>
 class Provided<shapes::Journal> : public ProvidedBase {
   using Contract = shapes::Journal;
@@ -152,7 +152,7 @@ class Provided<shapes::Journal> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of shapes::Journal, to emit.
+  /// Emits the events of shapes::Journal.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : added{provided, static_cast<std::uint16_t>(EventId::added)},

@@ -99,7 +99,7 @@ struct ArchiveGrownPayload {
 bool store(const std::string& value, const Root& value2, ArchiveGrownPayload& slot);
 void load(const ArchiveGrownPayload& slot, std::string& value, Root& value2);
 
-/// The numbers of Archive's commands in every table and record.
+/// Names the numbers of Archive's commands in every table and record.
 enum class ArchiveCommand : std::uint16_t {
   put,
   remark,
@@ -108,7 +108,7 @@ enum class ArchiveCommand : std::uint16_t {
   replace,
 };
 
-/// The numbers of Archive's events.
+/// Names the numbers of Archive's events.
 enum class ArchiveEvent : std::uint16_t {
   renamed,
   grown,
@@ -122,7 +122,7 @@ namespace suture {
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Archive>();
 
-/// What a client of shapes::Archive calls.
+/// Calls shapes::Archive of another component.
 template <>
 class Required<shapes::Archive> : public RequiredBase {
   using Contract = shapes::Archive;
@@ -146,7 +146,7 @@ class Required<shapes::Archive> : public RequiredBase {
   ReturningCommand<&Contract::replace, shapes::ArchiveReplaceArguments, shapes::OpenSlot> replace{
       *this, static_cast<std::uint16_t>(Id::replace)};
 
-  /// The events of shapes::Archive, to subscribe to.
+  /// Subscribes to the events of shapes::Archive.
   struct Events {
     explicit Events(RequiredBase& required)
         : renamed{required, static_cast<std::uint16_t>(EventId::renamed)},
@@ -168,7 +168,7 @@ class Required<shapes::Archive> : public RequiredBase {
   Events events_{*this};
 };
 
-/// What serves shapes::Archive from a component.
+/// Serves shapes::Archive from a component.
 template <>
 class Provided<shapes::Archive> : public ProvidedBase {
   using Contract = shapes::Archive;
@@ -178,7 +178,7 @@ class Provided<shapes::Archive> : public ProvidedBase {
   Provided(Component& owner, std::string_view name, Contract& implementation)
       : Provided(owner, name, interfaceInfo<Contract>(), &implementation, implementation) {}
 
-  /// The events of shapes::Archive, to emit.
+  /// Emits the events of shapes::Archive.
   struct Events {
     explicit Events(ProvidedBase& provided)
         : renamed{provided, static_cast<std::uint16_t>(EventId::renamed)},
