@@ -8,4 +8,7 @@ namespace suture {
 /// Returns `size`, up to whole words.
 constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
 
+/// Returns `place`, down to where its word begins.
+constexpr std::size_t wordBefore(std::size_t place) { return place & ~std::size_t{7}; }
+
 }  // namespace suture

@@ -2,7 +2,9 @@
 // These copy a slot without what is unused of its lists, texts and matrices.
 
 #include <suture/base/slots/bounded_level.h>
+#include <suture/base/words.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -18,6 +20,16 @@ struct UsedPart {
 /// already, since that says how much the next level has.
 UsedPart nextUsedPart(const std::byte* slot, std::size_t place, std::size_t size,
                       BoundedLevels levels);
+
+/// Returns the same up to the words that the part begins and ends in, for memory that is copied
+/// word by word. `place` begins one, or is `size`.
+inline UsedPart nextUsedWords(const std::byte* slot, std::size_t place, std::size_t size,
+                              BoundedLevels levels) {
+  if (levels.empty()) return {place, size};
+  const auto [begin, end] = nextUsedPart(slot, place, size, levels);
+  if (begin == size) return {size, size};
+  return {wordBefore(begin), std::min(wordBytes(end), size)};
+}
 
 /// Copies a slot of `size` bytes, except what is unused. What lies at `from` may change meanwhile:
 /// each number is read from the copy.

@@ -1,10 +1,10 @@
 #include <suture/base/slots/shared_slot.h>
 #include <suture/base/slots/used_parts.h>
 #include <suture/component/channel/channel.h>
+#include <suture/rt/queue/record_copy.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 
 namespace suture {
 namespace {
@@ -13,9 +13,7 @@ namespace {
 // of that command, all is copied.
 void copyForeign(const InterfaceInfo& info, std::byte* to, const std::byte* from,
                  std::size_t size) {
-  ReplyRecord record{};
-  std::memcpy(&record, from, std::min(sizeof(record), size));
-  std::memcpy(to, &record, std::min(sizeof(record), size));
+  const auto record = rt::copyHead<ReplyRecord>(to, from, size);
   if (size <= sizeof(record)) return;
   const std::size_t rest = size - sizeof(record);
   const bool possible =

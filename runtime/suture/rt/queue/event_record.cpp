@@ -1,5 +1,6 @@
 #include <suture/base/slots/used_parts.h>
 #include <suture/rt/queue/event_record.h>
+#include <suture/rt/queue/record_copy.h>
 
 #include <cstring>
 #include <new>
@@ -14,8 +15,7 @@ void EventForms::write(std::byte* memory, const EventRecord& record,
 }
 
 void EventForms::copyForeign(std::byte* to, const std::byte* from, std::uint16_t event) const {
-  EventRecord record;
-  std::memcpy(&record, from, sizeof(record));
+  auto record = copyHead<EventRecord>(to, from, sizeof(EventRecord));
   record.event = event;
   std::memcpy(to, &record, sizeof(record));
   const EventLimits& limits = events_[event];

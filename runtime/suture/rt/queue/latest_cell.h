@@ -2,7 +2,7 @@
 // One value of which only the newest counts, between one producer and one consumer.
 
 #include <suture/base/arena.h>
-#include <suture/rt/queue/copy_all.h>
+#include <suture/rt/queue/record_copy.h>
 
 #include <algorithm>
 #include <atomic>

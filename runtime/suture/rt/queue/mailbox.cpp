@@ -2,6 +2,7 @@
 #include <suture/base/slots/used_parts.h>
 #include <suture/rt/counter.h>
 #include <suture/rt/queue/mailbox.h>
+#include <suture/rt/queue/record_copy.h>
 
 #include <algorithm>
 #include <cstring>
@@ -111,9 +112,7 @@ std::size_t Mailbox::commit() {
 
 // Looks at its copy of the record only, since the original may change.
 void Mailbox::copyForeign(std::byte* to, const std::byte* from, std::size_t size) const {
-  CommandRecord record{};
-  std::memcpy(&record, from, std::min(sizeof(record), size));
-  std::memcpy(to, &record, std::min(sizeof(record), size));
+  const auto record = copyHead<CommandRecord>(to, from, size);
   if (record.command >= limits_.size()) return;
   const CommandLimits& limits = limits_[record.command];
   if (recordBytes(limits) > size) return;

@@ -1,3 +1,4 @@
+#include <suture/base/words.h>
 #include <suture/rt/queue/mpsc_ring.h>
 
 #include <bit>
@@ -7,7 +8,7 @@ namespace suture::rt {
 
 MpscRing::MpscRing(std::size_t cells, std::size_t cellSize, Arena& arena)
     : mask_(std::bit_ceil(cells) - 1),
-      stride_(sizeof(std::uint64_t) + ((cellSize + 7) & ~std::size_t{7})),
+      stride_(sizeof(std::uint64_t) + wordBytes(cellSize)),
       data_(arena.take((mask_ + 1) * stride_)) {
   if (arena.foreign()) copy_.resize(stride_ - sizeof(std::uint64_t));
   if (!arena.fresh()) return;

@@ -2,7 +2,7 @@
 // A bounded queue of equal cells with any number of producers and one consumer.
 
 #include <suture/base/arena.h>
-#include <suture/rt/queue/copy_all.h>
+#include <suture/rt/queue/record_copy.h>
 
 #include <atomic>
 #include <cstddef>

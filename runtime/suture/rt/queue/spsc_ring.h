@@ -3,7 +3,8 @@
 // and read in place.
 
 #include <suture/base/arena.h>
-#include <suture/rt/queue/copy_all.h>
+#include <suture/base/words.h>
+#include <suture/rt/queue/record_copy.h>
 
 #include <atomic>
 #include <cstddef>
@@ -30,7 +31,7 @@ class SpscRing {
 
   /// What a record of `size` bytes takes up in the ring.
   static constexpr std::size_t recordSize(std::size_t size) {
-    return sizeof(std::uint64_t) + ((size + 7) & ~std::size_t{7});
+    return sizeof(std::uint64_t) + wordBytes(size);
   }
 
   /// Producer: memory for a record, or nullptr if there is no room. Invisible until commit().

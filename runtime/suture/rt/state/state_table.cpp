@@ -1,4 +1,6 @@
 #include <suture/base/slots/shared_slot.h>
+#include <suture/base/slots/used_parts.h>
+#include <suture/base/words.h>
 #include <suture/rt/state/state_table.h>
 
 #include <algorithm>
@@ -12,8 +14,6 @@ namespace {
 
 // The block begins with the number of the newest row, on a cache line of its own.
 constexpr std::size_t kHeaderBytes = 64;
-
-constexpr std::size_t wordsFor(std::size_t bytes) { return (bytes + 7) / 8; }
 
 // Row copies go word by word through atomics; the private side is ordinary memory.
 void storeWords(std::atomic<std::uint64_t>* to, const std::byte* from, std::size_t bytes) {
@@ -40,45 +40,31 @@ void loadWords(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_
   std::memcpy(to + 8 * whole, &word, rest);
 }
 
-constexpr std::size_t wordBefore(std::size_t place) { return place & ~std::size_t{7}; }
-
 // Stores what is used of a value behind `place`, in whole words: of what is unused, nothing is
 // read.
 void storeUsed(std::atomic<std::uint64_t>* to, const std::byte* from, std::size_t place,
                std::size_t size, BoundedLevels levels) {
-  const auto storeUntil = [&](std::size_t end) {
-    end = std::min(8 * wordsFor(end), size);
-    if (place < end) storeWords(to + place / 8, from + place, end - place);
-    place = std::max(place, end);
-  };
-  for (const BoundedLevel& level : levels) {
-    storeUntil(level.data + level.usedBytes(from));
-    place = std::max(place, wordBefore(level.data + level.mostBytes()));
+  while (place < size) {
+    const auto [begin, end] = nextUsedWords(from, place, size, levels);
+    storeWords(to + begin / 8, from + begin, end - begin);
+    place = end;
   }
-  storeUntil(size);
 }
 
 // Loads the same. Each size is read from the copy, since the original may change: the row then does
 // not count.
 void loadUsed(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_t size,
               BoundedLevels levels) {
-  std::size_t place = 0;
-  const auto loadUntil = [&](std::size_t end) {
-    end = std::min(8 * wordsFor(end), size);
-    if (place < end) loadWords(to + place, from + place / 8, end - place);
-    place = std::max(place, end);
-  };
-  for (const BoundedLevel& level : levels) {
-    loadUntil(level.data);
-    loadUntil(level.data + level.usedBytes(to));
-    place = wordBefore(level.data + level.mostBytes());
+  for (std::size_t place = 0; place < size;) {
+    const auto [begin, end] = nextUsedWords(to, place, size, levels);
+    loadWords(to + begin, from + begin / 8, end - begin);
+    place = end;
   }
-  loadUntil(size);
 }
 
 std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
   std::size_t bytes = 0;
-  for (const std::uint32_t size : columnSizes) bytes += 8 * wordsFor(size);
+  for (const std::uint32_t size : columnSizes) bytes += wordBytes(size);
   return bytes;
 }
 
@@ -126,7 +112,7 @@ void StateTable::addColumns(std::span<const std::uint32_t> sizes,
   for (const std::uint32_t size : sizes) {
     const std::size_t column = columns_.size();
     columns_.push_back({offset, size, column < levels.size() ? levels[column] : BoundedLevels{}});
-    offset += static_cast<std::uint32_t>(8 * wordsFor(size));
+    offset += static_cast<std::uint32_t>(wordBytes(size));
   }
 }
 

@@ -35,6 +35,11 @@ struct ArrivedRow {
   std::span<const rt::StateTable::Value> values;  ///< by column, if it has one
 };
 
+/// Returns whether the slots have stamps, and these are another clock's.
+inline bool turns(StampShift stamps, Duration shift) {
+  return stamps != nullptr && shift != Duration{0};
+}
+
 /// Converts between slots and bytes, in both directions, for one contract whose slots are bounded.
 /// Belongs to the lane thread.
 class Payloads {

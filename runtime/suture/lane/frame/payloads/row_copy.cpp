@@ -32,11 +32,10 @@ bool RowCopy::copyPart(std::size_t& most) {
   const std::size_t size = table_.columnSize(column_);
   const BoundedLevels levels = table_.columnLevels(column_);
   for (;;) {
-    const UsedPart used = nextUsedPart(slot, copied_, size, levels);
-    if (used.begin == size) return true;
+    const auto [begin, usedEnd] = nextUsedWords(slot, copied_, size, levels);
+    if (begin == size) return true;
     if (most == 0) return false;
-    const std::size_t begin = used.begin & ~std::size_t{7};
-    const std::size_t end = std::min({wordBytes(used.end), size, begin + most});
+    const std::size_t end = std::min(usedEnd, begin + most);
     if (!table_.readPart(row_, column_, begin, {slot + begin, end - begin})) {
       copyNewest();
       return true;

@@ -5,14 +5,6 @@
 #include <cstring>
 
 namespace suture::frame {
-namespace {
-
-/// True if the column has stamps, and they are another clock's.
-bool turns(const CommandInfo& read, Duration shift) {
-  return read.shiftResult != nullptr && shift != Duration{0};
-}
-
-}  // namespace
 
 RowReader::RowReader(const InterfaceInfo& contract) {
   for (const CommandInfo& one : contract.commands) {
@@ -60,7 +52,7 @@ bool RowReader::takeUsed(Column& column, std::span<const std::byte> come) {
   if (!reader_) reader_.emplace(column.slot.get(), read.resultSize, read.resultLevels);
   taken_ = come.size() - reader_->take(come.subspan(taken_)).size();
   const bool done = reader_->done();
-  come_ = done ? read.resultSize : reader_->place() & ~std::size_t{7};
+  come_ = done ? read.resultSize : wordBefore(reader_->place());
   if (done) reader_.reset();
   return done;
 }
@@ -74,7 +66,8 @@ void RowReader::part(std::span<std::byte> payload, Duration shift, rt::StateTabl
   for (std::size_t i = before; i < last; ++i) {
     const auto number = static_cast<unsigned>(i);
     const std::size_t come = i < column_ ? columns_[i].read->resultSize : come_;
-    if (!row_.hasValue(number) || come == 0 || turns(*columns_[i].read, shift)) continue;
+    if (!row_.hasValue(number) || come == 0 || turns(columns_[i].read->shiftResult, shift))
+      continue;
     std::byte* const slot = columns_[i].slot.get();
     values_[i].bytes = slot != nullptr ? slot : payload.data() + columns_[i].begin;
     mirror.storeAhead(number, values_[i], come);
@@ -91,7 +84,7 @@ std::optional<ArrivedRow> RowReader::whole(std::span<std::byte> payload, Duratio
     std::byte* const value =
         column.slot != nullptr ? column.slot.get() : payload.data() + column.begin;
     values_[i].bytes = value;
-    if (!turns(*column.read, shift)) continue;
+    if (!turns(column.read->shiftResult, shift)) continue;
     values_[i].stored = 0;
     column.read->shiftResult(value, shift);
   }

@@ -5,12 +5,6 @@
 #include <cstring>
 
 namespace suture::frame {
-namespace {
-
-/// True if the slot has stamps, and they are another clock's.
-bool turns(StampShift stamps, Duration shift) { return stamps != nullptr && shift != Duration{0}; }
-
-}  // namespace
 
 SlotPayloads::SlotPayloads(const InterfaceInfo& contract)
     : contract_(contract),
