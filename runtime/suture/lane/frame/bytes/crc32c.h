@@ -7,10 +7,7 @@
 
 namespace suture::frame {
 
-/// Any thread. By the processor's own instruction where it has one.
+/// Any thread. As fast as the processor's instructions allow.
 std::uint32_t crc32c(std::span<const std::byte> bytes);
-
-/// The same without it.
-std::uint32_t crc32cByTable(std::span<const std::byte> bytes);
 
 }  // namespace suture::frame
