@@ -3,7 +3,7 @@
 
 #include "loadable/parts.suture.h"
 
-/// What a deployment finds when it names this library.
+/// A deployment that names this library calls it.
 extern "C" const suture::ComponentLibrary* suture_components() {
   static const suture::ComponentClass kClasses[] = {
       suture::componentClass<loadable::Platter>(),
