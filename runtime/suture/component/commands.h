@@ -26,6 +26,32 @@ Errc runHere(ProvidedBase& callee, const Body& body) {
   return returned ? Errc{} : Errc::Faulted;
 }
 
+/// What is queued at its provider may find no room there: a client that has more than that to send
+/// looks how much there is.
+///   while (arm_.append.room() > 0 && path.more()) arm_.append(path.next());      a control loop
+///   if (arm_.append.roomWithin(20ms)) arm_.append(path.next());                  where it may wait
+class QueuedCommand {
+ public:
+  QueuedCommand(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
+
+  /// How many of this command the provider's queue takes now: so many can be sent before one is
+  /// refused with Errc::Full. 0 if calls cannot reach the provider; without limit (the largest
+  /// number) of a latest() command, and of what runs in the caller's thread. Never blocks. Of 0,
+  /// the component is rung as soon as there may be room, so that an event task looks again in
+  /// run(). Calls with an answer are bounded by the number that may be under way as well.
+  std::uint32_t room() { return required_.sender.room(id_); }
+
+  /// The same, waiting at most `limit` until there is some: Errc::Timeout, or why calls cannot
+  /// reach the provider. Not for a periodic task, which would miss its period.
+  Result<std::uint32_t> roomWithin(Duration limit) {
+    return required_.sender.roomWithin(id_, limit);
+  }
+
+ protected:
+  RequiredParts& required_;
+  std::uint16_t id_;
+};
+
 /// A void or write command: queued at the provider, executed in its thread. A direct() one, and any
 /// of a device, is executed at once in the caller's thread where both are in one process.
 ///   slave_.servo_cp(goal);                        queued; the answer says whether
@@ -36,9 +62,9 @@ class Command;
 // `Nothing` is void; see resultOf().
 template <class Contract, class Nothing, class... Arguments,
           Nothing (Contract::*Method)(Arguments...), class ArgumentsSlot>
-class Command<Method, ArgumentsSlot> {
+class Command<Method, ArgumentsSlot> : public QueuedCommand {
  public:
-  Command(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
+  using QueuedCommand::QueuedCommand;
 
   /// Never blocks; never allocates in a task's thread, and in another only for its first arguments
   /// of more than 4 KiB. Success means that the command waits at the provider (local), or is on its
@@ -79,9 +105,6 @@ class Command<Method, ArgumentsSlot> {
       }
     });
   }
-
-  RequiredParts& required_;
-  std::uint16_t id_;
 };
 
 /// A read command: the newest value the provider produced, copied without waiting for anyone.
@@ -197,11 +220,11 @@ class ReadCommand<Method, ResultSlot> {
 ///   call.within(20ms)                                    or wait, for a bounded time
 template <class Contract, auto Method, class ArgumentsSlot, class ResultSlot, class ReturnType,
           class... Arguments>
-class AnsweredCommand {
+class AnsweredCommand : public QueuedCommand {
  public:
   using Value = std::remove_cvref_t<ReturnType>;
 
-  AnsweredCommand(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
+  using QueuedCommand::QueuedCommand;
 
   [[nodiscard]] Call<Result<Value>, ResultSlot> start(Arguments... arguments) {
     if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
@@ -230,9 +253,6 @@ class AnsweredCommand {
     if (error == Errc{}) error = required_.sender.judgeResultHere<ResultSlot>(id_, value);
     return error == Errc{} ? Result<Value>(std::move(value)) : Result<Value>(tl::unexpect, error);
   }
-
-  RequiredParts& required_;
-  std::uint16_t id_;
 };
 
 /// A qualified read: a question with arguments, to which the answer changes nothing. A concurrent()

@@ -240,6 +240,9 @@ void ProvidedBase::drain(ChannelList::Node& node) {
     }
     first = false;
   }
+  if (channel.commands.roomAwaited().take(std::memory_order_acq_rel)) {
+    owner_.ringLater(*channel.ends.client);
+  }
 }
 
 // What was sent to a suspended component must not move anything when it is resumed later.

@@ -12,6 +12,9 @@ class SharedFlag {
  public:
   bool isUp(std::memory_order order) const { return byte_.load(order) != 0; }
   void raise(std::memory_order order = std::memory_order_seq_cst) { byte_.store(1, order); }
+  /// Raises it, and sees from here on what was done before it was lowered last, even if it was
+  /// down.
+  void raiseBehindTake() { byte_.exchange(1, std::memory_order_acq_rel); }
   /// Lowers it. True if it was up.
   bool take(std::memory_order order) { return byte_.exchange(0, order) != 0; }
 

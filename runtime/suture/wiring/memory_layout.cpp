@@ -10,7 +10,7 @@ namespace {
 
 // Raise this whenever a channel or a state table comes to lie in memory in another way, or slots in
 // frames.
-constexpr int kForm = 4;
+constexpr int kForm = 5;
 
 /// Removes documentation, which has no bytes.
 void removeTexts(nlohmann::json& json) {

@@ -28,6 +28,8 @@ namespace std {
 template <class T>
 class explored_atomic {
  public:
+  static constexpr bool is_always_lock_free = true;  // as every atomic of the runtime is
+
   explored_atomic() noexcept : value_() {}
   // Both conversions are those of std::atomic.
   explored_atomic(T value) noexcept : value_(value) {}  // NOLINT(google-explicit-constructor)

@@ -80,4 +80,30 @@ Run mailboxCredits() {
           }};
 }
 
+// A producer that has found no room lies down until it is rung, and the consumer until something is
+// sent.
+Run mailboxRoom() {
+  struct Awaited : Connection {
+    bool waits = false, rung = false;
+    void drainIfRung() {
+      if (!mailbox.pending()) return;
+      drain();
+      if (mailbox.roomAwaited().take(std::memory_order_acq_rel)) rung = true;
+    }
+  };
+  const auto it = std::make_shared<Awaited>();
+  return {.threads = {[it] {
+                        for (int i = 0; i < 2; ++i) it->send(kHold);
+                        it->waits = it->mailbox.room(kHold) == 0;
+                      },
+                      [it] {
+                        for (int i = 0; i < 2; ++i) it->drainIfRung();
+                      }},
+          .atEnd = [it] {
+            it->drainIfRung();
+            require(!it->waits || it->rung, "it waits, there is room");
+            it->finish();
+          }};
+}
+
 }  // namespace model

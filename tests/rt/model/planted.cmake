@@ -54,6 +54,10 @@ suture_planted(mailbox_forgotten_cell PART queue/mailbox SCENARIO MailboxOrder F
   TEXT "cell->values.take(copier()) || cell->held" REPLACEMENT "cell->values.take(copier())")
 suture_planted(mailbox_one_too_many PART queue/mailbox SCENARIO MailboxCredits FINDS "more wait than the depth allows"
   TEXT "memory = waiting < limits.depth" REPLACEMENT "memory = waiting <= limits.depth")
+suture_planted(mailbox_looks_for_room_once PART queue/mailbox SCENARIO MailboxRoom FINDS "it waits, there is room"
+  TEXT "  roomAwaited_->raiseBehindTake();
+  return left();" REPLACEMENT "  roomAwaited_->raiseBehindTake();
+  return 0;")
 suture_planted(row_not_checked_again PART state/state_table SCENARIO StateRow FINDS "a row is torn"
   TEXT "return header.sequence.load(std::memory_order_relaxed) == sequence;" REPLACEMENT "return true;")
 suture_planted(row_not_marked PART state/state_table SCENARIO StateRow FINDS "a row is torn"

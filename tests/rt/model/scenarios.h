@@ -12,6 +12,7 @@ Run mpscRing();
 Run latestCell();
 Run mailboxOrder();
 Run mailboxCredits();
+Run mailboxRoom();
 Run stateRow();
 Run stateOrder();
 Run eventQueue();

@@ -143,5 +143,23 @@ TEST_F(Client, RingsALaneForCreditsRowsAndTallies) {
   EXPECT_EQ(rung(), rt::RungFor::Work);
 }
 
+TEST_F(Client, RingsAClientOnceThatHasFoundNoRoom) {
+  const auto rung = [this] {
+    carrier_.ringClient();
+    return channel_->ends.client->takeRing();
+  };
+  for (int i = 0; i < 4; ++i) put(kHold);  // queue(4)
+  carrier_.give();
+  EXPECT_TRUE(carrier_.credits(kHold, 1));
+  EXPECT_EQ(rung(), rt::RungFor::Nothing) << "it has not asked";
+  put(kHold);
+  EXPECT_EQ(channel_->commands.room(kHold), 0u);
+  carrier_.give();
+  EXPECT_TRUE(carrier_.credits(kHold, 1));
+  EXPECT_EQ(rung(), rt::RungFor::Work);
+  EXPECT_TRUE(carrier_.credits(kHold, 1));
+  EXPECT_EQ(rung(), rt::RungFor::Nothing) << "it has not asked again";
+}
+
 }  // namespace
 }  // namespace suture

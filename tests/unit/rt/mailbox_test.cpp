@@ -45,6 +45,19 @@ std::vector<Executed> drain(Mailbox& mailbox) {
   return executed;
 }
 
+TEST(Mailbox, TellsHowMuchRoomThereIs) {
+  Mailbox mailbox(kCommands);
+  EXPECT_EQ(mailbox.room(kHold), 4u);
+  EXPECT_EQ(mailbox.room(kServoCp), Mailbox::kUnlimited);
+  for (int i = 0; i < 4; ++i) send(mailbox, kHold);
+  EXPECT_FALSE(mailbox.roomAwaited().isUp(std::memory_order_relaxed));
+  EXPECT_EQ(mailbox.room(kHold), 0u);
+  EXPECT_EQ(mailbox.room(kEnable), 16u) << "each command has room of its own";
+  EXPECT_TRUE(mailbox.roomAwaited().take(std::memory_order_relaxed));
+  drain(mailbox);
+  EXPECT_EQ(mailbox.room(kHold), 4u);
+}
+
 TEST(Mailbox, ServoThenHoldEndsInHold) {
   Mailbox mailbox(kCommands);
   send(mailbox, kServoCp, 1);

@@ -2,6 +2,7 @@
 #include <suture/component/channel/channel.h>
 #include <suture/component/component.h>
 #include <suture/component/required/command_sender.h>
+#include <suture/component/sleep.h>
 
 namespace suture {
 
@@ -47,6 +48,25 @@ Errc CommandSender::commit(std::uint16_t command, const std::byte* arguments, bo
 
 bool CommandSender::admitsResult(std::uint16_t command, const std::byte* result) const {
   return attachment_.channel()->admitsResult(infoOf(command), result);
+}
+
+std::uint32_t CommandSender::room(std::uint16_t command) {
+  if (attachment_.unusable(command) != Errc{}) return 0;
+  if (callee(command) != nullptr) return rt::Mailbox::kUnlimited;
+  return attachment_.channel()->commands.room(command);
+}
+
+Result<std::uint32_t> CommandSender::roomWithin(std::uint16_t command, Duration limit) {
+  std::uint32_t found = 0;
+  Errc error{};
+  const auto over = [&] {
+    found = room(command);
+    if (found == 0) error = attachment_.unusable(command);
+    return found != 0 || error != Errc{};
+  };
+  if (!over()) sleepUntil(attachment_.owner(), now() + limit, over);
+  if (found != 0) return found;
+  return tl::unexpected(error != Errc{} ? error : Errc::Timeout);
 }
 
 Duration CommandSender::deadlineOf(std::uint16_t command) const {

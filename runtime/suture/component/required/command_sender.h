@@ -29,6 +29,11 @@ class CommandSender {
   /// Does the same for the result of a call in this thread.
   template <class Slot, class Value>
   Errc judgeResultHere(std::uint16_t command, const Value& value) const;
+  /// How many more of `command` can be sent now. Of 0, the component is rung when that may have
+  /// changed.
+  std::uint32_t room(std::uint16_t command);
+  /// The same, waiting at most `limit` until there is some.
+  Result<std::uint32_t> roomWithin(std::uint16_t command, Duration limit);
   /// How long within() waits for the answer of `command`.
   Duration deadlineOf(std::uint16_t command) const;
 

@@ -114,6 +114,7 @@ bool ClientCarrier::credits(std::uint16_t command, std::uint32_t count) {
   if (command >= lent_.size() || count > lent_[command]) return false;
   lent_[command] -= count;
   for (std::uint32_t i = 0; i < count; ++i) channel_.commands.returnCredit(command);
+  if (channel_.commands.roomAwaited().take(std::memory_order_acq_rel)) news_ = true;
   tellLane();
   return true;
 }

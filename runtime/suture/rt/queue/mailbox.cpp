@@ -43,6 +43,7 @@ Mailbox::Mailbox(std::span<const CommandLimits> commands, Arena& arena)
       taken_(commands.size(), 0),
       published_(arena.make<std::atomic<std::uint64_t>>()),
       returned_(arena.make<Credits>(commands.size())),
+      roomAwaited_(arena.make<SharedFlag>()),
       foreign_(arena.foreign()) {
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     mostWaiting_ += limits_[i].depth;
@@ -94,6 +95,17 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
   }
   claimed_ = new (memory) CommandRecord{nextSequence_, stamp, call, command, 0};
   return claimed_->arguments();
+}
+
+// Looks once more when the flag is up: what came back before it was lowered is there by then, and
+// for what comes later the consumer finds it up.
+std::uint32_t Mailbox::room(std::uint16_t command) {
+  const CommandLimits& limits = limits_[command];
+  if (limits.latest) return kUnlimited;
+  const auto left = [&] { return limits.depth - std::min(limits.depth, waiting(command)); };
+  if (const std::uint32_t room = left(); room != 0) return room;
+  roomAwaited_->raiseBehindTake();
+  return left();
 }
 
 void Mailbox::abandon() { releaseArguments(*claimed_); }

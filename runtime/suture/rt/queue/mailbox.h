@@ -7,6 +7,7 @@
 #include <suture/base/time.h>
 #include <suture/rt/queue/latest_cell.h>
 #include <suture/rt/queue/spsc_ring.h>
+#include <suture/rt/shared_flag.h>
 
 #include <atomic>
 #include <cstddef>
@@ -80,6 +81,11 @@ class Mailbox {
     return taken_[command] - returned(command).load(std::memory_order_acquire);
   }
 
+  /// Returns how many more of `command` may wait now; kUnlimited of a newest-wins one, of which one
+  /// without an answer always may. If none may, roomAwaited() is up.
+  std::uint32_t room(std::uint16_t command);
+  static constexpr std::uint32_t kUnlimited = ~std::uint32_t{0};
+
   // --- consumer ---
 
   /// Starts a drain: what was published before now is in, what comes later is not.
@@ -91,6 +97,9 @@ class Mailbox {
   /// Tells the producer that one more of `command` may wait. After pop(), at once or when a far end
   /// has taken the command.
   void returnCredit(std::uint16_t command);
+  /// It is up if the producer has found no room. Whoever lowers it behind its returnCredit() rings
+  /// the producer then.
+  SharedFlag& roomAwaited() { return *roomAwaited_; }
   /// Any thread: true if something is waiting that next() has not returned.
   bool pending() const;
 
@@ -137,6 +146,7 @@ class Mailbox {
   // The producer writes the first, the consumer the second; both read both.
   const std::shared_ptr<std::atomic<std::uint64_t>> published_;
   const std::shared_ptr<Credits> returned_;  // given back so far, by command
+  const std::shared_ptr<SharedFlag> roomAwaited_;
 
   // Consumer's side.
   const bool foreign_;
