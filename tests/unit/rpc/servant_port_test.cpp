@@ -85,6 +85,24 @@ TEST(ServantPort, AFaultIsTold) {
             Errc::Faulted);
 }
 
+// Each ring wakes a sleeping task, which would take the calls of a burst one by one.
+TEST(ServantPort, RingsTheProviderOnceForAllThatComesTogether) {
+  ControlThread control;
+  control.run(kPatience, [&control] {
+    auto provider = kj::heap<Provider>(control);
+    provider->bell->takeRing();
+    kj::Promise<void> first = provider->call(), second = provider->call();
+    auto arrived = kj::evalLast([&control, &provider = *provider] {
+      EXPECT_TRUE(provider.channel->commands.pending());
+      EXPECT_EQ(provider.bell->takeRing(), rt::RungFor::Nothing) << "more may come";
+      return control.timer().afterDelay(0 * kj::NANOSECONDS);
+    });
+    return arrived
+        .then([&provider = *provider] { EXPECT_EQ(provider.bell->takeRing(), rt::RungFor::Work); })
+        .attach(kj::mv(first), kj::mv(second), kj::mv(provider));
+  });
+}
+
 using reference::kHold;
 using reference::kSetMode;
 using reference::kStopped;

@@ -23,6 +23,7 @@ namespace suture::rpc {
 class ProxyPort final : public ClientEnd,
                         private ClientCarrier::Wire,
                         private Pump,
+                        private EventPort::Output,
                         private kj::TaskSet::ErrorHandler {
  public:
   /// With so many newest-wins commands under way, the next wait in their cells, where newer ones
@@ -58,6 +59,9 @@ class ProxyPort final : public ClientEnd,
   void releaseAcknowledgement();
   void ending() override;
   void pump() override;
+  /// Wakes the client once for all that has come, when the loop has nothing else to do.
+  void ringSoon() { control_.port().flushBeforeSleep(*this); }
+  void flush() override { carrier_.ringClient(); }
   void countBytes();
   bool hasRoom(ClientCarrier::Message message) const override;
   void send(const Interest& interest) override;

@@ -29,6 +29,7 @@ using AnyCall = capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>;
 class ServantPort final : public ProviderEnd,
                           private ProviderCarrier::Wire,
                           private Pump,
+                          private EventPort::Output,
                           private kj::TaskSet::ErrorHandler {
  public:
   static constexpr unsigned kWindow = 4;
@@ -71,6 +72,9 @@ class ServantPort final : public ProviderEnd,
 
   void ending() override;
   void pump() override;
+  /// Wakes the provider once for all that has come, when the loop has nothing else to do.
+  void ringSoon() { control_.port().flushBeforeSleep(*this); }
+  void flush() override { carrier_.ringProvider(); }
   bool isHeard() const { return subscriber_ != nullptr && !answering_; }
   bool hasRoom(Message message) const override;
   void send(const ReplyRecord& reply) override;
