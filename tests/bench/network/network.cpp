@@ -15,6 +15,7 @@ constexpr Part<NetworkOptions> kNetworkParts[] = {{"round trips", roundTripRows}
                                                   {"idle", idleRows},
                                                   {"sleeping", sleepingRows},
                                                   {"sizes", sizeRows},
+                                                  {"streams", streamRows},
                                                   {"survivors", survivorRows}};
 
 }  // namespace

@@ -32,6 +32,8 @@ struct NetworkOptions {
   std::chrono::milliseconds idleWindow() const {
     return std::chrono::milliseconds(quick ? 100 : 10'000);
   }
+  std::size_t streamBlock() const { return quick ? 5'000 : 200'000; }
+  std::size_t streamBlocks() const { return quick ? 2 : 5; }
   std::size_t readLoops() const { return quick ? 2 : 200; }
 };
 

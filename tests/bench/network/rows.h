@@ -51,6 +51,11 @@ std::string sleepingRows(const NetworkOptions& options, Report& report);
 /// ".large.ratio": to as many bytes over a bare socket in the same run, Unix for `shm`.
 std::string sizeRows(const NetworkOptions& options, Report& report);
 
+/// "streams.shm", "streams.frame.unix", ...: how many poses a second go one way between two
+/// processes, each on a processor of its own, ".lost": how many of them did not arrive;
+/// "streams.raw.unix", "streams.raw.tcp": as many bytes over a bare socket, one send each.
+std::string streamRows(const NetworkOptions& options, Report& report);
+
 /// "connect.shm", ...: from nothing to a connection; "killed.shm", "silence.shm", ...: until a
 /// killed or a stopped process counts as lost, ".ratio": to the bound on silence; "threads.shm".
 std::string linkTimeRows(const NetworkOptions& options, Report& report);

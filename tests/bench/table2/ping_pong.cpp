@@ -6,18 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-
 #include "bench/fail.h"
 #include "bench/placement.h"
 
 namespace bench {
 namespace {
 
-using Pair = std::array<int, 2>;
-
-Pair unixPair() {
-  Pair ends{};
+SocketPair unixPair() {
+  SocketPair ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) fail("a pair of Unix sockets");
   return ends;
 }
@@ -27,7 +23,7 @@ void sendAtOnce(int socket) {
   setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof(on));
 }
 
-Pair tcpPair() {
+SocketPair tcpPair() {
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -59,10 +55,14 @@ bool receiveAll(int socket, std::vector<char>& message) {
 
 }  // namespace
 
+SocketPair connectedSockets(Transport transport) {
+  return transport == Transport::Tcp ? tcpPair() : unixPair();
+}
+
 std::vector<std::int64_t> pingPong(Transport transport, std::size_t bytes, std::optional<int> cpu,
                                    std::size_t skip, std::size_t samples) {
   const Pinned pinned(cpu);
-  const Pair ends = transport == Transport::Tcp ? tcpPair() : unixPair();
+  const SocketPair ends = connectedSockets(transport);
   std::vector<char> message(bytes);
   std::vector<std::int64_t> elapsed;
   elapsed.reserve(samples);
