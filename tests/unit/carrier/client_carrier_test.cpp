@@ -161,5 +161,14 @@ TEST_F(Client, RingsAClientOnceThatHasFoundNoRoom) {
   EXPECT_EQ(rung(), rt::RungFor::Nothing) << "it has not asked again";
 }
 
+TEST_F(Client, RingsAClientForTheRoomOfACancelledCall) {
+  for (std::uint32_t call = 1; call <= 4; ++call) put(kHold, call);
+  EXPECT_EQ(channel_->commands.room(kHold), 0u);
+  ASSERT_TRUE(channel_->client.cancel(1));
+  channel_->ends.client->takeRing();
+  carrier_.give();
+  EXPECT_EQ(channel_->ends.client->takeRing(), rt::RungFor::Work);
+}
+
 }  // namespace
 }  // namespace suture

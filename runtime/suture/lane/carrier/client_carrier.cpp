@@ -56,10 +56,11 @@ bool ClientCarrier::begin(const rt::CommandRecord& record) {
   const std::uint16_t number = record.command;
   if (record.call != 0 && !channel_.provider.claim(record.call)) {
     channel_.provider.replyError(record.call, Errc::Cancelled);
-    channel_.ends.client->ring(rt::RungFor::Arrival);
+    arrival_ = true;
     rt::increment(channel_.commands.counters.cancelled);
     commandSent();
-    channel_.commands.returnCredit(number);
+    giveBack(number, 1);
+    ringClient();
     return false;
   }
   if (record.call != 0) placeOf(record.call) = {record.call, number};
@@ -113,10 +114,15 @@ void ClientCarrier::row(Time stamp, rt::RowColumns columns,
 bool ClientCarrier::credits(std::uint16_t command, std::uint32_t count) {
   if (command >= lent_.size() || count > lent_[command]) return false;
   lent_[command] -= count;
-  for (std::uint32_t i = 0; i < count; ++i) channel_.commands.returnCredit(command);
-  if (channel_.commands.roomAwaited().take(std::memory_order_acq_rel)) news_ = true;
+  giveBack(command, count);
   tellLane();
   return true;
+}
+
+// Lowers the flag behind the credits: the client raises it before it looks for them again.
+void ClientCarrier::giveBack(std::uint16_t command, std::uint32_t count) {
+  for (std::uint32_t i = 0; i < count; ++i) channel_.commands.returnCredit(command);
+  if (channel_.commands.roomAwaited().take(std::memory_order_acq_rel)) news_ = true;
 }
 
 void ClientCarrier::tally(const Tally& tally) {

@@ -76,6 +76,7 @@ class ClientCarrier {
   void giveSubscription();
   void giveCommands();
   bool begin(const rt::CommandRecord& command);
+  void giveBack(std::uint16_t command, std::uint32_t count);
   void tellLane();
   Call& placeOf(std::uint32_t call) { return calls_[call % calls_.size()]; }
 
