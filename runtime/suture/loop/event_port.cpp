@@ -117,9 +117,9 @@ bool EventPort::bringWork() {
 
 void EventPort::flushAll() {
   while (!outputs_.empty()) {
-    Output* output = outputs_.back();
-    outputs_.pop_back();
-    output->flush();
+    Output* const first = outputs_.front();
+    outputs_.erase(outputs_.begin());
+    first->flush();
   }
 }
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <functional>
+#include <vector>
 
 namespace suture::rpc {
 namespace {
@@ -39,6 +40,21 @@ TEST(EventPort, FlushesOnceWhenThereIsNothingElseToDo) {
   writes.wait(port.scope());
   port.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port.scope());
   EXPECT_EQ(output.flushes, 1u);
+}
+
+TEST(EventPort, FlushesInTheOrderInWhichItWasAsked) {
+  struct Noted final : EventPort::Output {
+    explicit Noted(std::vector<Noted*>& all) : order(all) {}
+    void flush() override { order.push_back(this); }
+    std::vector<Noted*>& order;
+  };
+  Port port;
+  std::vector<Noted*> order;
+  Noted first(order), second(order);
+  port.flushBeforeSleep(first);
+  port.flushBeforeSleep(second);
+  port.scope().poll();
+  EXPECT_EQ(order, (std::vector<Noted*>{&first, &second}));
 }
 
 TEST(EventPort, FlushesAfterTheWorkThatOthersHandOver) {
