@@ -18,10 +18,7 @@ ProxyPort::ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
       carrier_(*channel_, *this),
       calls_(*this) {}
 
-ProxyPort::~ProxyPort() noexcept(false) {
-  close(ChannelStatus::Closed);
-  control_.port().forget(*this);
-}
+ProxyPort::~ProxyPort() noexcept(false) { close(ChannelStatus::Closed); }
 
 void ProxyPort::open(capnp::Capability::Client provider, std::shared_ptr<const CallsLink> link) {
   provider_ = kj::mv(provider);
@@ -47,7 +44,7 @@ void ProxyPort::countBytes() {
 
 void ProxyPort::tally(const Tally& tally) {
   carrier_.tally(tally);
-  if (!isClosed()) ringSoon();
+  if (!isClosed()) client_.arrived();
 }
 
 // A row of another process is judged where the client reads it.
@@ -56,7 +53,7 @@ void ProxyPort::publish(capnp::AnyPointer::Reader in) {
   const RowCodec& row = info().codec().row;
   const rt::RowColumns columns = row.decode(in, info().wireColumns, shift(), *channel_->state);
   carrier_.row(arrivalStamp(*channel_, row.stamp(in)), columns);
-  ringSoon();
+  client_.arrived();
 }
 
 kj::Promise<void> ProxyPort::event(std::uint16_t event, std::uint32_t subscription,
@@ -73,7 +70,7 @@ kj::Promise<void> ProxyPort::event(std::uint16_t event, std::uint32_t subscripti
   if (!carrier_.event(event, subscription, stamp, slot)) {
     return remoteError(Errc::Invalid, channel_->lastInvalid.read());
   }
-  ringSoon();
+  client_.arrived();
   return acknowledge();
 }
 
@@ -96,14 +93,14 @@ void ProxyPort::answer(std::uint16_t command, std::uint32_t call,
   const Time stamp = arrivalStamp(*channel_, codec.stamp.of(results));
   carrier_.reply(call, stamp,
                  [&](std::byte* slot) { return codec.result.decode(results, slot, shift()); });
-  ringSoon();
+  client_.arrived();
 }
 
 void ProxyPort::returned(std::uint16_t command, std::uint32_t call, Errc error) {
   if (error != Errc{} && !isClosed()) carrier_.replyError(call, error);
   if (usesCredit(info().commands[command], call)) {
     carrier_.credits(command, 1);
-    ringSoon();
+    client_.arrived();
   } else if (latestInFlight_-- == kWindow) {
     carrier_.give();
   }

@@ -10,6 +10,7 @@
 #include <suture/lane/carrier/client_carrier.h>
 #include <suture/lane/client_end.h>
 #include <suture/lane/rpc/calls_link.h>
+#include <suture/lane/rpc/turn_ring.h>
 #include <suture/loop/control_thread.h>
 
 #include <cstdint>
@@ -23,7 +24,6 @@ namespace suture::rpc {
 class ProxyPort final : public ClientEnd,
                         private ClientCarrier::Wire,
                         private Pump,
-                        private EventPort::Output,
                         private kj::TaskSet::ErrorHandler {
  public:
   /// With so many newest-wins commands under way, the next wait in their cells, where newer ones
@@ -59,9 +59,6 @@ class ProxyPort final : public ClientEnd,
   void releaseAcknowledgement();
   void ending() override;
   void pump() override;
-  /// Wakes the client once for all that has come, when the loop has nothing else to do.
-  void ringSoon() { control_.port().flushBeforeSleep(*this); }
-  void flush() override { carrier_.ringClient(); }
   void countBytes();
   bool hasRoom(ClientCarrier::Message message) const override;
   void send(const Interest& interest) override;
@@ -78,6 +75,7 @@ class ProxyPort final : public ClientEnd,
   std::vector<std::uint64_t> payload_;  // of the event that comes
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;
   ClientCarrier carrier_;
+  TurnRing client_{control_, [this] { carrier_.ringClient(); }};
   kj::TaskSet calls_;  // last: cancelled first
 };
 

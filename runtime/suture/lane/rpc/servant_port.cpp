@@ -29,10 +29,7 @@ ServantPort::ServantPort(ControlThread& control, std::shared_ptr<Channel> channe
   control_.add(*this);
 }
 
-ServantPort::~ServantPort() noexcept(false) {
-  close();
-  control_.port().forget(*this);
-}
+ServantPort::~ServantPort() noexcept(false) { close(); }
 
 void ServantPort::ending() {
   control_.remove(*this);
@@ -74,7 +71,7 @@ ServantPort::Refusal ServantPort::post(std::uint16_t command, capnp::AnyPointer:
   const Refusal refusal = carrier_.post(command, sent, call, [&](std::byte* arguments) {
     return codec.arguments.decode(in, arguments, channel_->clockShift());
   });
-  ringSoon();
+  provider_.arrived();
   return refusal;
 }
 
@@ -89,7 +86,7 @@ void ServantPort::subscribe(Subscriber subscriber, Interest interest) {
   interest.number = ++subscriptions_;
   interest.joining |= ~channel_->subscribed();
   carrier_.subscribe(interest);
-  ringSoon();
+  provider_.arrived();
   answering_ = true;
   sending_.add(kj::evalLast([this] {
     answering_ = false;

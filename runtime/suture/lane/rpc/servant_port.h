@@ -11,6 +11,7 @@
 #include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/provider_end.h>
 #include <suture/lane/rpc/subscriber.h>
+#include <suture/lane/rpc/turn_ring.h>
 #include <suture/loop/control_thread.h>
 #include <suture/rpc.capnp.h>
 
@@ -29,7 +30,6 @@ using AnyCall = capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>;
 class ServantPort final : public ProviderEnd,
                           private ProviderCarrier::Wire,
                           private Pump,
-                          private EventPort::Output,
                           private kj::TaskSet::ErrorHandler {
  public:
   static constexpr unsigned kWindow = 4;
@@ -72,9 +72,6 @@ class ServantPort final : public ProviderEnd,
 
   void ending() override;
   void pump() override;
-  /// Wakes the provider once for all that has come, when the loop has nothing else to do.
-  void ringSoon() { control_.port().flushBeforeSleep(*this); }
-  void flush() override { carrier_.ringProvider(); }
   bool isHeard() const { return subscriber_ != nullptr && !answering_; }
   bool hasRoom(Message message) const override;
   void send(const ReplyRecord& reply) override;
@@ -111,6 +108,7 @@ class ServantPort final : public ProviderEnd,
   unsigned rowsInFlight_ = 0;
   RowSlots row_;  // that is being sent
   ProviderCarrier carrier_;
+  TurnRing provider_{control_, [this] { carrier_.ringProvider(); }};
   kj::TaskSet sending_;  // last: cancelled first
 };
 

@@ -1,0 +1,39 @@
+#pragma once
+// Wakes a task for what arrives together.
+
+#include <kj/function.h>
+#include <suture/loop/control_thread.h>
+
+namespace suture::rpc {
+
+/// Rings for the first of what one turn of the event loop brings, so that nothing waits for what
+/// comes behind it, then for every kTogether of it, and behind the last. Belongs to the control
+/// thread.
+class TurnRing final : private EventPort::Output {
+ public:
+  static constexpr unsigned kTogether = 64;
+
+  TurnRing(ControlThread& control, kj::Function<void()> ring)
+      : control_(control), ring_(kj::mv(ring)) {}
+  ~TurnRing() { control_.port().forget(*this); }
+  TurnRing(const TurnRing&) = delete;
+  TurnRing& operator=(const TurnRing&) = delete;
+
+  /// Something has come.
+  void arrived() {
+    if (come_ == 0) control_.port().flushBeforeSleep(*this);
+    if (come_++ % kTogether == 0) ring_();
+  }
+
+ private:
+  void flush() override {
+    come_ = 0;
+    ring_();
+  }
+
+  ControlThread& control_;
+  kj::Function<void()> ring_;
+  unsigned come_ = 0;
+};
+
+}  // namespace suture::rpc
