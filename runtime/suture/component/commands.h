@@ -35,10 +35,10 @@ class QueuedCommand {
   QueuedCommand(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
 
   /// How many of this command the provider's queue takes now: so many can be sent before one is
-  /// refused with Errc::Full. 0 if calls cannot reach the provider; without limit (the largest
-  /// number) of a latest() command, and of what runs in the caller's thread. Never blocks. Of 0,
-  /// the component is rung as soon as there may be room, so that an event task looks again in
-  /// run(). Calls with an answer are bounded by the number that may be under way as well.
+  /// refused with Errc::Full. 0 if calls cannot reach the provider; the largest number where there
+  /// is no limit: of latest() without an answer, and in the caller's thread. Never blocks. After 0,
+  /// the component is rung when the provider has executed what waits: an event task runs again, a
+  /// device asks roomWithin(). Calls with an answer are bounded by how many may be under way, too.
   std::uint32_t room() { return required_.sender.room(id_); }
 
   /// The same, waiting at most `limit` until there is some: Errc::Timeout, or why calls cannot

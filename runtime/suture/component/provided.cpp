@@ -18,6 +18,17 @@ std::size_t payloadWords(const InterfaceInfo& info) {
   return (size + 7) / 8;
 }
 
+/// Rings a client that has found no room, at the end of a drain, also when a handler throws.
+struct RoomTold {
+  Channel& channel;
+  Component& owner;
+
+  ~RoomTold() {
+    if (!channel.commands.roomAwaited().take(std::memory_order_acq_rel)) return;
+    owner.ringLater(*channel.ends.client);
+  }
+};
+
 }  // namespace
 
 /// The turn of one command. It ends on every way out, also when the handler throws: then the
@@ -224,6 +235,7 @@ void ProvidedBase::drain(ChannelList::Node& node) {
   Channel& channel = *node.channel;
   const Time drainStart = now();
   const Time resumed = everyState_ ? Time{} : owner_.resumed();
+  const RoomTold told{channel, owner_};
   bool first = true;
   while (const rt::CommandRecord* record = channel.commands.next()) {
     const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
@@ -239,9 +251,6 @@ void ProvidedBase::drain(ChannelList::Node& node) {
       run(node, *record, first || !hasTtl ? drainStart : now());
     }
     first = false;
-  }
-  if (channel.commands.roomAwaited().take(std::memory_order_acq_rel)) {
-    owner_.ringLater(*channel.ends.client);
   }
 }
 

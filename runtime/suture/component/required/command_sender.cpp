@@ -56,12 +56,19 @@ std::uint32_t CommandSender::room(std::uint16_t command) {
   return attachment_.channel()->commands.room(command);
 }
 
+// A task takes another connection over between its cycles only, so there is no room until then.
+Errc CommandSender::whyNotAwaited(std::uint16_t command) const {
+  const Errc error = attachment_.unusable(command);
+  if (error != Errc{}) return error;
+  return attachment_.rewired() || attachment_.owner().ending() ? Errc::Lost : Errc{};
+}
+
 Result<std::uint32_t> CommandSender::roomWithin(std::uint16_t command, Duration limit) {
   std::uint32_t found = 0;
   Errc error{};
   const auto over = [&] {
     found = room(command);
-    if (found == 0) error = attachment_.unusable(command);
+    if (found == 0) error = whyNotAwaited(command);
     return found != 0 || error != Errc{};
   };
   if (!over()) sleepUntil(attachment_.owner(), now() + limit, over);

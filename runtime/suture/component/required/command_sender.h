@@ -41,6 +41,8 @@ class CommandSender {
   const CommandInfo& infoOf(std::uint16_t command) const {
     return attachment_.info().commands[command];
   }
+  /// Why it is no use to wait for room; 0: it is.
+  Errc whyNotAwaited(std::uint16_t command) const;
   /// `arguments`: where they go.
   Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
   /// Publishes what claim() gave, or gives it up if no provider is to see such arguments.
