@@ -289,7 +289,8 @@ TEST_P(LinkTest, UnfinishedMessagesOfAPeerAreBoundedInSum) {
   EXPECT_EQ(refusals_.summary().count, 0u);
   beginAnother();
   // The kernel takes the last megabytes of a message before the server has read them.
-  while (refusals_.summary().count == 0)
+  const Time end = now() + suture::kPatience;
+  while (refusals_.summary().count == 0 && now() < end)
     port_.getTimer().afterDelay(1 * kj::MILLISECONDS).wait(port_.scope());
   EXPECT_NE(refusals_.summary().latest.find("67108864 bytes"), std::string::npos)
       << refusals_.summary().latest;

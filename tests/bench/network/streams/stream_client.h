@@ -1,11 +1,13 @@
 #pragma once
 // The client that sends poses as fast as there is room for them.
 
+#include <suture/base/errors.h>
 #include <suture/component/task/event_task.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <future>
 #include <vector>
 
@@ -66,11 +68,15 @@ class StreamClient final : public suture::EventTask {
     left_ = 0;
     awaited_ = true;
     ++pose_.sequence;
-    server.put.start(pose_).then([this](const suture::Result<void>&) { executed(); });
+    server.put.start(pose_).then([this](const suture::Result<void>& last) { ended(last); });
   }
 
-  void executed() {
+  void ended(const suture::Result<void>& last) {
     awaited_ = false;
+    if (!last) {
+      return finished_.set_exception(std::make_exception_ptr(
+          suture::SetupError("stream poses", suture::toString(last.error()), "Run it again")));
+    }
     const auto elapsed = static_cast<double>((suture::now() - began_).count());
     rates_.push_back(1e3 * static_cast<double>(block_) / elapsed);
     if (rates_.size() <= blocks_) return begin();
