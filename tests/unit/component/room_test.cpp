@@ -5,9 +5,12 @@
 #include <suture/component/task/event_task.h>
 #include <suture/wiring/connect.h>
 
+#include <atomic>
+
 #include "reference/arm_like.suture.h"
 #include "reference/still_arm.h"
 #include "support/eventually.h"
+#include "support/patience.h"
 
 namespace suture {
 namespace {
@@ -33,6 +36,22 @@ struct Arm final : EventTask {
   Provided<reference::ArmLike> arm{*this, "Arm", still};
 };
 
+/// Fills the queue in its first run(), and waits for room.
+class Waiter final : public EventTask {
+ public:
+  Required<reference::ArmLike> arm{*this, "Arm"};
+  std::atomic<bool> waits{false};
+  std::atomic<Errc> end{};
+
+ private:
+  void run() override {
+    if (waits) return;
+    while (arm.hold.room() > 0) EXPECT_TRUE(arm.hold());
+    waits = true;
+    end = arm.hold.roomWithin(kPatience).error();
+  }
+};
+
 TEST(Room, AnEventTaskThatHasFoundNoneRunsAgainWhenThereIsSome) {
   Arm provider;
   Feeder feeder(100);
@@ -45,6 +64,28 @@ TEST(Room, AnEventTaskThatHasFoundNoneRunsAgainWhenThereIsSome) {
   EXPECT_LT(now() - begin, std::chrono::seconds(1)) << "nobody rang: it has looked again by itself";
   feeder.stop();
   provider.stop();
+}
+
+// Nobody takes anything: the provider has not been started.
+TEST(Room, AWaitEndsWithItsTask) {
+  Arm provider;
+  Waiter waiter;
+  const auto channel = connectLocally(waiter.arm, provider.arm, "test");
+  waiter.start();
+  EXPECT_TRUE(eventually([&] { return waiter.waits.load(); }));
+  waiter.stop();
+  EXPECT_EQ(waiter.end, Errc::Lost);
+}
+
+TEST(Room, AWaitEndsWhenAnotherConnectionTakesItsPlace) {
+  Arm provider, other;
+  Waiter waiter;
+  const auto channel = connectLocally(waiter.arm, provider.arm, "test");
+  waiter.start();
+  EXPECT_TRUE(eventually([&] { return waiter.waits.load(); }));
+  const auto next = connectLocally(waiter.arm, other.arm, "next");
+  EXPECT_TRUE(eventually([&] { return waiter.end == Errc::Lost; }));
+  waiter.stop();
 }
 
 }  // namespace
