@@ -26,8 +26,8 @@ Errc runHere(ProvidedBase& callee, const Body& body) {
   return returned ? Errc{} : Errc::Faulted;
 }
 
-/// What is queued at its provider may find no room there: a client that has more than that to send
-/// looks how much there is.
+/// A queued command may find no room at its provider, so a client that has many to send asks how
+/// much there is.
 ///   while (arm_.append.room() > 0 && path.more()) arm_.append(path.next());      a control loop
 ///   if (arm_.append.roomWithin(20ms)) arm_.append(path.next());                  where it may wait
 class QueuedCommand {

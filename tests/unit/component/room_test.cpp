@@ -66,7 +66,7 @@ TEST(Room, AnEventTaskThatHasFoundNoneRunsAgainWhenThereIsSome) {
   provider.stop();
 }
 
-// Nobody takes anything: the provider has not been started.
+// The provider is not started, so it takes nothing.
 TEST(Room, AWaitEndsWithItsTask) {
   Arm provider;
   Waiter waiter;

@@ -22,21 +22,18 @@ class MessageStreamTest : public testing::Test {
   ~MessageStreamTest() noexcept override {}
 
  protected:
-  void open(StreamLimits limits = {}) {
+  void open(StreamLimits limits = {}, StrangerGuard guard = {}) {
     auto pair = makeSocketPair();
     peer_ = kj::mv(pair.theirs);
-    stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.ours), limits);
+    stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.ours), limits,
+                                      std::span<const std::byte>(), std::move(guard));
   }
 
   /// The peer is bounded to so many bytes of unfinished messages.
   void openBounded(std::size_t bytes) {
-    auto pair = makeSocketPair();
-    peer_ = kj::mv(pair.theirs);
     budget_ = std::make_shared<ReceiveBudget>(ReceiveBudget::Limits{.peer = bytes});
-    StrangerGuard guard;
-    guard.share = std::make_unique<ReceiveBudget::Share>(budget_, "the peer");
-    stream_ = kj::heap<MessageStream>(port_, kj::mv(pair.ours), StreamLimits(),
-                                      std::span<const std::byte>(), std::move(guard));
+    open({},
+         {.known = nullptr, .share = std::make_unique<ReceiveBudget::Share>(budget_, "the peer")});
   }
 
   auto read() { return stream_->read(); }
