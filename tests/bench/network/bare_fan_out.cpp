@@ -13,6 +13,7 @@
 
 #include "bench/fail.h"
 #include "bench/network/processor_time.h"
+#include "bench/table2/connected_sockets.h"
 
 namespace bench {
 namespace {
@@ -25,8 +26,7 @@ struct Sockets {
 
   explicit Sockets(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      std::array<int, 2> ends{};
-      if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends.data()) != 0) fail("a pair of Unix sockets");
+      const SocketPair ends = connectedSockets(Transport::Unix);
       sending.push_back(ends[0]);
       receiving.push_back(ends[1]);
     }

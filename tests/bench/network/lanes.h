@@ -5,11 +5,29 @@
 
 #include <string>
 
+#include "bench/table2/setup.h"
+
 namespace bench {
 
 /// Those that another process of this machine can be reached by; part of the figures' names.
 inline constexpr suture::Lane kLanes[] = {suture::Lane::Shm, suture::Lane::Frame,
                                           suture::Lane::Rpc};
+
+/// A lane, over one kind of socket.
+struct LaneOverSocket {
+  const char* title;
+  const char* figure;  ///< part of the figures' names
+  Transport transport;
+  suture::Lane lane;
+};
+
+inline constexpr LaneOverSocket kLanesOverSockets[] = {
+    {"shm", "shm", Transport::Unix, suture::Lane::Shm},
+    {"frame, Unix socket", "frame.unix", Transport::Unix, suture::Lane::Frame},
+    {"frame, TCP", "frame.tcp", Transport::Tcp, suture::Lane::Frame},
+    {"rpc, Unix socket", "rpc.unix", Transport::Unix, suture::Lane::Rpc},
+    {"rpc, TCP", "rpc.tcp", Transport::Tcp, suture::Lane::Rpc},
+};
 
 /// `frame` as between builds that differ, in a process that has had addEncodedFrames().
 inline constexpr suture::Lane kEncodedFrames{"frame-encoded"};

@@ -45,8 +45,9 @@ std::string idleRows(const NetworkOptions& options, Report& report);
 /// is connected to wake up within the window; ".descriptors": of each.
 std::string sleepingRows(const NetworkOptions& options, Report& report);
 
-/// "sizes.shm.small", "sizes.frame.unix.small", "sizes.frame.tcp.small", "sizes.rpc.unix.small":
-/// 120 bytes in a type with as much room, from task to task and back between two processes;
+/// "sizes.shm.small", "sizes.frame.unix.small", "sizes.frame.tcp.small", "sizes.rpc.unix.small",
+/// "sizes.rpc.tcp.small": 120 bytes in a type with as much room, from task to task and back between
+/// two processes;
 /// ".roomy": the same in a type with room for 1 MiB, ".room": the ratio; ".large": 1 MiB in it,
 /// ".large.ratio": to as many bytes over a bare socket in the same run, Unix for `shm`.
 std::string sizeRows(const NetworkOptions& options, Report& report);

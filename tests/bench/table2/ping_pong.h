@@ -1,7 +1,6 @@
 #pragma once
 // The floor: the same bytes over a bare socket.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -10,11 +9,6 @@
 #include "bench/table2/setup.h"
 
 namespace bench {
-
-/// The descriptors of two connected, blocking stream sockets.
-using SocketPair = std::array<int, 2>;
-/// Throws SetupError.
-SocketPair connectedSockets(Transport transport);
 
 /// Round trips of `bytes` bytes between two processes on processor `cpu`, blocking, ns; the first
 /// `skip` are left out. No other thread of this process may run. Throws SetupError.

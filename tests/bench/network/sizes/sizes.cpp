@@ -9,23 +9,7 @@
 namespace bench {
 namespace {
 
-using suture::Lane;
-
 constexpr std::size_t kPose = 120, kImage = std::size_t{1} << 20;
-
-struct SizedRow {
-  const char* title;
-  const char* figure;
-  Transport transport;
-  Lane lane;
-};
-
-constexpr SizedRow kSizedRows[] = {
-    {"shm", "sizes.shm", Transport::Unix, Lane::Shm},
-    {"frame, Unix socket", "sizes.frame.unix", Transport::Unix, Lane::Frame},
-    {"frame, TCP", "sizes.frame.tcp", Transport::Tcp, Lane::Frame},
-    {"rpc, Unix socket", "sizes.rpc.unix", Transport::Unix, Lane::Rpc},
-};
 
 /// Many rounds of small blocks, few of large ones.
 std::size_t roundsOf(std::size_t bytes, std::size_t all) {
@@ -33,7 +17,7 @@ std::size_t roundsOf(std::size_t bytes, std::size_t all) {
 }
 
 template <class Contract>
-Statistics rounds(const NetworkOptions& options, const SizedRow& row, const char* provided,
+Statistics rounds(const NetworkOptions& options, const LaneOverSocket& row, const char* provided,
                   std::size_t bytes) {
   const Pinned pinned(options.cpu);
   BlockClient<Contract> client(options.cpu, bytes, roundsOf(bytes, options.skipped()),
@@ -64,8 +48,8 @@ std::string sizeRows(const NetworkOptions& options, Report& report) {
   Table table(1);
   table.row(joined(joined({"us, there and back, one processor"}, statisticsTitles()), {"ratio"}));
   table.line();
-  for (const SizedRow& row : kSizedRows) {
-    const std::string figure = row.figure;
+  for (const LaneOverSocket& row : kLanesOverSockets) {
+    const std::string figure = std::string("sizes.") + row.figure;
     const Statistics small = rounds<SmallBlocks>(options, row, "server:Small/Blocks", kPose);
     const Statistics roomy = rounds<LargeBlocks>(options, row, "server:Large/Blocks", kPose);
     const Statistics large = rounds<LargeBlocks>(options, row, "server:Large/Blocks", kImage);

@@ -9,7 +9,7 @@
 
 #include "bench/fail.h"
 #include "bench/placement.h"
-#include "bench/table2/ping_pong.h"
+#include "bench/table2/connected_sockets.h"
 
 namespace bench {
 namespace {

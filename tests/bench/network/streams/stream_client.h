@@ -32,7 +32,7 @@ class StreamClient final : public suture::EventTask {
     feed();
   }
 
-  /// Millions of poses a second, of each block. Once.
+  /// Returns, once, what will have the millions of poses a second of each block.
   std::future<std::vector<double>> rates() { return finished_.get_future(); }
   /// Any thread, once there are the rates.
   std::uint64_t sent() const { return pose_.sequence; }

@@ -1,8 +1,8 @@
 #include <suture/base/errors.h>
 #include <suture/component/channel/channel.h>
 
-#include <algorithm>
-#include <thread>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/figures/table.h"
@@ -13,45 +13,27 @@
 #include "bench/network/streams/bare_stream.h"
 #include "bench/network/streams/stream_client.h"
 #include "bench/placement.h"
+#include "support/eventually.h"
 
 namespace bench {
 namespace {
 
-using suture::Lane;
 using namespace std::chrono_literals;
-
-struct StreamRow {
-  const char* title;
-  const char* figure;
-  Transport transport;
-  Lane lane;
-};
-
-constexpr StreamRow kStreamRows[] = {
-    {"shm", "streams.shm", Transport::Unix, Lane::Shm},
-    {"frame, Unix socket", "streams.frame.unix", Transport::Unix, Lane::Frame},
-    {"frame, TCP", "streams.frame.tcp", Transport::Tcp, Lane::Frame},
-    {"rpc, Unix socket", "streams.rpc.unix", Transport::Unix, Lane::Rpc},
-    {"rpc, TCP", "streams.rpc.tcp", Transport::Tcp, Lane::Rpc},
-};
 
 struct Stream {
   Statistics rates;  // M/s
   std::uint64_t lost;
 };
 
-/// How many of `sent` commands have not been executed; the provider tells with a delay.
+/// Returns how many of `sent` commands have not been executed; the provider tells with a delay.
 std::uint64_t lostOf(const suture::Channel& channel, std::uint64_t sent) {
-  const suture::Time end = suture::now() + 5s;
-  std::uint64_t executed = 0;
-  do {
-    executed = channel.counts->heard(suture::ConnectionEnd::Client).executed;
-    std::this_thread::sleep_for(1ms);
-  } while (executed < sent && suture::now() < end);
-  return sent - std::min(sent, executed);
+  const auto executed = [&] {
+    return channel.counts->heard(suture::ConnectionEnd::Client).executed;
+  };
+  return suture::eventually([&] { return executed() >= sent; }) ? 0 : sent - executed();
 }
 
-Stream streamOver(const NetworkOptions& options, const StreamRow& row) {
+Stream streamOver(const NetworkOptions& options, const LaneOverSocket& row) {
   const Pinned pinned(options.cpu);
   StreamClient client(options.cpu, options.streamBlock(), options.streamBlocks());
   SampleProcess server(row.transport, options.otherCpu);
@@ -84,10 +66,11 @@ std::string streamRows(const NetworkOptions& options, Report& report) {
     report.add(isTcp ? "streams.raw.tcp" : "streams.raw.unix", "M/s", bare);
     table.row(joined({isTcp ? "bare socket, TCP" : "bare socket, Unix"}, cellsOf(bare, 3)));
   }
-  for (const StreamRow& row : kStreamRows) {
+  for (const LaneOverSocket& row : kLanesOverSockets) {
     const Stream stream = streamOver(options, row);
-    report.add(row.figure, "M/s", stream.rates);
-    report.add(std::string(row.figure) + ".lost", "poses", static_cast<double>(stream.lost));
+    const std::string figure = std::string("streams.") + row.figure;
+    report.add(figure, "M/s", stream.rates);
+    report.add(figure + ".lost", "poses", static_cast<double>(stream.lost));
     table.row(joined({row.title}, cellsOf(stream.rates, 3)));
   }
   return table.toString();

@@ -1,0 +1,16 @@
+#pragma once
+// Two ends of a bare socket, for what is measured without Suture.
+
+#include <array>
+
+#include "bench/table2/setup.h"
+
+namespace bench {
+
+/// The descriptors of two connected, blocking stream sockets.
+using SocketPair = std::array<int, 2>;
+
+/// Over the loopback if it is TCP, with each send leaving at once. Throws SetupError.
+SocketPair connectedSockets(Transport transport);
+
+}  // namespace bench
