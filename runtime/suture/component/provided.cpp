@@ -18,13 +18,16 @@ std::size_t payloadWords(const InterfaceInfo& info) {
   return (size + 7) / 8;
 }
 
-/// Rings a client that has found no room, at the end of a drain, also when a handler throws.
+/// Rings a client that has found no room, at the end of a drain, also when a handler throws. What
+/// it has sent meanwhile comes first, in another drain: it would be woken for a few places again
+/// and again.
 struct RoomTold {
   Channel& channel;
   Component& owner;
 
   ~RoomTold() {
-    if (!channel.commands.roomAwaited().take(std::memory_order_acq_rel)) return;
+    rt::Mailbox& commands = channel.commands;
+    if (commands.pending() || !commands.roomAwaited().take(std::memory_order_acq_rel)) return;
     owner.ringLater(*channel.ends.client);
   }
 };

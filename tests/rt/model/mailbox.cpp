@@ -88,6 +88,7 @@ Run mailboxRoom() {
     void drainIfRung() {
       if (!mailbox.pending()) return;
       drain();
+      if (mailbox.pending()) return;  // another drain comes
       if (mailbox.roomAwaited().take(std::memory_order_acq_rel)) rung = true;
     }
   };
