@@ -12,8 +12,9 @@ namespace {
 
 // This much is worth a send of its own.
 constexpr std::size_t kSendAtOnce = 1u << 16;
-// A buffer that has grown beyond this is given back when it is empty.
-constexpr std::size_t kKept = 1u << 20;
+// A buffer that has grown beyond this is given back when it is empty. An image fits: else the
+// kernel would clear the memory of each one anew.
+constexpr std::size_t kKept = 4u << 20;
 
 // So much is read at once of a peer that is known, and so much of a stranger.
 constexpr std::size_t kReadAtOnce = 64u << 10;
