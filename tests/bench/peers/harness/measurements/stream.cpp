@@ -1,0 +1,70 @@
+#include <unistd.h>
+
+#include "harness/clock.h"
+#include "harness/figures.h"
+#include "harness/measurements/measurements.h"
+#include "harness/usage.h"
+
+namespace peers {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::uint64_t kWarmUp = 2000;
+constexpr std::int64_t kQuiet = kSecond * 3 / 2;
+
+/// Waits until `wanted` have come, or none has come for so long that the others are lost.
+void drain(const Received& received, std::uint64_t wanted) {
+  std::uint64_t seen = received.count;
+  std::int64_t changed = now();
+  while (seen < wanted && now() - changed < kQuiet) {
+    std::this_thread::sleep_for(200us);
+    if (received.count == seen) continue;
+    seen = received.count;
+    changed = now();
+  }
+}
+
+/// Sends until one of the limits, and returns how many.
+std::uint64_t send(Client& client, std::uint64_t most, double seconds) {
+  const std::int64_t end = now() + static_cast<std::int64_t>(seconds * kSecond);
+  Pose pose;
+  std::uint64_t sent = 0;
+  for (; sent < most; ++sent) {
+    if (sent % 64 == 0 && now() > end) break;
+    fill(pose, sent);
+    client.send(pose);
+  }
+  client.flush();
+  return sent;
+}
+
+}  // namespace
+
+void measureStream(Peer& peer, const Options& options, ControlBlock& control) {
+  const auto client = peer.client(options, 0);
+  Received& received = control.received[0];
+  send(*client, kWarmUp, options.seconds);
+  drain(received, kWarmUp);
+  received.count = 0;
+  received.disorder = 0;
+  received.lastTimestamp = 0;
+
+  const std::int64_t here = processorTime(getpid()), there = processorTime(control.process[0]);
+  const std::int64_t begin = now();
+  const std::uint64_t sent =
+      send(*client, static_cast<std::uint64_t>(options.count), options.seconds);
+  drain(received, sent);
+  const auto count = static_cast<double>(received.count);
+  Figures()
+      .add("received", count)
+      .add("lost", static_cast<double>(sent) - count)
+      .add("disorder", static_cast<double>(received.disorder))
+      .add("per_second", count * kSecond / static_cast<double>(received.last - begin))
+      .add("client_cpu", 1e-3 * static_cast<double>(processorTime(getpid()) - here) / count)
+      .add("server_cpu",
+           1e-3 * static_cast<double>(processorTime(control.process[0]) - there) / count)
+      .print();
+}
+
+}  // namespace peers

@@ -1,0 +1,120 @@
+"""One run of a peer: a server or several, a client, and what has to run beside. All that is started is ended, by its pid."""
+
+import contextlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import time
+
+LIMIT = 60  # s of a client: no measurement takes half of it
+GRACE = 3  # s in which what was told to end should
+COMPANION_BEGINS = 1.5  # s
+SHARED_MEMORY = pathlib.Path("/dev/shm")
+FIRST_PORT, PORTS, PORTS_OF_A_RUN = 20000, 12000, 400  # below those that the kernel gives
+
+
+class Failure(Exception):
+    """Why a peer has no figures, in words."""
+
+
+class Runs:
+    """Gives each run a number, and by it paths and ports of its own."""
+
+    def __init__(self, programs):
+        self.programs = pathlib.Path(programs)
+        self.count = 0
+
+    def figures(self, peer, measurement, servers):
+        """The figures that the client prints, a dictionary a line. Raises Failure."""
+        self.count += 1
+        program = self.programs / peer.program
+        if not program.exists():
+            raise Failure("not built: its packages are missing, see packages.txt")
+        with tempfile.TemporaryDirectory() as folder, contextlib.ExitStack() as stack:
+            place = SHARED_MEMORY / f"peers.{os.getpid()}.{self.count}"
+            stack.callback(remove, place)
+            run = Run(program, peer, measurement, servers, place, self.port(), pathlib.Path(folder), stack)
+            return run.figures()
+
+    def port(self):
+        return FIRST_PORT + (os.getpid() + self.count) * PORTS_OF_A_RUN % PORTS
+
+
+class Run:
+    def __init__(self, program, peer, measurement, servers, place, port, folder, stack):
+        self.program, self.peer, self.measurement, self.servers = program, peer, measurement, servers
+        self.folder, self.stack = folder, stack
+        self.common = ("--control", f"{place}.control", "--place", place, "--port", port, "--servers", servers)
+
+    def figures(self):
+        if self.measurement.name == "conversion":
+            return self.clients_figures([])
+        self.start_companion()
+        servers = [self.start("server", self.measurement.cpus[1], "--server", number) for number in range(self.servers)]
+        figures = self.clients_figures(servers)
+        for server in servers:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                server.wait(GRACE)
+        return figures
+
+    def clients_figures(self, servers):
+        client = self.start("client", self.measurement.cpus[0], *self.measurement.arguments)
+        try:
+            client.wait(LIMIT)
+        except subprocess.TimeoutExpired:
+            raise Failure(f"no end within {LIMIT} s") from None
+        if client.returncode != 0:
+            failed = [server for server in servers if server.poll()]
+            raise Failure(self.words(failed[0] if failed else client))
+        lines = self.file(client, "out").read_text(encoding="utf-8").splitlines()
+        return [json.loads(line) for line in lines if line.startswith("{")]
+
+    def start(self, role, cpu, *arguments):
+        command = [self.program, self.peer.variant, role, self.measurement.name, *self.common, "--cpu", cpu, *arguments]
+        return self.launch([str(part) for part in command], f"{role}{arguments[1] if role == 'server' else ''}")
+
+    def start_companion(self):
+        if not self.peer.companion:
+            return
+        if shutil.which(self.peer.companion[0]) is None:
+            raise Failure(f"{self.peer.companion[0]} is missing, see packages.txt")
+        companion = self.launch(self.peer.companion, self.peer.companion[0])
+        os.sched_setaffinity(companion.pid, {self.measurement.cpus[1]})
+        time.sleep(COMPANION_BEGINS)
+        if companion.poll() is not None:
+            raise Failure(self.words(companion))
+
+    def launch(self, command, name):
+        with open(self.folder / f"{name}.out", "wb") as out, open(self.folder / f"{name}.err", "wb") as errors:
+            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=errors)
+        process.name = name
+        self.stack.callback(end, process)
+        return process
+
+    def file(self, process, kind):
+        return self.folder / f"{process.name}.{kind}"
+
+    def words(self, process):
+        lines = self.file(process, "err").read_text(encoding="utf-8", errors="replace").split("\n")
+        said = [line.strip() for line in lines if line.strip()]
+        return f"{process.name} ended with {process.returncode}: {said[-1] if said else 'it said nothing'}"
+
+
+def end(process):
+    """Tells it to end, and makes it if it does not."""
+    if process.poll() is None:
+        process.terminate()
+        try:
+            process.wait(GRACE)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+
+def remove(place):
+    """What a run has left in shared memory, also where its peers were killed."""
+    for left in place.parent.glob(place.name + ".*"):
+        shutil.rmtree(left) if left.is_dir() else left.unlink(missing_ok=True)
