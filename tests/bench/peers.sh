@@ -60,8 +60,9 @@ install_suture() (
   cmake --install "$build/suture" --prefix "$build/prefix" --component suture >/dev/null
 )
 
-# One that does not compile is a row that says so.
+# One that does not compile is a row that says so: what an earlier build left is not measured in its place.
 build_peers() {
+  rm -rf "$build/project/bin"
   cmake -S "$source" -B "$build/project" -G Ninja -DCMAKE_PREFIX_PATH="$build/prefix" --log-level=WARNING >/dev/null
   cmake --build "$build/project" -- -k 0 --quiet >&2 || echo "Some peers do not compile" >&2
 }
@@ -70,5 +71,6 @@ build_peers() {
 install_packages
 install_suture
 build_peers
-# The chart needs the modules of Debian's own Python.
-exec /usr/bin/python3 "$source/report/run.py" --programs "$build/project/bin" --out "$out" "${arguments[@]}"
+# It starts suture-manager; the chart needs the modules of Debian's own Python.
+export PATH=$build/prefix/bin:$PATH
+exec /usr/bin/python3 -B "$source/report/run.py" --programs "$build/project/bin" --out "$out" "${arguments[@]}"

@@ -4,11 +4,19 @@ import dataclasses
 
 
 @dataclasses.dataclass(frozen=True)
+class Companion:
+    """A process that has to run beside those of a peer."""
+
+    command: tuple  # {place} and {port} are those of the run
+    begins: float  # s until it can be reached, where a peer does not wait for it
+
+
+@dataclasses.dataclass(frozen=True)
 class Peer:
     name: str
     program: str
     variant: str
-    companion: tuple = ()  # the command of a process that has to run beside
+    companion: Companion | None = None
 
     @property
     def spins(self):
@@ -36,18 +44,23 @@ RIVALS = (
     Peer("cyclone waitset", "peer_cyclone", "waitset"),
     Peer("fastdds shm+udp", "peer_fastdds", "shm+udp"),
     Peer("fastdds udp", "peer_fastdds", "udp"),
-    Peer("iceoryx waitset", "peer_iceoryx", "waitset", ("iox-roudi", "--log-level", "warning")),
+    Peer("iceoryx waitset", "peer_iceoryx", "waitset", Companion(("iox-roudi", "--log-level", "warning"), 1.5)),
     Peer("grpc unix", "peer_grpc", "unix"),
     Peer("grpc tcp", "peer_grpc", "tcp"),
     Peer("grpc tcp callback", "peer_grpc", "tcp-callback"),
     Peer("zmq ipc", "peer_zmq", "ipc"),
     Peer("zmq tcp", "peer_zmq", "tcp"),
 )
-OURS = tuple(Peer(f"suture {lane}", "peer_suture", lane)
-             for lane in ("shm", "frame-unix", "frame-tcp", "rpc-unix", "rpc-tcp"))
+
+
+def ours(lane):
+    address = "tcp://127.0.0.1:{port}" if "tcp" in lane else "unix:{place}.suture/manager"
+    return Peer(f"suture {lane}", "peer_suture", lane, Companion(("suture-manager", "--listen", address), 0))
+
+
+OURS = tuple(map(ours, ("shm", "frame-unix", "frame-tcp", "rpc-unix", "rpc-tcp")))
 # The answer of a round trip is a return value, not an event.
-OURS_BY_RETURN = tuple(Peer(f"suture {lane}", "peer_suture", lane)
-                       for lane in ("shm-return", "frame-tcp-return", "rpc-unix-return"))
+OURS_BY_RETURN = tuple(map(ours, ("shm-return", "frame-tcp-return", "rpc-unix-return")))
 # Those that have a serializer.
 CONVERTERS = (
     Peer("hand packer", "peer_floor", "packer"),

@@ -33,13 +33,15 @@ def colour(peer):
 
 
 def bars(panel, measurement, rows):
-    """Peers and figures, the best first, and the names of peers without a figure."""
+    """Peers and figures, the best first, and the names of peers without a figure that counts."""
     found, without = [], []
     for peer in measurement.peers:
         own = results.in_group(results.of(rows, measurement.name, peer.name), measurement.group, panel.key)
         figure = results.median(own, panel.figure)
         if figure is None:
             without.append(peer.name)
+        elif results.wrongs(own):
+            without.append(f"{peer.name} (wrong)")
         else:
             found.append((peer, figure))
     return sorted(found, key=lambda bar: bar[1], reverse=panel.more_is_better), without
@@ -56,7 +58,7 @@ def draw_panel(axes, panel, measurement, rows):
     axes.set_title(panel.title, fontsize=10, loc="left")
     axes.tick_params(labelsize=8)
     if without:
-        axes.set_xlabel(f"no figure: {', '.join(without)}", fontsize=8)
+        axes.set_xlabel(f"not shown: {', '.join(without)}", fontsize=8)
     for label, (peer, _) in zip(axes.get_yticklabels(), found):
         label.set_color(OURS if peer.is_ours else "black")
     axes.spines[["top", "right"]].set_visible(False)

@@ -11,7 +11,6 @@ import time
 
 LIMIT = 60  # s of a client: no measurement takes half of it
 GRACE = 3  # s in which what was told to end should
-COMPANION_BEGINS = 1.5  # s
 SHARED_MEMORY = pathlib.Path("/dev/shm")
 FIRST_PORT, PORTS, PORTS_OF_A_RUN = 20000, 12000, 400  # below those that the kernel gives
 
@@ -46,7 +45,7 @@ class Runs:
 class Run:
     def __init__(self, program, peer, measurement, servers, place, port, folder, stack):
         self.program, self.peer, self.measurement, self.servers = program, peer, measurement, servers
-        self.folder, self.stack = folder, stack
+        self.place, self.port, self.folder, self.stack = place, port, folder, stack
         self.common = ("--control", f"{place}.control", "--place", place, "--port", port, "--servers", servers)
 
     def figures(self):
@@ -77,15 +76,17 @@ class Run:
         return self.launch([str(part) for part in command], f"{role}{arguments[1] if role == 'server' else ''}")
 
     def start_companion(self):
-        if not self.peer.companion:
+        companion = self.peer.companion
+        if companion is None:
             return
-        if shutil.which(self.peer.companion[0]) is None:
-            raise Failure(f"{self.peer.companion[0]} is missing, see packages.txt")
-        companion = self.launch(self.peer.companion, self.peer.companion[0])
-        os.sched_setaffinity(companion.pid, {self.measurement.cpus[1]})
-        time.sleep(COMPANION_BEGINS)
-        if companion.poll() is not None:
-            raise Failure(self.words(companion))
+        command = [part.format(place=self.place, port=self.port) for part in companion.command]
+        if shutil.which(command[0]) is None:
+            raise Failure(f"{command[0]}, which it needs, is missing")
+        process = self.launch(command, command[0])
+        os.sched_setaffinity(process.pid, {self.measurement.cpus[1]})
+        time.sleep(companion.begins)
+        if process.poll() is not None:
+            raise Failure(self.words(process))
 
     def launch(self, command, name):
         with open(self.folder / f"{name}.out", "wb") as out, open(self.folder / f"{name}.err", "wb") as errors:

@@ -3,6 +3,7 @@
 import argparse
 import importlib.util
 import pathlib
+import signal
 import sys
 import time
 
@@ -57,6 +58,7 @@ def main():
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--check", action="store_true", help="exit status 1 if a bound is not kept")
     options = parser.parse_args()
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("told to end"))  # so that what it has started ends first
 
     wanted = bounds.read(PROJECT / "bounds.txt")
     about = machine.description(PROJECT / "packages.txt")

@@ -24,6 +24,7 @@ using PoseSubscriber = Subscriber<PlainPose>;
 
 constexpr auto kPatience = 15s;
 constexpr auto kSettling = 1s;
+constexpr std::int64_t kLongestAnswer = 5 * kSecond;
 
 /// It stands before the numbers of a blob.
 struct BlobLead {
@@ -180,7 +181,8 @@ class IceoryxClient final : public Client {
 
   void echo(const Pose& sent, Pose& back) override {
     publish(poses_, sent);
-    while (!takePoses(poseAnswers_, [&](const Pose& pose) { back = pose; })) await(poseWait_);
+    await(poseWait_,
+          [&] { return takePoses(poseAnswers_, [&](const Pose& pose) { back = pose; }); });
   }
 
   void echo(const Blob& sent, Blob& back) override {
@@ -190,9 +192,8 @@ class IceoryxClient final : public Client {
       std::memcpy(to, &lead, sizeof lead);
       std::memcpy(to + sizeof lead, sent.data.data(), numbers);
     });
-    while (!takeBlob(blobAnswers_, [&](const char* blob) { unpack(blob, back); })) {
-      await(blobWait_);
-    }
+    await(blobWait_,
+          [&] { return takeBlob(blobAnswers_, [&](const char* blob) { unpack(blob, back); }); });
   }
 
   void send(const Pose& pose) override { publish(stream_, pose); }
@@ -211,8 +212,14 @@ class IceoryxClient final : public Client {
     std::memcpy(blob.data.data(), memory + sizeof lead, bytes);
   }
 
-  static void await(WaitSet<>& waits) {
-    if (waits.timedWait(iox::units::Duration::fromSeconds(5)).empty()) fail("an answer is lost");
+  /// A wait may also end for what has been taken already.
+  template <class Take>
+  static void await(WaitSet<>& waits, const Take& take) {
+    const std::int64_t end = now() + kLongestAnswer;
+    while (!take()) {
+      if (now() > end) fail("an answer is lost");
+      waits.timedWait(iox::units::Duration::fromSeconds(1));
+    }
   }
 
   Publisher<PlainPose> poses_{topic("pose_request"), reliablePublisher()};

@@ -34,13 +34,17 @@ class ServerClient final : public Client {
   }
 
   void echo(const Blob& sent, Blob& back) override {
+    roomFor(requester_.blobs.bounce);  // the event may be here before the room of the last one is
     auto event = requester_.blobs.on().bounced.next();
     require(requester_.blobs.bounce(sent), "bounce");
     take(event.within(kPatience), back);
   }
 
   void send(const Pose& pose) override {
-    if (room_ == 0) awaitRoom();
+    if (room_ == 0) {
+      flush();
+      room_ = roomFor(requester_.echo.push);
+    }
     --room_;
     require(requester_.echo.push(pose), "push");
     if (++unrung_ == kBurst) flush();
@@ -61,11 +65,10 @@ class ServerClient final : public Client {
     back = *answer;
   }
 
-  void awaitRoom() {
-    flush();
-    const auto room = requester_.echo.push.roomWithin(kPatience);
-    require(room, "room to push");
-    room_ = *room;
+  static std::uint32_t roomFor(suture::QueuedCommand& command) {
+    const auto room = command.roomWithin(kPatience);
+    require(room, "room for a command");
+    return *room;
   }
 
   Requester& requester_;

@@ -41,7 +41,7 @@ class SUTURE_INTERFACE() Feed {
  public:
   virtual ~Feed() = default;
 
-  SUTURE_EVENT(queue(64)) suture::EventOf<Pose> pose;
+  SUTURE_EVENT(queue(2048)) suture::EventOf<Pose> pose;
 };
 
 }  // namespace peers

@@ -1,13 +1,9 @@
 // Suture is measured over each of its lanes, by what its users have.
 
 #include <suture/base/errors.h>
-#include <suture/component/channel/channel.h>
-#include <suture/loop/control_thread.h>
 #include <suture/manager/manager.h>
-#include <suture/names/global_manager.h>
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
 
 #include "harness/clock.h"
@@ -40,26 +36,12 @@ constexpr Variant kVariants[] = {
     {"rpc-unix-return", suture::Lane::Rpc, false, Back::AsReturnValue},
 };
 
-/// The processes of a run find each other there.
+/// suture-manager listens there, and the processes of a run find each other by it. The report
+/// starts it (catalogue.py).
 std::string addressOf(const Options& options, const Variant& variant) {
   return variant.tcp ? "tcp://127.0.0.1:" + std::to_string(options.port)
                      : "unix:" + options.place + ".suture/manager";
 }
-
-/// The first server has the global manager in its process; it could be suture-manager.
-class Names {
- public:
-  explicit Names(const std::string& address) : manager_(control_, prepared(address)) {}
-
- private:
-  static const std::string& prepared(const std::string& address) {
-    suture::GlobalManager::makeDirectory(address);
-    return address;
-  }
-
-  suture::rpc::ControlThread control_;
-  const suture::GlobalManager manager_;
-};
 
 class SuturePeer final : public Peer {
  public:
@@ -69,11 +51,9 @@ class SuturePeer final : public Peer {
 
   void serve(const Options& options, const Sink& sink,
              const std::function<void()>& ready) override {
-    const std::string address = addressOf(options, variant_);
-    std::optional<Names> names;
-    if (options.server == 0) names.emplace(address);
     Responder responder(sink);
-    suture::Manager manager("server" + std::to_string(options.server), address);
+    suture::Manager manager("server" + std::to_string(options.server),
+                            addressOf(options, variant_));
     manager.add("Responder", responder);
     manager.start();
     ready();

@@ -9,6 +9,7 @@
 #include "harness/clock.h"
 #include "harness/fail.h"
 #include "harness/figures.h"
+#include "harness/measurements/drain.h"
 #include "harness/measurements/measurements.h"
 #include "harness/usage.h"
 
@@ -20,7 +21,6 @@ using Clients = std::vector<std::unique_ptr<Client>>;
 
 constexpr long kWarmUp = 200;
 constexpr std::int64_t kNever = -1;
-constexpr auto kStragglers = 300ms;
 
 Clients clientsOf(Peer& peer, const Options& options) {
   Clients clients;
@@ -75,7 +75,9 @@ void measureFanOut(Peer& peer, const Options& options, ControlBlock& control) {
   const std::int64_t before = processorTime(getpid());
   publish(clients, kWarmUp, kWarmUp + options.count);
   const auto used = static_cast<double>(processorTime(getpid()) - before);
-  std::this_thread::sleep_for(kStragglers);
+  for (int server = 0; server < options.servers; ++server) {
+    drain(control.received[server], static_cast<std::uint64_t>(kWarmUp + options.count));
+  }
   Deliveries deliveries = deliveriesOf(control, options);
   Figures()
       .add("lost", static_cast<double>(deliveries.lost))

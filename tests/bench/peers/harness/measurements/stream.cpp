@@ -1,29 +1,16 @@
 #include <unistd.h>
 
 #include "harness/clock.h"
+#include "harness/fail.h"
 #include "harness/figures.h"
+#include "harness/measurements/drain.h"
 #include "harness/measurements/measurements.h"
 #include "harness/usage.h"
 
 namespace peers {
 namespace {
 
-using namespace std::chrono_literals;
-
 constexpr std::uint64_t kWarmUp = 2000;
-constexpr std::int64_t kQuiet = kSecond * 3 / 2;
-
-/// Waits until `wanted` have come, or none has come for so long that the others are lost.
-void drain(const Received& received, std::uint64_t wanted) {
-  std::uint64_t seen = received.count;
-  std::int64_t changed = now();
-  while (seen < wanted && now() - changed < kQuiet) {
-    std::this_thread::sleep_for(200us);
-    if (received.count == seen) continue;
-    seen = received.count;
-    changed = now();
-  }
-}
 
 /// Sends until one of the limits, and returns how many.
 std::uint64_t send(Client& client, std::uint64_t most, double seconds) {
@@ -45,7 +32,7 @@ void measureStream(Peer& peer, const Options& options, ControlBlock& control) {
   const auto client = peer.client(options, 0);
   Received& received = control.received[0];
   send(*client, kWarmUp, options.seconds);
-  drain(received, kWarmUp);
+  if (!drain(received, kWarmUp)) fail("poses of the warm-up did not arrive");
   received.count = 0;
   received.disorder = 0;
   received.lastTimestamp = 0;

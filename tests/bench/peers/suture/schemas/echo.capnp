@@ -92,7 +92,7 @@ interface FeedEvents @0xd84fb057141b0fcd $Meta.eventsOf("peers::Feed") {
 
   state @0 (row :FeedStateRow) -> ();
   # A new row of the columns asked for.
-  pose @1 (value :Pose, stamp :Int64) -> () $Meta.queue(64);
+  pose @1 (value :Pose, stamp :Int64) -> () $Meta.queue(2048);
 }
 
 struct FeedStateRow @0xf4d2c016031aa901 $Meta.stateOf("peers::Feed") {
