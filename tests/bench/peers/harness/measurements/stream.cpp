@@ -31,8 +31,8 @@ std::uint64_t send(Client& client, std::uint64_t most, double seconds) {
 void measureStream(Peer& peer, const Options& options, ControlBlock& control) {
   const auto client = peer.client(options, 0);
   Received& received = control.received[0];
-  send(*client, kWarmUp, options.seconds);
-  if (!drain(received, kWarmUp)) fail("poses of the warm-up did not arrive");
+  const std::uint64_t warmUp = send(*client, kWarmUp, options.seconds);
+  if (!drain(received, warmUp)) fail("poses of the warm-up did not arrive");
   received.count = 0;
   received.disorder = 0;
   received.lastTimestamp = 0;
