@@ -16,8 +16,8 @@ inline constexpr int kMostPublished = 4096;
 /// It counts what a server has received one way.
 struct alignas(64) Received {
   std::atomic<std::uint64_t> count, disorder;
-  std::atomic<std::int64_t> last;  ///< when the last one came, in ns
-  double lastTimestamp;
+  std::atomic<std::int64_t> last;     ///< when the last one came, in ns
+  std::atomic<double> lastTimestamp;  ///< its own; when it is here, `count` has it too
 };
 
 struct ControlBlock {

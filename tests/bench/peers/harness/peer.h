@@ -26,6 +26,19 @@ class Client {
   /// else it may wait for others, or for flush().
   virtual void send(const Pose& pose) = 0;
   virtual void flush() {}
+
+  /// Returns true if what is sent comes back, false if it does not within 100 ms: a peer that
+  /// discovers its servers loses what is sent before they have found each other.
+  virtual bool reaches(const Pose& sent) { return echoes(sent); }
+  virtual bool reaches(const Blob& sent) { return echoes(sent); }
+
+ private:
+  template <class Value>
+  bool echoes(const Value& sent) {
+    Value back;
+    echo(sent, back);
+    return true;
+  }
 };
 
 class Peer {

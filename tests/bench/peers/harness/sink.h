@@ -18,11 +18,13 @@ class Sink {
     const std::int64_t time = now();
     if (control_->stamped.load(std::memory_order_relaxed)) keepLatency(pose, time);
     Received& received = control_->received[server_];
-    if (pose.timestamp <= received.lastTimestamp) ++received.disorder;
-    received.lastTimestamp = pose.timestamp;
+    if (pose.timestamp <= received.lastTimestamp.load(std::memory_order_relaxed)) {
+      ++received.disorder;
+    }
     received.last.store(time, std::memory_order_relaxed);
     const std::uint64_t count = received.count.load(std::memory_order_relaxed);
     received.count.store(count + 1, std::memory_order_release);
+    received.lastTimestamp.store(pose.timestamp, std::memory_order_release);
   }
 
  private:

@@ -4,19 +4,11 @@ import dataclasses
 
 
 @dataclasses.dataclass(frozen=True)
-class Companion:
-    """A process that has to run beside those of a peer."""
-
-    command: tuple  # {place} and {port} are those of the run
-    begins: float  # s until it can be reached, where a peer does not wait for it
-
-
-@dataclasses.dataclass(frozen=True)
 class Peer:
     name: str
     program: str
     variant: str
-    companion: Companion | None = None
+    companion: tuple = ()  # the command of a process that the peer waits for; {place} and {port} are those of the run
 
     @property
     def spins(self):
@@ -44,7 +36,7 @@ RIVALS = (
     Peer("cyclone waitset", "peer_cyclone", "waitset"),
     Peer("fastdds shm+udp", "peer_fastdds", "shm+udp"),
     Peer("fastdds udp", "peer_fastdds", "udp"),
-    Peer("iceoryx waitset", "peer_iceoryx", "waitset", Companion(("iox-roudi", "--log-level", "warning"), 1.5)),
+    Peer("iceoryx waitset", "peer_iceoryx", "waitset", ("iox-roudi", "--log-level", "warning")),
     Peer("grpc unix", "peer_grpc", "unix"),
     Peer("grpc tcp", "peer_grpc", "tcp"),
     Peer("grpc tcp callback", "peer_grpc", "tcp-callback"),
@@ -55,7 +47,7 @@ RIVALS = (
 
 def ours(lane):
     address = "tcp://127.0.0.1:{port}" if "tcp" in lane else "unix:{place}.suture/manager"
-    return Peer(f"suture {lane}", "peer_suture", lane, Companion(("suture-manager", "--listen", address), 0))
+    return Peer(f"suture {lane}", "peer_suture", lane, ("suture-manager", "--listen", address))
 
 
 OURS = tuple(map(ours, ("shm", "frame-unix", "frame-tcp", "rpc-unix", "rpc-tcp")))

@@ -7,7 +7,6 @@ import pathlib
 import shutil
 import subprocess
 import tempfile
-import time
 
 LIMIT = 60  # s of a client: no measurement takes half of it
 GRACE = 3  # s in which what was told to end should
@@ -51,22 +50,22 @@ class Run:
     def figures(self):
         if self.measurement.name == "conversion":
             return self.clients_figures([])
-        self.start_companion()
+        beside = self.companions()
         servers = [self.start("server", self.measurement.cpus[1], "--server", number) for number in range(self.servers)]
-        figures = self.clients_figures(servers)
+        figures = self.clients_figures(beside + servers)
         for server in servers:
             with contextlib.suppress(subprocess.TimeoutExpired):
                 server.wait(GRACE)
         return figures
 
-    def clients_figures(self, servers):
+    def clients_figures(self, others):
         client = self.start("client", self.measurement.cpus[0], *self.measurement.arguments)
         try:
             client.wait(LIMIT)
         except subprocess.TimeoutExpired:
             raise Failure(f"no end within {LIMIT} s") from None
         if client.returncode != 0:
-            failed = [server for server in servers if server.poll()]
+            failed = [other for other in others if other.poll()]
             raise Failure(self.words(failed[0] if failed else client))
         lines = self.file(client, "out").read_text(encoding="utf-8").splitlines()
         return [json.loads(line) for line in lines if line.startswith("{")]
@@ -75,18 +74,16 @@ class Run:
         command = [self.program, self.peer.variant, role, self.measurement.name, *self.common, "--cpu", cpu, *arguments]
         return self.launch([str(part) for part in command], f"{role}{arguments[1] if role == 'server' else ''}")
 
-    def start_companion(self):
-        companion = self.peer.companion
-        if companion is None:
-            return
-        command = [part.format(place=self.place, port=self.port) for part in companion.command]
+    def companions(self):
+        """Starts the one that the peer needs; the peer waits for it by its own means."""
+        if not self.peer.companion:
+            return []
+        command = [part.format(place=self.place, port=self.port) for part in self.peer.companion]
         if shutil.which(command[0]) is None:
             raise Failure(f"{command[0]}, which it needs, is missing")
-        process = self.launch(command, command[0])
-        os.sched_setaffinity(process.pid, {self.measurement.cpus[1]})
-        time.sleep(companion.begins)
-        if process.poll() is not None:
-            raise Failure(self.words(process))
+        companion = self.launch(command, command[0])
+        os.sched_setaffinity(companion.pid, {self.measurement.cpus[1]})
+        return [companion]
 
     def launch(self, command, name):
         with open(self.folder / f"{name}.out", "wb") as out, open(self.folder / f"{name}.err", "wb") as errors:

@@ -4,6 +4,7 @@
 #include <dds/ddsi/ddsi_sertype.h>
 
 #include "harness/clock.h"
+#include "harness/comes_back.h"
 #include "harness/fail.h"
 #include "harness/peer_main.h"
 #include "rivals/cyclone_node.h"
@@ -17,33 +18,25 @@ using namespace std::chrono_literals;
 using cyclone::Node;
 using cyclone::Topic;
 
-constexpr auto kPatience = 20s;
-constexpr auto kSettling = 300ms;  // the discovery itself is acknowledged meanwhile
-constexpr dds_duration_t kLongestAnswer = DDS_SECS(5);
+constexpr dds_duration_t kLongestAnswer = DDS_SECS(5), kFirstAnswer = DDS_MSECS(100);
 
 class CycloneClient final : public Client {
  public:
-  explicit CycloneClient(const Options& options) {
-    const auto servers = static_cast<std::uint32_t>(options.servers);
-    const bool matched = eventually(
-        [&] {
-          if (!cyclone::hasReaders(stream_, servers)) return false;
-          return options.fansOut() || answersMatched();
-        },
-        kPatience);
-    if (!matched) fail("the topics were not matched within 20 s");
-    std::this_thread::sleep_for(kSettling);
-  }
-
   void echo(const Pose& sent, Pose& back) override {
-    const peersdds_Pose view = cyclone::viewOf(sent);
-    cyclone::write(poseRequest_, &view);
-    await<peersdds_Pose>(poseWait_, poseAnswer_, back);
+    request(sent);
+    if (!answered(back, kLongestAnswer)) fail("an answer is lost");
   }
   void echo(const Blob& sent, Blob& back) override {
-    const peersdds_Blob view = cyclone::viewOf(sent);
-    cyclone::write(blobRequest_, &view);
-    await<peersdds_Blob>(blobWait_, blobAnswer_, back);
+    request(sent);
+    if (!answered(back, kLongestAnswer)) fail("an answer is lost");
+  }
+  bool reaches(const Pose& sent) override {
+    request(sent);
+    return comesBack(sent, [&](Pose& back) { return answered(back, kFirstAnswer); });
+  }
+  bool reaches(const Blob& sent) override {
+    request(sent);
+    return comesBack(sent, [&](Blob& back) { return answered(back, kFirstAnswer); });
   }
   void send(const Pose& pose) override {
     const peersdds_Pose view = cyclone::viewOf(pose);
@@ -51,24 +44,35 @@ class CycloneClient final : public Client {
   }
 
  private:
-  bool answersMatched() const {
-    return cyclone::hasReaders(poseRequest_, 1) && cyclone::hasReaders(blobRequest_, 1) &&
-           cyclone::hasWriter(poseAnswer_) && cyclone::hasWriter(blobAnswer_);
-  }
-
   dds_entity_t waitsetFor(dds_entity_t reader) {
     const dds_entity_t waitset = node_.waitset();
     cyclone::attach(waitset, reader, 0);
     return waitset;
   }
 
+  void request(const Pose& pose) {
+    const peersdds_Pose view = cyclone::viewOf(pose);
+    cyclone::write(poseRequest_, &view);
+  }
+  void request(const Blob& blob) {
+    const peersdds_Blob view = cyclone::viewOf(blob);
+    cyclone::write(blobRequest_, &view);
+  }
+
+  bool answered(Pose& back, dds_duration_t limit) {
+    return taken<peersdds_Pose>(poseWait_, poseAnswer_, back, limit);
+  }
+  bool answered(Blob& back, dds_duration_t limit) {
+    return taken<peersdds_Blob>(blobWait_, blobAnswer_, back, limit);
+  }
   template <class Wire, class Value>
-  void await(dds_entity_t waitset, dds_entity_t reader, Value& value) {
-    for (int taken = 0; taken == 0;) {
+  static bool taken(dds_entity_t waitset, dds_entity_t reader, Value& value, dds_duration_t limit) {
+    for (int count = 0; count == 0;) {
       dds_attach_t woken;
-      if (dds_waitset_wait(waitset, &woken, 1, kLongestAnswer) <= 0) fail("an answer is lost");
-      taken = cyclone::takeAll<Wire>(reader, [&](const Wire& wire) { cyclone::load(wire, value); });
+      if (dds_waitset_wait(waitset, &woken, 1, limit) <= 0) return false;
+      count = cyclone::takeAll<Wire>(reader, [&](const Wire& wire) { cyclone::load(wire, value); });
     }
+    return true;
   }
 
   Node node_;
@@ -135,8 +139,8 @@ class CyclonePeer final : public Peer {
     cyclone::serveByWaitset(options.server, sink, ready);
   }
 
-  std::unique_ptr<Client> client(const Options& options, int) override {
-    return std::make_unique<CycloneClient>(options);
+  std::unique_ptr<Client> client(const Options&, int) override {
+    return std::make_unique<CycloneClient>();
   }
 
   std::size_t convert(const Pose& pose, Pose& back) override {

@@ -72,18 +72,6 @@ dds_entity_t Node::reader(Topic topic, const dds_listener_t* listener) {
 
 dds_entity_t Node::waitset() { return checked(dds_create_waitset(participant_), "waitset"); }
 
-bool hasReaders(dds_entity_t writer, std::uint32_t count) {
-  dds_publication_matched_status_t status{};
-  dds_get_publication_matched_status(writer, &status);
-  return status.current_count >= count;
-}
-
-bool hasWriter(dds_entity_t reader) {
-  dds_subscription_matched_status_t status{};
-  dds_get_subscription_matched_status(reader, &status);
-  return status.current_count > 0;
-}
-
 void write(dds_entity_t writer, const void* sample) { checked(dds_write(writer, sample), "write"); }
 
 void attach(dds_entity_t waitset, dds_entity_t reader, dds_attach_t token) {

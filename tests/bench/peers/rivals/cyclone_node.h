@@ -36,8 +36,6 @@ class Node {
   dds_qos_t* const quality_;
 };
 
-bool hasReaders(dds_entity_t writer, std::uint32_t count);
-bool hasWriter(dds_entity_t reader);
 void write(dds_entity_t writer, const void* sample);
 /// The waitset wakes with `token` when the reader has data.
 void attach(dds_entity_t waitset, dds_entity_t reader, dds_attach_t token);

@@ -14,7 +14,7 @@
 #include <fastdds/dds/subscriber/Subscriber.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
-#include "harness/clock.h"
+#include "harness/comes_back.h"
 #include "harness/fail.h"
 #include "harness/peer_main.h"
 #include "rivals/fastdds_types.h"
@@ -22,13 +22,11 @@
 namespace peers::fastdds {
 namespace {
 
-using namespace std::chrono_literals;
 namespace dds = eprosima::fastdds::dds;
 using eprosima::fastdds::rtps::SharedMemTransportDescriptor;
 using eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 
-constexpr auto kPatience = 25s;
-constexpr auto kSettling = 500ms;
+const eprosima::fastrtps::Duration_t kLongestAnswer{5, 0}, kFirstAnswer{0, 100'000'000};
 constexpr int kDomain = 77;
 
 enum class Carries { Poses, Blobs };
@@ -134,51 +132,38 @@ Listener<Value, HandOn> listenerOf(HandOn handOn) {
 
 class FastClient final : public Client {
  public:
-  FastClient(bool sharedMemory, const Options& options) : node_(sharedMemory) {
-    const bool matched = eventually(
-        [&] {
-          return hasReaders(stream_, options.servers) && (options.fansOut() || answersMatched());
-        },
-        kPatience);
-    if (!matched) fail("the topics were not matched within 25 s");
-    std::this_thread::sleep_for(kSettling);
-  }
+  explicit FastClient(bool sharedMemory) : node_(sharedMemory) {}
 
   void echo(const Pose& sent, Pose& back) override {
     write(poseRequest_, &sent);
-    await(poseAnswer_, &back);
+    if (!answered(poseAnswer_, &back, kLongestAnswer)) fail("an answer is lost");
   }
   void echo(const Blob& sent, Blob& back) override {
     write(blobRequest_, &sent);
-    await(blobAnswer_, &back);
+    if (!answered(blobAnswer_, &back, kLongestAnswer)) fail("an answer is lost");
+  }
+  bool reaches(const Pose& sent) override {
+    write(poseRequest_, &sent);
+    return comesBack(sent, [&](Pose& back) { return answered(poseAnswer_, &back, kFirstAnswer); });
+  }
+  bool reaches(const Blob& sent) override {
+    write(blobRequest_, &sent);
+    return comesBack(sent, [&](Blob& back) { return answered(blobAnswer_, &back, kFirstAnswer); });
   }
   void send(const Pose& pose) override { write(stream_, &pose); }
 
  private:
-  static bool hasReaders(dds::DataWriter& writer, int count) {
-    dds::PublicationMatchedStatus status;
-    writer.get_publication_matched_status(status);
-    return status.current_count >= count;
-  }
-  static bool hasWriter(dds::DataReader& reader) {
-    dds::SubscriptionMatchedStatus status;
-    reader.get_subscription_matched_status(status);
-    return status.current_count > 0;
-  }
-  bool answersMatched() {
-    return hasReaders(poseRequest_, 1) && hasReaders(blobRequest_, 1) && hasWriter(poseAnswer_) &&
-           hasWriter(blobAnswer_);
-  }
-
   static void write(dds::DataWriter& writer, const void* value) {
     if (!writer.write(const_cast<void*>(value))) fail("a sample was refused");
   }
-  static void await(dds::DataReader& reader, void* value) {
+  static bool answered(dds::DataReader& reader, void* value,
+                       const eprosima::fastrtps::Duration_t& limit) {
     for (bool valid = false; !valid;) {
       if (tookOne(reader, value, valid)) continue;
       valid = false;
-      if (!reader.wait_for_unread_message({5, 0})) fail("an answer is lost");
+      if (!reader.wait_for_unread_message(limit)) return false;
     }
+    return true;
   }
 
   Node node_;
@@ -213,8 +198,8 @@ class FastPeer final : public Peer {
     node.reset();  // it goes before its listeners, and takes its shared memory with it
   }
 
-  std::unique_ptr<Client> client(const Options& options, int) override {
-    return std::make_unique<FastClient>(sharedMemory_, options);
+  std::unique_ptr<Client> client(const Options&, int) override {
+    return std::make_unique<FastClient>(sharedMemory_);
   }
 
   std::size_t convert(const Pose& pose, Pose& back) override {

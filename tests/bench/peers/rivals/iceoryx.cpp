@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "harness/clock.h"
+#include "harness/comes_back.h"
 #include "harness/fail.h"
 #include "harness/peer_main.h"
 #include "harness/plain_pose.h"
@@ -18,13 +19,10 @@
 namespace peers {
 namespace {
 
-using namespace std::chrono_literals;
 using namespace iox::popo;
 using PoseSubscriber = Subscriber<PlainPose>;
 
-constexpr auto kPatience = 15s;
-constexpr auto kSettling = 1s;
-constexpr std::int64_t kLongestAnswer = 5 * kSecond;
+constexpr std::int64_t kLongestAnswer = 5 * kSecond, kFirstAnswer = kSecond / 10;
 
 /// It stands before the numbers of a blob.
 struct BlobLead {
@@ -173,35 +171,46 @@ class IceoryxClient final : public Client {
   IceoryxClient() {
     attach(poseWait_, poseAnswers_);
     attach(blobWait_, blobAnswers_);
-    if (!eventually([&] { return matched(); }, kPatience)) {
-      fail("the topics were not matched within 15 s");
-    }
-    std::this_thread::sleep_for(kSettling);  // there are more subscribers than the one asked for
   }
 
   void echo(const Pose& sent, Pose& back) override {
-    publish(poses_, sent);
-    await(poseWait_,
-          [&] { return takePoses(poseAnswers_, [&](const Pose& pose) { back = pose; }); });
+    request(sent);
+    if (!answered(back, kLongestAnswer)) fail("an answer is lost");
   }
-
   void echo(const Blob& sent, Blob& back) override {
-    const std::size_t numbers = sent.data.size() * sizeof(double);
-    const BlobLead lead{sizeof lead + numbers, sent.timestamp};
-    publishBytes(blobs_, lead.bytes, [&](char* to) {
-      std::memcpy(to, &lead, sizeof lead);
-      std::memcpy(to + sizeof lead, sent.data.data(), numbers);
-    });
-    await(blobWait_,
-          [&] { return takeBlob(blobAnswers_, [&](const char* blob) { unpack(blob, back); }); });
+    request(sent);
+    if (!answered(back, kLongestAnswer)) fail("an answer is lost");
+  }
+  bool reaches(const Pose& sent) override {
+    request(sent);
+    return comesBack(sent, [&](Pose& back) { return answered(back, kFirstAnswer); });
+  }
+  bool reaches(const Blob& sent) override {
+    request(sent);
+    return comesBack(sent, [&](Blob& back) { return answered(back, kFirstAnswer); });
   }
 
   void send(const Pose& pose) override { publish(stream_, pose); }
 
  private:
-  bool matched() const {
-    return stream_.hasSubscribers() && poses_.hasSubscribers() && blobs_.hasSubscribers() &&
-           poseAnswers_.getSubscriptionState() == iox::SubscribeState::SUBSCRIBED;
+  void request(const Pose& pose) { publish(poses_, pose); }
+  void request(const Blob& blob) {
+    const std::size_t numbers = blob.data.size() * sizeof(double);
+    const BlobLead lead{sizeof lead + numbers, blob.timestamp};
+    publishBytes(blobs_, lead.bytes, [&](char* to) {
+      std::memcpy(to, &lead, sizeof lead);
+      std::memcpy(to + sizeof lead, blob.data.data(), numbers);
+    });
+  }
+
+  bool answered(Pose& back, std::int64_t limit) {
+    return taken(poseWait_, limit,
+                 [&] { return takePoses(poseAnswers_, [&](const Pose& pose) { back = pose; }); });
+  }
+  bool answered(Blob& back, std::int64_t limit) {
+    return taken(blobWait_, limit, [&] {
+      return takeBlob(blobAnswers_, [&](const char* blob) { unpack(blob, back); });
+    });
   }
 
   static void unpack(const char* memory, Blob& blob) {
@@ -214,12 +223,14 @@ class IceoryxClient final : public Client {
 
   /// A wait may also end for what has been taken already.
   template <class Take>
-  static void await(WaitSet<>& waits, const Take& take) {
-    const std::int64_t end = now() + kLongestAnswer;
+  static bool taken(WaitSet<>& waits, std::int64_t limit, const Take& take) {
+    const std::int64_t end = now() + limit;
     while (!take()) {
-      if (now() > end) fail("an answer is lost");
-      waits.timedWait(iox::units::Duration::fromSeconds(1));
+      const std::int64_t left = end - now();
+      if (left <= 0) return false;
+      waits.timedWait(iox::units::Duration::fromNanoseconds(left));
     }
+    return true;
   }
 
   Publisher<PlainPose> poses_{topic("pose_request"), reliablePublisher()};

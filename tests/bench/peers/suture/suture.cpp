@@ -101,7 +101,6 @@ class SuturePeer final : public Peer {
   static void awaitSubscribers(const suture::Manager& manager, int count) {
     const auto all = [&] { return manager.channels().size() >= static_cast<std::size_t>(count); };
     if (!eventually(all, 15s)) fail("not all subscribers were connected within 15 s");
-    std::this_thread::sleep_for(300ms);  // their subscriptions come behind
   }
 
   const Variant variant_;

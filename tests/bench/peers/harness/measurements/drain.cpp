@@ -6,6 +6,7 @@ namespace peers {
 namespace {
 
 constexpr std::int64_t kQuiet = kSecond * 3 / 2;
+// A wake-up for each pose would be counted as the peer's own work.
 constexpr std::chrono::microseconds kPause{200};
 
 }  // namespace

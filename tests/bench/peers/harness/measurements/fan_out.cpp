@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 #include <thread>
 #include <vector>
 
 #include "harness/clock.h"
 #include "harness/fail.h"
 #include "harness/figures.h"
+#include "harness/measurements/contact.h"
 #include "harness/measurements/drain.h"
 #include "harness/measurements/measurements.h"
 #include "harness/usage.h"
@@ -17,7 +17,6 @@ namespace peers {
 namespace {
 
 using namespace std::chrono_literals;
-using Clients = std::vector<std::unique_ptr<Client>>;
 
 constexpr long kWarmUp = 200;
 constexpr std::int64_t kNever = -1;
@@ -69,6 +68,12 @@ Deliveries deliveriesOf(const ControlBlock& control, const Options& options) {
 void measureFanOut(Peer& peer, const Options& options, ControlBlock& control) {
   if (kWarmUp + options.count > kMostPublished) fail("so many poses cannot be told apart");
   const Clients clients = clientsOf(peer, options);
+  reach(clients, control, options.servers);
+  std::vector<std::uint64_t> awaited;
+  for (int server = 0; server < options.servers; ++server) {
+    awaited.push_back(control.received[server].count +
+                      static_cast<std::uint64_t>(kWarmUp + options.count));
+  }
   for (auto& server : control.latency) std::fill(std::begin(server), std::end(server), kNever);
   control.stamped = true;
   publish(clients, 0, kWarmUp);
@@ -76,7 +81,7 @@ void measureFanOut(Peer& peer, const Options& options, ControlBlock& control) {
   publish(clients, kWarmUp, kWarmUp + options.count);
   const auto used = static_cast<double>(processorTime(getpid()) - before);
   for (int server = 0; server < options.servers; ++server) {
-    drain(control.received[server], static_cast<std::uint64_t>(kWarmUp + options.count));
+    drain(control.received[server], awaited[static_cast<std::size_t>(server)]);
   }
   Deliveries deliveries = deliveriesOf(control, options);
   Figures()

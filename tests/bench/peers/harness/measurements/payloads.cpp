@@ -2,6 +2,7 @@
 
 #include "harness/clock.h"
 #include "harness/figures.h"
+#include "harness/measurements/contact.h"
 #include "harness/measurements/measurements.h"
 
 namespace peers {
@@ -56,6 +57,7 @@ void measurePayloads(Peer& peer, const Options& options, ControlBlock&) {
     return Figures().add("without", why).print();
   }
   const auto client = peer.client(options, 0);
+  reachByEcho(*client, blobOf(kSizes[0].bytes));
   for (const Size& size : kSizes) measureSize(*client, size, options.seconds);
 }
 

@@ -2,6 +2,7 @@
 
 #include "harness/clock.h"
 #include "harness/figures.h"
+#include "harness/measurements/contact.h"
 #include "harness/measurements/measurements.h"
 #include "harness/usage.h"
 
@@ -28,6 +29,8 @@ void print(std::vector<double> times, const Usage& used, bool same) {
 void measureRoundTrips(Peer& peer, const Options& options, ControlBlock& control) {
   const auto client = peer.client(options, 0);
   Pose sent, back;
+  fill(sent, 0);
+  reachByEcho(*client, sent);
   bool same = true;
   const auto timed = [&](long number) {
     fill(sent, static_cast<std::uint64_t>(number));
