@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <string>
 
 #include "compiler/check/rules.h"
 #include "compiler/check/type_tree.h"
@@ -47,12 +48,60 @@ bool leadsBack(const model::Type& type, const model::Lookup& lookup) {
   return !walk(type, lookup, [](const Place& place) { return !place.recursive; });
 }
 
+/// Whether the slot of a type would hold one of the struct within itself. What has no bound, and an
+/// optional struct that leads back, are blocks of their own.
+class Within {
+ public:
+  Within(const model::Struct& target, const model::Lookup& lookup)
+      : target_(target.name), lookup_(lookup) {}
+
+  bool of(const model::Type& type) {
+    using Shape = model::Type::Shape;
+    if (isOpen(type)) return false;
+    if (type.shape == Shape::Struct) return ofStruct(type.name);
+    const auto held = [this, &type](const model::Type& element) {
+      const bool apart = type.shape == Shape::Optional && element.shape == Shape::Struct;
+      return !apart && of(element);
+    };
+    return std::any_of(type.element.begin(), type.element.end(), held);
+  }
+
+ private:
+  bool ofStruct(const std::string& name) {
+    if (name == target_) return true;
+    const model::Struct* const type = lookup_.findStruct(name);
+    if (type == nullptr || !seen_.insert(name).second) return false;
+    return std::any_of(type->fields.begin(), type->fields.end(),
+                       [this](const model::Field& field) { return of(field.type); });
+  }
+
+  const std::string target_;
+  const model::Lookup& lookup_;
+  std::set<std::string> seen_;
+};
+
+bool hasCapacity(const model::Type& type) {
+  return (isSized(type) && !isOpen(type)) ||
+         std::any_of(type.element.begin(), type.element.end(), hasCapacity);
+}
+
+void checkRecursion(const model::Struct& type, const model::Field& field,
+                    const model::Lookup& lookup, model::Diagnostics& findings) {
+  if (!hasCapacity(field.type) || !Within(type, lookup).of(field.type)) return;
+  addError(findings, field.source, "recursive-capacity",
+           "field '" + field.name + "' has a capacity(), and what it holds leads back to '" +
+               model::unqualified(type.name) + "'",
+           "drop the capacity(), and only devices carry it; for a task, keep a flat list of nodes "
+           "that refer to each other by index");
+}
+
 }  // namespace
 
 void checkLimits(const model::Header& header, const model::Lookup& lookup,
                  model::Diagnostics& findings) {
   for (const model::Struct& type : header.structs) {
     for (const model::Field& field : type.fields) {
+      checkRecursion(type, field, lookup, findings);
       if (leadsBack(field.type, lookup) || flatSize(field.type, lookup) <= kLargestValue) continue;
       addError(findings, field.source, "value-size",
                "field '" + field.name + "' needs more than " + std::to_string(kLargestValue >> 20) +

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/emit/text/context.h"
 #include "compiler/lock/contract_node.h"
 #include "compiler/model/lookup.h"
 
@@ -81,10 +82,12 @@ class Order {
   const lock::Locks& locks_;
 };
 
-/// Puts structs behind those that they hold, and else leaves their order.
+/// Puts structs behind those that they hold, and else leaves their order. What holds its own kind
+/// is declared before all of them, which is enough where a slot holds it in a block of its own.
 class PartsFirst {
  public:
-  explicit PartsFirst(std::vector<model::Struct>& structs) : structs_(structs) {}
+  PartsFirst(std::vector<model::Struct>& structs, const model::Lookup& lookup)
+      : structs_(structs), lookup_(lookup) {}
 
   void sort() {
     for (const model::Struct& record : structs_) place(record.name);
@@ -96,16 +99,23 @@ class PartsFirst {
     const auto found = std::find_if(structs_.begin(), structs_.end(),
                                     [&](const model::Struct& one) { return one.name == name; });
     if (found == structs_.end() || !seen_.insert(name).second) return;
-    for (const model::Field& field : found->fields) place(field.type);
+    for (const model::Field& field : found->fields) place(field.type, false);
     sorted_.push_back(*found);
   }
 
-  void place(const model::Type& type) {
-    if (!type.name.empty()) place(type.name);
-    for (const model::Type& element : type.element) place(element);
+  void place(const model::Type& type, bool apart) {
+    using Shape = model::Type::Shape;
+    const model::Struct* const held = lookup_.findStruct(type.name);
+    if (held != nullptr && !(apart && isRecursive(*held, lookup_))) place(type.name);
+    const bool sized = type.shape == Shape::List || type.shape == Shape::Map;
+    const bool open = sized && type.capacity.value_or(0) == 0;
+    for (const model::Type& element : type.element) {
+      place(element, apart || open || holdsRecursive(type, lookup_));
+    }
   }
 
   std::vector<model::Struct>& structs_;
+  const model::Lookup& lookup_;
   std::vector<model::Struct> sorted_;
   std::set<std::string> seen_;
 };
@@ -117,7 +127,7 @@ model::Model ordered(model::Model model, const lock::Locks& locks) {
   const model::Lookup lookup(declared);
   const Order order(lookup, locks);
   for (model::Header& header : model.headers) {
-    PartsFirst(header.structs).sort();
+    PartsFirst(header.structs, lookup).sort();
     for (model::Interface& interface : header.interfaces) order.sort(interface);
   }
   return model;

@@ -47,12 +47,12 @@ using suture::store;
 namespace {
 
 // What this compiler sees must be what suturec read.
-static_assert(std::is_same_v<decltype(Branch::length), double>);
-static_assert(std::is_same_v<decltype(Branch::roots), std::map<std::string, shapes::Root>>);
 static_assert(std::is_same_v<decltype(Root::value), std::int32_t>);
 static_assert(std::is_same_v<decltype(Root::children), std::vector<shapes::Root>>);
 static_assert(std::is_same_v<decltype(Root::shadow), std::unique_ptr<shapes::Root>>);
 static_assert(std::is_same_v<decltype(Root::branches), std::vector<shapes::Branch>>);
+static_assert(std::is_same_v<decltype(Branch::length), double>);
+static_assert(std::is_same_v<decltype(Branch::roots), std::map<std::string, shapes::Root>>);
 static_assert(std::is_same_v<decltype(Open::name), std::string>);
 static_assert(std::is_same_v<decltype(Open::samples), std::vector<double>>);
 static_assert(std::is_same_v<decltype(Open::bytes), std::vector<std::uint8_t>>);
@@ -78,18 +78,6 @@ static_assert(std::is_same_v<decltype(Open::root), Root>);
 
 }  // namespace
 
-bool store(const Branch& value, BranchSlot& slot) {
-  bool fits = true;
-  fits &= store(value.length, slot.length);
-  fits &= store(value.roots, slot.roots);
-  return fits;
-}
-
-void load(const BranchSlot& slot, Branch& value) {
-  load(slot.length, value.length);
-  load(slot.roots, value.roots);
-}
-
 bool store(const Root& value, RootSlot& slot) {
   bool fits = true;
   fits &= store(value.value, slot.value);
@@ -104,6 +92,18 @@ void load(const RootSlot& slot, Root& value) {
   load(slot.children, value.children);
   load(slot.shadow, value.shadow);
   load(slot.branches, value.branches);
+}
+
+bool store(const Branch& value, BranchSlot& slot) {
+  bool fits = true;
+  fits &= store(value.length, slot.length);
+  fits &= store(value.roots, slot.roots);
+  return fits;
+}
+
+void load(const BranchSlot& slot, Branch& value) {
+  load(slot.length, value.length);
+  load(slot.roots, value.roots);
 }
 
 bool store(const Open& value, OpenSlot& slot) {
@@ -181,46 +181,12 @@ void load(const ArchiveGrownPayload& slot, std::string& value, Root& value2) {
 
 // --- between slots and Cap'n Proto
 
-void toWire(const BranchSlot& slot, wire::Branch::Builder out);
-suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duration shift);
-bool isValid(const BranchSlot& slot, suture::FieldPath* path);
 void toWire(const RootSlot& slot, wire::Root::Builder out);
 suture::Errc fromWire(wire::Root::Reader in, RootSlot& slot, suture::Duration shift);
 bool isValid(const RootSlot& slot, suture::FieldPath* path);
-
-void toWire(const suture::SlotEntry<suture::OpenText, RootSlot>& slot,
-            wire::ShapesOpenEntryOfTextToRoot::Builder out) {
-  toWire(slot.key, out.initKey(sizeOf(slot.key)));
-  toWire(slot.value, out.initValue());
-}
-
-Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
-              suture::SlotEntry<suture::OpenText, RootSlot>& slot, Duration shift) {
-  return firstError({
-      fromWire(in.getKey(), slot.key),
-      fromWire(in.getValue(), slot.value, shift),
-  });
-}
-
-void toWire(const BranchSlot& slot, wire::Branch::Builder out) {
-  out.setLength(slot.length);
-  toWireList(slot.roots, out.initRoots(sizeOf(slot.roots)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
-}
-
-Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, Duration shift) {
-  slot.length = in.getLength();
-  return suture::rpc::fromWireDistinct(in.getRoots(), slot.roots, [&](auto item, auto& target) {
-    return fromWire(item, target, shift);
-  });
-}
-
-bool isValid(const BranchSlot& slot, FieldPath* path) {
-  if (!inRange(slot.length, 0, 10)) return refusedAt(path, "length");
-  return isValid(slot.roots, path) || refusedAt(path, "roots");
-}
+void toWire(const BranchSlot& slot, wire::Branch::Builder out);
+suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duration shift);
+bool isValid(const BranchSlot& slot, suture::FieldPath* path);
 
 void toWire(const suture::OpenOptional<RootSlot>& slot, wire::ShapesOpenOptionalRoot::Builder out) {
   if (slot.present == 0) return out.setNone();
@@ -274,6 +240,40 @@ bool isValid(const RootSlot& slot, FieldPath* path) {
     return refusedAt(path, "branches");
   }
   return true;
+}
+
+void toWire(const suture::SlotEntry<suture::OpenText, RootSlot>& slot,
+            wire::ShapesOpenEntryOfTextToRoot::Builder out) {
+  toWire(slot.key, out.initKey(sizeOf(slot.key)));
+  toWire(slot.value, out.initValue());
+}
+
+Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
+              suture::SlotEntry<suture::OpenText, RootSlot>& slot, Duration shift) {
+  return firstError({
+      fromWire(in.getKey(), slot.key),
+      fromWire(in.getValue(), slot.value, shift),
+  });
+}
+
+void toWire(const BranchSlot& slot, wire::Branch::Builder out) {
+  out.setLength(slot.length);
+  toWireList(slot.roots, out.initRoots(sizeOf(slot.roots)),
+             [](const auto& element, auto list, std::uint32_t i) {
+               toWire(element, list[i]);
+             });
+}
+
+Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, Duration shift) {
+  slot.length = in.getLength();
+  return suture::rpc::fromWireDistinct(in.getRoots(), slot.roots, [&](auto item, auto& target) {
+    return fromWire(item, target, shift);
+  });
+}
+
+bool isValid(const BranchSlot& slot, FieldPath* path) {
+  if (!inRange(slot.length, 0, 10)) return refusedAt(path, "length");
+  return isValid(slot.roots, path) || refusedAt(path, "roots");
 }
 
 void toWire(const suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
@@ -823,7 +823,7 @@ const InterfaceInfo& interfaceInfo<shapes::Archive>() {
 }
 
 auto Provided<shapes::Archive>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(shapes::ArchivePutArguments::value)>(scratch.put_value);
   reserveFor<decltype(shapes::ArchiveReplaceArguments::value)>(scratch.replace_value);
   return scratch;

@@ -12,16 +12,8 @@
 
 namespace shapes {
 
-struct BranchSlot;
 struct RootSlot;
-
-struct BranchSlot {
-  double length;  // m
-  suture::OpenList<suture::SlotEntry<suture::OpenText, RootSlot>> roots;
-};
-
-bool store(const Branch& value, BranchSlot& slot);
-void load(const BranchSlot& slot, Branch& value);
+struct BranchSlot;
 
 /// Holds itself, and another that holds it.
 struct RootSlot {
@@ -33,6 +25,14 @@ struct RootSlot {
 
 bool store(const Root& value, RootSlot& slot);
 void load(const RootSlot& slot, Root& value);
+
+struct BranchSlot {
+  double length;  // m
+  suture::OpenList<suture::SlotEntry<suture::OpenText, RootSlot>> roots;
+};
+
+bool store(const Branch& value, BranchSlot& slot);
+void load(const BranchSlot& slot, Branch& value);
 
 /// Each level that may lack its bound, all of it or a part.
 struct OpenSlot {
@@ -203,11 +203,11 @@ class Provided<shapes::Archive> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    std::string put_key;
-    shapes::Open put_value;
-    std::string remark_text;
-    std::string find_pattern;
-    shapes::Open replace_value;
+    std::string put_key{};
+    shapes::Open put_value{};
+    std::string remark_text{};
+    std::string find_pattern{};
+    shapes::Open replace_value{};
 
     static Scratch reserved();
   };
