@@ -50,6 +50,8 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/suture/ ${PROJECT_SOURCE_DIR}/sc
   ${PROJECT_BINARY_DIR}/schemas/suture/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.h" PATTERN "*.capnp"
   PATTERN standard EXCLUDE)  # runtime/suture/standard/ and suture_generate() install those
+install(FILES ${PROJECT_SOURCE_DIR}/schemas/deployment.schema.json ${PROJECT_SOURCE_DIR}/schemas/policy.schema.json
+  DESTINATION share/suture)
 if(TARGET suturec)
   # Where suturec looks first: clang's own headers stay with it.
   install(DIRECTORY ${SUTURE_CLANG_RESOURCE_DIR}/include DESTINATION lib/suture/clang)

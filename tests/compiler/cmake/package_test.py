@@ -87,6 +87,17 @@ def robots(arguments):
     expect(succeed("it runs", [project.build_folder / "grasp"]) == "2 N\n", "with the installed kinematics")
 
 
+def missing_headers(include):
+    """What headers of the package include of it and do not find, as it is written there."""
+    roots = [include, include / "suture-robots"]
+    missing = set()
+    for header in include.rglob("*.h"):
+        for name in re.findall(r'^#include ["<](suture/[^">]+\.h|[^">]+\.suture\.h)[">]', header.read_text(encoding="utf-8"), re.M):
+            if not any((root / name).exists() for root in roots):
+                missing.add(name)
+    return sorted(missing)
+
+
 def installed_tree(arguments):
     prefix = arguments.package
     for program in ("suturec", "suture", "suture-manager", "suture-workstation", "suture-demo"):
@@ -97,6 +108,9 @@ def installed_tree(arguments):
     build_folders = (f"{TREE}/", f"{arguments.build}", f"{prefix} at first")
     strangers = [file for file in ours if any(folder in file.read_text(encoding="utf-8") for folder in build_folders)]
     expect(ours and not strangers, "no file of the package names a folder of the build", str(strangers))
+
+    missing = missing_headers(prefix / "include")
+    expect(not missing, "each header that an installed one includes is installed", str(missing))
 
     root = empty(arguments.scratch / "without C")
     (root / "CMakeLists.txt").write_text("cmake_minimum_required(VERSION 3.25)\nproject(x LANGUAGES CXX)\n"
