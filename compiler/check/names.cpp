@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <map>
-#include <span>
 #include <string_view>
 
 #include "compiler/check/rules.h"
 #include "compiler/model/naming.h"
+#include "compiler/model/reserved_names.h"
 
 namespace suture::compiler::check {
 namespace {
@@ -59,33 +58,14 @@ class Scope {
   std::map<std::string, Entry> taken_;
 };
 
-bool contains(std::span<const std::string_view> names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-constexpr std::array<std::string_view, 3> kReservedForTypes{"Reader", "Builder", "Pipeline"};
-constexpr std::array<std::string_view, 2> kReservedForInterfaces{"Client", "Server"};
-
-// Macros of the C library, as capnp would spell an enumerator.
-constexpr std::array<std::string_view, 16> kMacros{
-    "EOF",     "NAN",     "INFINITY", "BUFSIZ",   "SEEK_SET",  "SEEK_CUR", "SEEK_END", "RAND_MAX",
-    "INT_MAX", "INT_MIN", "CHAR_BIT", "OVERFLOW", "UNDERFLOW", "DOMAIN",   "SIGINT",   "ERANGE"};
-
-void checkReserved(const std::string& name, const std::string& wireName, bool interface,
+void checkReserved(model::Named kind, const std::string& name, const std::string& wireName,
                    const model::Source& source, model::Diagnostics& findings) {
-  const bool taken = contains(kReservedForTypes, wireName) ||
-                     (interface && contains(kReservedForInterfaces, wireName));
-  if (!taken) return;
+  if (!model::isReserved(kind, wireName)) return;
+  const bool interface = kind == model::Named::Contract;
   addError(findings, source, "reserved-name",
-           "'" + name + "' cannot be '" + wireName +
-               "' on the wire: capnp nests a class of that name in every " +
-               (interface ? "interface" : "struct"),
+           "'" + name + "' cannot be '" + wireName + "' on the wire: Cap'n Proto needs that name",
            "write " + std::string(interface ? "SUTURE_INTERFACE" : "SUTURE_TYPE") + "(name(\"" +
                wireName + (interface ? "Interface" : "Type") + "\")); the C++ name stays");
-}
-
-std::string valueName(const model::Enumerator& enumerator) {
-  return " SUTURE_FIELD(name(\"" + enumerator.wireName + "Value\"))";
 }
 
 void checkEnumerators(const model::Enum& type, model::Diagnostics& findings) {
@@ -93,22 +73,17 @@ void checkEnumerators(const model::Enum& type, model::Diagnostics& findings) {
   for (const model::Enumerator& enumerator : type.enumerators) {
     scope.add("enumerator", enumerator.name, enumerator.wireName, enumerator.source);
     const std::string constant = model::upperSnakeCase(enumerator.wireName);
-    if (!contains(kMacros, constant)) continue;
+    if (!model::isReserved(model::Named::Enumerator, enumerator.wireName)) continue;
     addError(findings, enumerator.source, "macro-name",
              "enumerator '" + enumerator.name + "' would become " + constant +
                  " in capnp's C++, which is a macro of the C library",
-             "write " + enumerator.name + valueName(enumerator) + "; the C++ name stays")
-        .fixes = {{enumerator.source, model::Fix::Place::After, valueName(enumerator)}};
+             "choose another name(), or none");
   }
 }
 
-// suturec itself writes these into every contract.
-constexpr std::array<std::string_view, 1> kMethods{"subscribe"}, kParameters{"sent"};
-
-void checkBuiltIn(std::span<const std::string_view> builtIn, const std::string& subject,
-                  const std::string& wireName, const model::Source& source,
-                  model::Diagnostics& findings) {
-  if (!contains(builtIn, wireName)) return;
+void checkBuiltIn(model::Named kind, const std::string& subject, const std::string& wireName,
+                  const model::Source& source, model::Diagnostics& findings) {
+  if (!model::isReserved(kind, wireName)) return;
   addError(findings, source, "built-in-name",
            subject + " maps to wire name '" + wireName + "', which suturec uses itself there",
            std::string(kNameAdvice));
@@ -119,20 +94,19 @@ void checkNamesOf(const model::Interface& interface, model::Diagnostics& finding
   for (const model::Command& command : interface.commands) {
     commands.add("command", command.name, command.wireName, command.source);
     const std::string subject = "command '" + command.name + "'";
-    checkBuiltIn(kMethods, subject, command.wireName, command.source, findings);
-    if (command.kind == model::CommandKind::Read) {
-      checkBuiltIn(model::kBuiltInColumns, subject, command.wireName, command.source, findings);
-    }
+    const bool reads = command.kind == model::CommandKind::Read;
+    checkBuiltIn(reads ? model::Named::Read : model::Named::Command, subject, command.wireName,
+                 command.source, findings);
     Scope parameters(false, findings);
     for (const model::Parameter& parameter : command.parameters) {
       parameters.add("parameter", parameter.name, parameter.wireName, parameter.source);
-      checkBuiltIn(kParameters, "parameter '" + parameter.name + "'", parameter.wireName,
-                   parameter.source, findings);
+      checkBuiltIn(model::Named::Parameter, "parameter '" + parameter.name + "'",
+                   parameter.wireName, parameter.source, findings);
     }
   }
   for (const model::Event& event : interface.events) {
     events.add("event", event.name, event.wireName, event.source);
-    checkBuiltIn(model::kBuiltInEvents, "event '" + event.name + "'", event.wireName, event.source,
+    checkBuiltIn(model::Named::Event, "event '" + event.name + "'", event.wireName, event.source,
                  findings);
   }
 }
@@ -143,11 +117,12 @@ void checkNames(const model::Header& header, model::Diagnostics& findings) {
   Scope types(true, findings);
   for (const model::Enum& type : header.enums) {
     types.add("type", model::unqualified(type.name), type.wireName, type.source);
+    checkReserved(model::Named::Type, type.name, type.wireName, type.source, findings);
     checkEnumerators(type, findings);
   }
   for (const model::Struct& type : header.structs) {
     types.add("type", model::unqualified(type.name), type.wireName, type.source);
-    checkReserved(type.name, type.wireName, false, type.source, findings);
+    checkReserved(model::Named::Type, type.name, type.wireName, type.source, findings);
     Scope fields(false, findings);
     for (const model::Field& field : type.fields) {
       fields.add("field", field.name, field.wireName, field.source);
@@ -159,7 +134,8 @@ void checkNames(const model::Header& header, model::Diagnostics& findings) {
               interface.source);
     types.add("the state of contract", interface.name, interface.wireName + "StateRow",
               interface.source);
-    checkReserved(interface.name, interface.wireName, true, interface.source, findings);
+    checkReserved(model::Named::Contract, interface.name, interface.wireName, interface.source,
+                  findings);
     checkNamesOf(interface, findings);
   }
 }

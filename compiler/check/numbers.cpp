@@ -45,11 +45,13 @@ class NumberRule {
   }
 
  private:
-  /// True for a number, and for numbers that are all 0 since nobody says anything else.
+  /// True for a number whose default was seen, and for numbers that are all 0 since nobody says
+  /// anything else.
   static bool hasKnownNumber(const model::Field& field) {
     using Shape = model::Type::Shape;
     const model::Type& type = field.type;
-    if (type.shape == Shape::Scalar) return true;
+    const bool unseen = field.isPreset && field.defaultJson.empty();
+    if (type.shape == Shape::Scalar) return !unseen;
     const bool fixed = type.shape == Shape::Matrix ||
                        (type.shape == Shape::Array && type.element.front().shape == Shape::Scalar);
     return fixed && !field.isPreset;

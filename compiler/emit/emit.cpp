@@ -102,10 +102,30 @@ void emitHeaderIncludes(Code& code, const Context& context) {
   code.blank();
 }
 
+/// Whether the compiler would warn of what the user's headers mark as [[deprecated]].
+bool mentionsDeprecated(const Context& context) {
+  const auto& imports = context.header.imports;
+  const auto& headers = context.model.headers;
+  return context.header.hasDeprecated ||
+         std::any_of(headers.begin(), headers.end(), [&](const model::Header& one) {
+           const bool imported =
+               std::find(imports.begin(), imports.end(), one.path) != imports.end();
+           return one.hasDeprecated && imported;
+         });
+}
+
+void ignoreDeprecation(Code& code) {
+  code.line("// What is deprecated travels all the same.");
+  code.verbatim("#pragma GCC diagnostic ignored \"-Wdeprecated-declarations\"\n").blank();
+}
+
 std::string headerFile(const Context& context) {
   Code code;
   code.verbatim(banner(context.header)).line("#pragma once").blank();
   emitHeaderIncludes(code, context);
+  const bool deprecated = mentionsDeprecated(context);
+  if (deprecated) code.verbatim("#pragma GCC diagnostic push\n");
+  if (deprecated) ignoreDeprecation(code);
   if (hasReaders(context.header)) {
     code.line("namespace suture {").line("class JsonReader;").line("}").blank();
   }
@@ -128,7 +148,15 @@ std::string headerFile(const Context& context) {
     }
     emitClassDeclarations(inner, context);
   });
+  if (deprecated) code.verbatim("#pragma GCC diagnostic pop\n");
   return code.finished();
+}
+
+bool hasPackedFields(const model::Header& header) {
+  const auto isPacked = [](const model::Field& field) { return field.isPacked; };
+  return std::any_of(header.structs.begin(), header.structs.end(), [&](const model::Struct& one) {
+    return std::any_of(one.fields.begin(), one.fields.end(), isPacked);
+  });
 }
 
 void emitSourceIncludes(Code& code, const Context& context, bool converts, bool limits) {
@@ -141,6 +169,7 @@ void emitSourceIncludes(Code& code, const Context& context, bool converts, bool 
     includeAll(code, "wire/", {"codec"});
   }
   if (converts) includeAll(code, "wire/", {"wire"});
+  if (hasPackedFields(header)) includeAll(code, "base/slots/", {"packed_fields", "slots"});
   code.blank();
   if (limits) code.line("#include <limits>");
   code.line("#include <type_traits>").blank();
@@ -248,6 +277,7 @@ std::string sourceFile(const Context& context) {
   code.verbatim(banner(context.header));
   emitSourceIncludes(code, context, converts(context),
                      body.find("std::numeric_limits") != body.npos);
+  if (mentionsDeprecated(context)) ignoreDeprecation(code);
   code.verbatim(body);
   return code.finished();
 }

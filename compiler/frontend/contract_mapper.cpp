@@ -91,7 +91,7 @@ std::optional<model::Parameter> mapParameter(const clang::ParmVarDecl* declarati
   }
   model::Parameter parameter;
   parameter.name = declaration->getNameAsString();
-  parameter.wireName = wireMemberName(parameter.name, annotation.name);
+  parameter.wireName = wireMemberName(model::Named::Parameter, parameter.name, annotation.name);
   parameter.type = std::move(*type);
   parameter.byReference = declaration->getType()->isReferenceType();
   parameter.unit = annotation.unit;
@@ -161,7 +161,6 @@ model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) 
   checkValueArguments(method, field, mapping);
   model::Command command;
   command.name = method->getNameAsString();
-  command.wireName = wireMemberName(command.name, annotation.name);
   command.source = mapping.sourceOf(method);
   command.signature =
       mapping.sourceOf({method->getLocation(), method->getFunctionTypeLoc().getRParenLoc()});
@@ -177,6 +176,9 @@ model::Command mapCommand(const clang::CXXMethodDecl* method, Mapping& mapping) 
   command.was = annotation.was;
   if (rejectMethod(method, mapping)) return command;
   mapKind(method, field, command, mapping);
+  const bool reads = command.kind == model::CommandKind::Read;
+  command.wireName = wireMemberName(reads ? model::Named::Read : model::Named::Command,
+                                    command.name, annotation.name);
   mapOptional(method, annotation, command, mapping);
   for (const clang::ParmVarDecl* parameter : method->parameters()) {
     if (auto mapped = mapParameter(parameter, mapping)) {
@@ -250,7 +252,7 @@ model::Event mapEvent(const clang::FieldDecl* field, const clang::TemplateArgume
   model::Event event;
   event.member = field->getNameAsString();
   event.name = annotation.name.value_or(event.member);
-  event.wireName = wireMemberName(event.name, std::nullopt);
+  event.wireName = wireMemberName(model::Named::Event, event.name, std::nullopt);
   if (mapping.context().Idents.get(event.name).isKeyword(mapping.context().getLangOpts())) {
     mapping.error(field, "reserved-name",
                   subject + " is called '" + event.name + "', which C++ keeps for itself",
@@ -362,7 +364,7 @@ model::Interface mapInterfaceDeclaration(const clang::CXXRecordDecl* declaration
   const Annotation annotation = mapping.annotationOf(declaration, Kind::Interface);
   model::Interface result;
   result.name = qualifiedName(declaration);
-  result.wireName = wireTypeName(declaration, annotation.name);
+  result.wireName = wireTypeName(model::Named::Contract, declaration, annotation.name);
   result.doc = mapping.documentationOf(declaration);
   result.source = mapping.sourceOf(declaration);
   result.version = annotation.version.value_or(1);

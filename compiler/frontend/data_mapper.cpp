@@ -1,6 +1,10 @@
 #include "compiler/frontend/data_mapper.h"
 
 #include <clang/AST/DeclFriend.h>
+#include <clang/AST/RecordLayout.h>
+
+#include <algorithm>
+#include <set>
 
 #include "compiler/frontend/ast/defaults.h"
 #include "compiler/frontend/ast/initialiser.h"
@@ -16,6 +20,11 @@ std::string fieldSubject(const clang::FieldDecl* field) {
   return "field '" + field->getNameAsString() + "'";
 }
 
+/// The value, of a std::uint64_t beyond the largest std::int64_t its bits.
+std::int64_t bitsOf(const llvm::APSInt& value) {
+  return value.isSigned() ? value.getSExtValue() : static_cast<std::int64_t>(value.getZExtValue());
+}
+
 model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapping& mapping) {
   const Annotation annotation = mapping.annotationOf(declaration, Kind::Field);
   if (!annotation.unit.empty() || annotation.range || !annotation.capacity.empty() ||
@@ -26,8 +35,8 @@ model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapp
   }
   model::Enumerator enumerator;
   enumerator.name = declaration->getNameAsString();
-  enumerator.wireName = wireMemberName(enumerator.name, annotation.name);
-  enumerator.value = declaration->getInitVal().getExtValue();
+  enumerator.wireName = wireMemberName(model::Named::Enumerator, enumerator.name, annotation.name);
+  enumerator.value = bitsOf(declaration->getInitVal());
   enumerator.fallback = annotation.fallback;
   enumerator.lifecycle = {annotation.since, annotation.deprecated};
   enumerator.was = annotation.was;
@@ -39,17 +48,15 @@ model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapp
 /// A data member on its way into the model.
 struct Candidate {
   const clang::FieldDecl* field;
-  const clang::NamedDecl* place;  ///< where errors are shown: the field, or what lists it
   Annotation annotation;
-  bool reachable;  ///< if it is not public
-
-  bool isListed() const { return place != field; }
+  bool isExternal;  ///< its class cannot be edited
+  bool reachable;   ///< if it is not public
 };
 
 void checkSkipped(const Candidate& candidate, Mapping& mapping) {
   if (candidate.annotation.arguments < 2) return;
   mapping.error(
-      candidate.place, "skip-with-others",
+      candidate.field, "skip-with-others",
       fieldSubject(candidate.field) + " is skipped, so that nothing else can be said of it",
       "keep skip(), or the others");
 }
@@ -61,26 +68,27 @@ void checkDefault(const Candidate& candidate, Default::State state, Mapping& map
     case Default::State::Nothing:
     case Default::State::Constant: return;
     case Default::State::NotConstant:
+      if (candidate.isExternal) return;
       mapping.error(
-          candidate.place, "default-not-constant",
+          candidate.field, "default-not-constant",
           "the initialiser of " + subject +
               " is no constant that a schema can hold; where a sender does not know it, a "
               "receiver would read zero",
           "give it a constant, or make it a std::optional");
       return;
     case Default::State::NotANumber:
-      mapping.error(candidate.place, "default-nan",
+      mapping.error(candidate.field, "default-nan",
                     subject + " is NaN by default, and no contract lets NaN pass",
                     "give it numbers, or make it a std::optional that is empty");
       return;
     case Default::State::TooLong:
-      mapping.error(candidate.place, "default-capacity",
+      mapping.error(candidate.field, "default-capacity",
                     subject + " is longer by default than its capacity",
                     "give it a shorter default or a larger capacity()");
       return;
     case Default::State::Unseen:
-      if (candidate.isListed()) return;
-      mapping.error(candidate.place, "default-unseen",
+      if (candidate.isExternal) return;
+      mapping.error(candidate.field, "default-unseen",
                     "what the default constructor gives " + subject +
                         " cannot be seen here; where a sender does not know it, a receiver may "
                         "read something else",
@@ -89,26 +97,40 @@ void checkDefault(const Candidate& candidate, Default::State state, Mapping& map
   }
 }
 
+/// Whether the field may lie where its type would not be aligned, so that no reference binds to it.
+bool isPacked(const clang::FieldDecl* field) {
+  const clang::ASTContext& context = field->getASTContext();
+  const clang::CharUnits wanted = context.getTypeAlignInChars(field->getType());
+  if (wanted.isOne()) return false;
+  const clang::CharUnits given = context.getASTRecordLayout(field->getParent()).getAlignment();
+  return field->hasAttr<clang::PackedAttr>() || given < wanted;
+}
+
 /// Reports why a field cannot be on the wire, whatever its type. True if an error was reported.
 bool rejectField(const Candidate& candidate, Mapping& mapping) {
   const clang::FieldDecl* field = candidate.field;
-  const clang::NamedDecl* place = candidate.place;
   const std::string subject = fieldSubject(field);
   if (!field->getIdentifier() && field->getType()->isUnionType()) {
-    mapping.error(place, "union", "an anonymous union carries no tag", "use std::variant");
+    mapping.error(field, "union", "an anonymous union carries no tag", "use std::variant");
   } else if (!field->getIdentifier()) {
-    mapping.error(place, "unnamed-field", "an unnamed field has no stable wire name", "name it");
+    mapping.error(field, "unnamed-field", "an unnamed field has no stable wire name", "name it");
   } else if (field->getAccess() != clang::AS_public && !candidate.reachable) {
-    mapping.error(place, "private-field", subject + " is not public",
+    mapping.error(field, "private-field", subject + " is not public",
                   "write SUTURE_FRIEND() in the class, or SUTURE_FIELD(skip()) on the field");
   } else if (field->isBitField()) {
-    mapping.error(place, "bit-field", subject + " is a bit-field; its width would be lost",
+    mapping.error(field, "bit-field", subject + " is a bit-field; its width would be lost",
                   "use a plain integer with range()");
+  } else if (isPacked(field) && field->getAccess() != clang::AS_public) {
+    mapping.error(field, "packed", subject + " is packed and not public",
+                  "make it public, or keep it off the wire: SUTURE_FIELD(skip())");
+  } else if (isPacked(field) && !field->getType().isTriviallyCopyableType(field->getASTContext())) {
+    mapping.error(field, "packed", subject + " is packed, and its type cannot be copied as bytes",
+                  "keep it off the wire: SUTURE_FIELD(skip())");
   } else if (field->isMutable()) {
-    mapping.error(place, "mutable", subject + " is mutable; it is not part of the value",
+    mapping.error(field, "mutable", subject + " is mutable; it is not part of the value",
                   "keep it off the wire: SUTURE_FIELD(skip())");
   } else if (candidate.annotation.fallback) {
-    mapping.error(place, "misplaced-argument", "fallback() applies to an enumerator", "drop it");
+    mapping.error(field, "misplaced-argument", "fallback() applies to an enumerator", "drop it");
   } else {
     return false;
   }
@@ -120,7 +142,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   const clang::FieldDecl* declaration = candidate.field;
   if (annotation.skip) checkSkipped(candidate, mapping);
   if (annotation.skip || rejectField(candidate, mapping)) return std::nullopt;
-  auto type = mapping.typeOf(candidate.place, declaration->getType(), fieldSubject(declaration),
+  auto type = mapping.typeOf(candidate.field, declaration->getType(), fieldSubject(declaration),
                              annotation);
   if (!type) return std::nullopt;
   model::Field field;
@@ -128,6 +150,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   field.wireName = wireMemberName(field.name, annotation.name);
   field.type = std::move(*type);
   field.isHidden = declaration->getAccess() != clang::AS_public;
+  field.isPacked = isPacked(declaration);
   field.unit = annotation.unit;
   field.range = annotation.range;
   field.was = annotation.was;
@@ -136,7 +159,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   field.defaultJson = standard.json;
   field.isPreset = isPreset(declaration);
   field.doc = mapping.documentationOf(declaration);
-  field.source = mapping.sourceOf(candidate.place);
+  field.source = mapping.sourceOf(candidate.field);
   checkDefault(candidate, standard.state, mapping);
   return field;
 }
@@ -197,31 +220,76 @@ bool isDefaultConstructible(const clang::CXXRecordDecl* declaration) {
   return declaration->hasDefaultConstructor();
 }
 
+/// Whether SUTURE_EXTERNAL_TYPE means each public member.
+bool meansAll(const Annotation& external) { return external.all || external.members.empty(); }
+
+/// The members that SUTURE_EXTERNAL_TYPE means; findings about those that it lists appear there.
+std::vector<Candidate> externalCandidates(const DataDeclaration& declared, Mapping& mapping) {
+  std::vector<Candidate> listed;
+  for (const ExternalMember& member : declared.external->members) {
+    mapping.addForeign(member.field, member.place, nullptr);
+    listed.push_back({member.field, member.annotation, true, false});
+  }
+  if (!meansAll(*declared.external)) return listed;
+  std::vector<Candidate> all;
+  for (const clang::FieldDecl* field : declared.record->fields()) {
+    const auto own = std::find_if(listed.begin(), listed.end(),
+                                  [&](const Candidate& one) { return one.field == field; });
+    if (own != listed.end()) {
+      all.push_back(*own);
+    } else if (field->getAccess() == clang::AS_public) {
+      mapping.addForeign(field, field->getLocation(), declared.place);
+      all.push_back({field, {}, true, false});
+    }
+  }
+  return all;
+}
+
+std::vector<Candidate> candidatesOf(const DataDeclaration& declared, Mapping& mapping) {
+  if (declared.external) return externalCandidates(declared, mapping);
+  std::vector<Candidate> all;
+  const bool reachable = hasFriend(declared.record);
+  for (const clang::FieldDecl* field : declared.record->fields()) {
+    all.push_back({field, mapping.annotationOf(field, Kind::Field), false, reachable});
+  }
+  return all;
+}
+
 void checkShape(const DataDeclaration& declared, Mapping& mapping) {
   const clang::CXXRecordDecl* declaration = declared.record;
   const clang::NamedDecl* place = declared.place;
-  const std::string name = "'" + declaration->getNameAsString() + "'";
+  const std::string name = "'" + plainName(declaration) + "'";
   if (declaration->isUnion()) {
     mapping.error(place, "union", name + " is a union; it carries no tag",
                   "use std::variant, or a struct with an enum class that says which member counts");
   }
+  const bool all = declared.external && meansAll(*declared.external);
+  const auto isPublic = [](const clang::FieldDecl* field) {
+    return field->getAccess() == clang::AS_public;
+  };
+  if (all && !declaration->field_empty() &&
+      std::none_of(declaration->field_begin(), declaration->field_end(), isPublic)) {
+    mapping.error(place, "external-type", name + " has no public members",
+                  "specialise suture::Wire for it, which says what it travels as");
+  }
   if (!isDefaultConstructible(declaration)) {
     mapping.error(place, "no-default-constructor",
                   name + " must be default-constructible to be decoded",
-                  "add '" + declaration->getNameAsString() + "() = default;'");
+                  "add '" + plainName(declaration) + "() = default;'");
   }
 }
 
 }  // namespace
 
-model::Enum mapEnumDeclaration(const clang::EnumDecl* declaration, Mapping& mapping) {
-  const Annotation annotation = mapping.annotationOf(declaration, Kind::Type);
+model::Enum mapEnumDeclaration(const EnumDeclaration& declared, Mapping& mapping) {
+  const clang::EnumDecl* declaration = declared.declaration;
   model::Enum result;
-  result.name = qualifiedName(declaration);
-  result.wireName = wireTypeName(declaration, annotation.name);
-  if (!declaration->isScoped()) {
+  result.name = declared.name;
+  result.wireName = declared.wireName;
+  result.isOpen = !declaration->isFixed();
+  if (!declaration->isScoped() && !declared.isExternal()) {
     mapping.error(declaration, "unscoped-enum",
-                  "enum '" + declaration->getNameAsString() + "' leaks its enumerators' names",
+                  "enum '" + plainName(declaration) + "' leaks its enumerators' names",
                   "declare it as enum class");
   }
   const auto* builtin = declaration->getIntegerType()->getAs<clang::BuiltinType>();
@@ -230,18 +298,22 @@ model::Enum mapEnumDeclaration(const clang::EnumDecl* declaration, Mapping& mapp
   if (const auto* type = std::get_if<model::Type>(&underlying)) {
     result.underlying = type->scalar;
   } else {
-    mapping.error(declaration, std::get<TypeProblem>(underlying).slug,
-                  "enum '" + declaration->getNameAsString() + "' has an underlying type that is " +
-                      "not portable",
-                  "use a fixed-width integer");
+    mapping.error(
+        declaration, std::get<TypeProblem>(underlying).slug,
+        "enum '" + plainName(declaration) + "' has an underlying type that is " + "not portable",
+        "use a fixed-width integer");
   }
+  std::set<std::int64_t> values;
   for (const clang::EnumConstantDecl* enumerator : declaration->enumerators()) {
-    result.enumerators.push_back(mapEnumerator(enumerator, mapping));
+    const bool isNew = values.insert(bitsOf(enumerator->getInitVal())).second;
+    // Nobody can drop the second name of a value from a foreign enum, and it means the same.
+    if (isNew || !declared.isExternal())
+      result.enumerators.push_back(mapEnumerator(enumerator, mapping));
   }
-  result.was = annotation.was;
-  result.lifecycle = {annotation.since, annotation.deprecated};
-  result.doc = mapping.documentationOf(declaration);
-  result.source = mapping.sourceOf(declaration);
+  result.was = declared.was;
+  result.lifecycle = declared.lifecycle;
+  result.doc = mapping.documentationOf(declared.place);
+  result.source = mapping.sourceOf(declared.place);
   return result;
 }
 
@@ -251,22 +323,11 @@ model::Struct mapStructDeclaration(const DataDeclaration& declared, Mapping& map
   result.wireName = declared.wireName;
   result.was = declared.was;
   result.lifecycle = declared.lifecycle;
-  const std::string home = namespaceOf(declared.record);
-  if (home != namespaceOf(declared.place)) result.foreignNamespace = home;
   checkShape(declared, mapping);
-  if (declared.listed) {
-    for (const ExternalMember& member : *declared.listed) {
-      auto mapped = mapField({member.field, declared.place, member.annotation, false}, mapping);
-      if (mapped) result.fields.push_back(std::move(*mapped));
-    }
-  } else {
-    addBases(result, declared, mapping);
-    const bool reachable = hasFriend(declared.record);
-    for (const clang::FieldDecl* field : declared.record->fields()) {
-      const Annotation annotation = mapping.annotationOf(field, Kind::Field);
-      auto mapped = mapField({field, field, annotation, reachable}, mapping);
-      if (mapped) result.fields.push_back(std::move(*mapped));
-    }
+  if (!declared.external || meansAll(*declared.external)) addBases(result, declared, mapping);
+  for (const Candidate& candidate : candidatesOf(declared, mapping)) {
+    auto mapped = mapField(candidate, mapping);
+    if (mapped) result.fields.push_back(std::move(*mapped));
   }
   result.doc = mapping.documentationOf(declared.place);
   result.source = mapping.sourceOf(declared.place);

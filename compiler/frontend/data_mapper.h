@@ -6,7 +6,7 @@
 
 namespace suture::compiler::frontend {
 
-model::Enum mapEnumDeclaration(const clang::EnumDecl* declaration, Mapping& mapping);
+model::Enum mapEnumDeclaration(const EnumDeclaration& declared, Mapping& mapping);
 model::Struct mapStructDeclaration(const DataDeclaration& declared, Mapping& mapping);
 
 }  // namespace suture::compiler::frontend

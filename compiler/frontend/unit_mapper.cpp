@@ -4,6 +4,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "compiler/frontend/ast/names.h"
 #include "compiler/frontend/component_mapper.h"
@@ -13,7 +19,6 @@
 #include "compiler/frontend/imports.h"
 #include "compiler/frontend/inheritance.h"
 #include "compiler/frontend/types/type_names.h"
-#include "compiler/model/naming.h"
 
 namespace suture::compiler::frontend {
 namespace {
@@ -41,6 +46,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     }
     for (const Kind kind : kinds) {
       if (kind == Kind::Field && kinds.size() > 1) continue;  // rides on a command or event
+      noteHome(declaration, kind);
       later_.push_back([=, this] { visit(declaration, kind); });
       if (kind == Kind::External) nameExternal(declaration);
     }
@@ -54,6 +60,25 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
  private:
+  /// One header becomes one schema with one namespace: that of its first contract or component,
+  /// else of its first type, else of the first that it names.
+  void noteHome(const clang::NamedDecl* declaration, Kind kind) {
+    const bool names = kind == Kind::External;
+    const bool isType = kind == Kind::Type;
+    if (!names && !isType && kind != Kind::Interface && kind != Kind::Component) return;
+    noteHome(declaration, names ? Home::Name : isType ? Home::Type : Home::Contract);
+  }
+
+  enum class Home { Name, Type, Contract };
+
+  void noteHome(const clang::NamedDecl* declaration, Home home) {
+    model::Header& header = headers_.of(declaration);
+    const auto [known, isFirst] = homes_.try_emplace(&header, home);
+    if (!isFirst && known->second >= home) return;
+    known->second = home;
+    header.cxxNamespace = namespaceOf(declaration);
+  }
+
   /// Finds a kind that may not stand there twice. An event has a SUTURE_FIELD for each value.
   static std::optional<Kind> repeated(const std::vector<Kind>& kinds) {
     const auto count = [&](Kind kind) { return std::count(kinds.begin(), kinds.end(), kind); };
@@ -65,21 +90,39 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
   void nameAlias(const clang::TypedefNameDecl* alias) {
-    if (const auto declared = names_.addAlias(alias)) addLater(*declared);
+    const auto declared = names_.addAlias(alias);
+    if (!declared) return;
+    noteHome(alias, Home::Name);
+    addLater(*declared);
   }
 
   void nameExternal(const clang::NamedDecl* declaration) {
     const auto* members = llvm::dyn_cast<clang::CXXMethodDecl>(declaration);
     if (!members) return;
-    if (const auto declared = names_.addExternal(members)) addLater(*declared);
+    const TypeNames::External declared = names_.addExternal(members);
+    if (const auto* type = std::get_if<DataDeclaration>(&declared)) addLater(*type);
+    if (const auto* type = std::get_if<EnumDeclaration>(&declared)) addLater(*type);
   }
 
-  void addLater(const DataDeclaration& declared) {
-    later_.push_back([=, this] {
-      model::Header& header = headers_.of(declared.place);
-      checkNamespace(declared.place, model::unqualified(declared.name), header);
-      header.structs.push_back(mapStructDeclaration(declared, mapping_));
-    });
+  template <class Declaration>
+  void addLater(const Declaration& declared) {
+    later_.push_back([=, this] { add(declared); });
+  }
+
+  void add(const DataDeclaration& declared) {
+    model::Header& header = headers_.of(declared.place);
+    model::Struct type = mapStructDeclaration(declared, mapping_);
+    type.foreignNamespace = foreignNamespace(declared.record, header);
+    noteDeprecation(declared.record, header);
+    header.structs.push_back(std::move(type));
+  }
+
+  void add(const EnumDeclaration& declared) {
+    model::Header& header = headers_.of(declared.place);
+    model::Enum type = mapEnumDeclaration(declared, mapping_);
+    type.foreignNamespace = foreignNamespace(declared.declaration, header);
+    noteDeprecation(declared.declaration, header);
+    header.enums.push_back(std::move(type));
   }
 
   void visit(clang::NamedDecl* declaration, Kind kind) {
@@ -127,19 +170,17 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     }
     const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag);
     const bool pattern = record && record->getDescribedClassTemplate();
-    if (pattern && kind == Kind::Type) return;  // its instances have wire forms
+    const bool instance = llvm::isa_and_nonnull<clang::ClassTemplateSpecializationDecl>(record);
+    if ((pattern || instance) && kind == Kind::Type) return;  // an alias names it
     if (hasHome(tag)) add(tag, kind);
   }
 
   void add(clang::TagDecl* tag, Kind kind) {
     model::Header& header = headers_.of(tag);
-    checkNamespace(tag, tag->getNameAsString(), header);
     if (header.own) checkGeneratedNames(tag, kind, mapping_);
-    if (auto* enumeration = llvm::dyn_cast<clang::EnumDecl>(tag)) {
-      header.enums.push_back(mapEnumDeclaration(enumeration, mapping_));
-    } else if (kind == Kind::Type) {
-      header.structs.push_back(mapStructDeclaration(declarationOf(tag), mapping_));
-    } else if (kind == Kind::Interface) {
+    if (kind == Kind::Type) return addType(tag);
+    noteDeprecation(tag, header);
+    if (kind == Kind::Interface) {
       header.interfaces.push_back(
           mapInterfaceDeclaration(llvm::cast<clang::CXXRecordDecl>(tag), mapping_));
     } else {
@@ -148,47 +189,74 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
     }
   }
 
-  DataDeclaration declarationOf(clang::TagDecl* tag) {
+  void addType(clang::TagDecl* tag) {
     const Annotation annotation = mapping_.annotationOf(tag, Kind::Type);
-    return {llvm::cast<clang::CXXRecordDecl>(tag),    tag,          qualifiedName(tag),
-            wireTypeName(tag, annotation.name),       std::nullopt, annotation.was,
-            {annotation.since, annotation.deprecated}};
+    const std::string name = qualifiedName(tag);
+    const std::string onWire = wireTypeName(model::Named::Type, tag, annotation.name);
+    const model::Lifecycle lifecycle{annotation.since, annotation.deprecated};
+    if (auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag)) {
+      add(DataDeclaration{record, tag, name, onWire, std::nullopt, annotation.was, lifecycle});
+    } else {
+      add(EnumDeclaration{llvm::cast<clang::EnumDecl>(tag), tag, name, onWire, annotation.was,
+                          lifecycle});
+    }
   }
 
   /// Generated code must be able to name the type from outside and to tell it from others.
   bool hasHome(clang::TagDecl* tag) {
-    const std::string name = "'" + tag->getNameAsString() + "'";
-    const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag);
-    if (!tag->getIdentifier()) {
+    const std::string name = "'" + plainName(tag) + "'";
+    if (plainName(tag).empty()) {
       mapping_.error(tag, "unnamed-type", "an unnamed type has no stable wire name",
                      "name the type");
-    } else if (record && (record->getDescribedClassTemplate() ||
-                          llvm::isa<clang::ClassTemplateSpecializationDecl>(record))) {
+    } else if (isOfTemplate(tag)) {
       mapping_.error(tag, "template-type", name + " is a template; it has no one wire form",
                      "annotate the template of a struct, and name its instances with 'using'");
     } else if (tag->isInAnonymousNamespace() || tag->getParentFunctionOrMethod()) {
       mapping_.error(tag, "local-type", name + " is not visible outside its file",
                      "move it into a named namespace");
-    } else if (!tag->getDeclContext()->getRedeclContext()->isFileContext()) {
+    } else if (tag->getDeclContext()->isRecord() && isAnnotated(tag, Kind::Interface)) {
       mapping_.error(tag, "nested-type", name + " is declared inside a class",
                      "declare it at namespace scope");
+    } else if (!isPublic(tag)) {
+      mapping_.error(tag, "nested-type", name + " is not public in its class",
+                     "make it public, or declare it at namespace scope");
     } else {
       return true;
     }
     return false;
   }
 
-  /// One header becomes one schema with one namespace.
-  void checkNamespace(const clang::NamedDecl* tag, const std::string& name, model::Header& header) {
-    const std::string space = namespaceOf(tag);
-    const bool first = header.enums.empty() && header.structs.empty() &&
-                       header.interfaces.empty() && header.components.empty();
-    if (first) header.cxxNamespace = space;
-    if (header.cxxNamespace == space) return;
-    mapping_.error(tag, "mixed-namespaces",
-                   "'" + name + "' is in namespace '" + space + "', what stands before it in '" +
-                       header.cxxNamespace + "'",
-                   "keep one namespace a header");
+  /// Whether it is a template, or within one.
+  static bool isOfTemplate(const clang::TagDecl* tag) {
+    if (tag->isDependentType() || llvm::isa<clang::ClassTemplateSpecializationDecl>(tag))
+      return true;
+    for (const clang::DeclContext* scope = tag->getDeclContext(); scope->isRecord();
+         scope = scope->getParent()) {
+      if (llvm::isa<clang::ClassTemplateSpecializationDecl>(scope)) return true;
+    }
+    return false;
+  }
+
+  static bool isPublic(const clang::TagDecl* tag) {
+    for (const clang::DeclContext* scope = tag; scope->getParent()->isRecord();
+         scope = scope->getParent()) {
+      if (llvm::cast<clang::TagDecl>(scope)->getAccess() != clang::AS_public) return false;
+    }
+    return true;
+  }
+
+  static void noteDeprecation(const clang::TagDecl* type, model::Header& header) {
+    const auto isDeprecated = [](const clang::Decl* one) {
+      return one->hasAttr<clang::DeprecatedAttr>();
+    };
+    header.hasDeprecated |=
+        isDeprecated(type) || std::any_of(type->decls_begin(), type->decls_end(), isDeprecated);
+  }
+
+  static std::optional<std::string> foreignNamespace(const clang::TagDecl* type,
+                                                     const model::Header& header) {
+    const std::string home = namespaceOf(type);
+    return home == header.cxxNamespace ? std::nullopt : std::optional(home);
   }
 
   static bool isInherited(const clang::Decl* declaration) {
@@ -227,6 +295,7 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   HeaderTable& headers_;
   AnnotationUses& uses_;
   std::vector<std::function<void()>> later_;
+  std::map<const model::Header*, Home> homes_;
 };
 
 /// Reports macros that no declaration of the tree bears, such as those within a function.
@@ -242,7 +311,7 @@ void reportUnseen(const AnnotationUses& uses, Mapping& mapping) {
 
 model::Model mapUnit(clang::Sema& semantics, HeaderTable& headers, SourceTable& table,
                      AnnotationUses& uses, model::Diagnostics& findings) {
-  Mapping mapping(semantics.getASTContext(), table, findings);
+  Mapping mapping(semantics, table, findings);
   TypeNames names(mapping, semantics);
   Visitor visitor(mapping, names, headers, uses);
   visitor.TraverseDecl(semantics.getASTContext().getTranslationUnitDecl());

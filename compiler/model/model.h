@@ -35,6 +35,7 @@ struct Field {
   Type type;
   bool isBase = false;    ///< a base class, not a member
   bool isHidden = false;  ///< not public: reached through suture::Members
+  bool isPacked = false;  ///< no reference binds to it
   std::string unit;       ///< "" = none said
   std::optional<std::pair<double, double>> range;
   std::optional<std::string> was;
@@ -50,7 +51,7 @@ struct Field {
 struct Enumerator {
   std::string name;
   std::string wireName;
-  std::int64_t value = 0;
+  std::int64_t value = 0;  ///< of a UInt64 beyond the largest std::int64_t: its bits
   Documentation doc;
   Source source;
   bool fallback = false;  ///< stands for every enumerator that a receiver does not know
@@ -62,6 +63,9 @@ struct Enum {
   std::string name;  ///< fully qualified: "robots::ArmState"
   std::string wireName;
   Scalar underlying = Scalar::Int32;
+  bool isOpen = false;  ///< no underlying type is declared, so that few integers are values of it
+  /// See Struct.
+  std::optional<std::string> foreignNamespace{};
   std::vector<Enumerator> enumerators;
   std::optional<std::string> was;  ///< its C++ name before, as written
   Lifecycle lifecycle;
@@ -182,6 +186,7 @@ struct Header {
   std::string file;          ///< where it was read, as clang opened it
   std::string cxxNamespace;  ///< enclosing namespace of its declarations: "robots::arm"
   bool own = true;  ///< false: another target's; read for its declarations, nothing is emitted
+  bool hasDeprecated = false;        ///< the compiler warns of the use of some of it
   std::vector<std::string> imports;  ///< paths of the annotated headers whose types it uses, sorted
   std::vector<Enum> enums;
   std::vector<Struct> structs;

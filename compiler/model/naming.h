@@ -7,7 +7,10 @@
 
 namespace suture::compiler::model {
 
-/// What suturec itself puts among the events and the columns of every contract, by wire name.
+/// What suturec itself puts among the methods, parameters, events and columns of every contract, by
+/// wire name.
+inline constexpr std::string_view kBuiltInMethod = "subscribe";
+inline constexpr std::string_view kBuiltInParameter = "sent";
 inline constexpr std::array<std::string_view, 1> kBuiltInEvents{"state"};
 inline constexpr std::array<std::string_view, 3> kBuiltInColumns{"stamp", "evaluated", "tooLarge"};
 

@@ -105,12 +105,12 @@ class Provided<counting::Counter> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    std::int32_t add_amount;
+    std::int32_t add_amount{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

@@ -2513,7 +2513,7 @@ const InterfaceInfo& interfaceInfo<robots::Arm>() {
 }
 
 auto Provided<robots::Arm>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(robots::ArmServoJpArguments::goal)>(scratch.servo_jp_goal);
   reserveFor<decltype(robots::ArmMoveJpArguments::goal)>(scratch.move_jp_goal);
   reserveFor<decltype(robots::ArmForwardKinematicsArguments::q)>(scratch.forward_kinematics_q);

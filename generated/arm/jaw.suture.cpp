@@ -511,7 +511,7 @@ const InterfaceInfo& interfaceInfo<robots::Jaw>() {
 }
 
 auto Provided<robots::Jaw>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(robots::JawServoJpArguments::goal)>(scratch.servo_jp_goal);
   reserveFor<decltype(robots::JawServoJfArguments::goal)>(scratch.servo_jf_goal);
   reserveFor<decltype(robots::JawMoveJpArguments::goal)>(scratch.move_jp_goal);

@@ -146,9 +146,9 @@ class Provided<robots::Jaw> : public Provided<suture::Messages> {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    robots::JointGoal servo_jp_goal;
-    robots::JointEffortGoal servo_jf_goal;
-    robots::JointGoal move_jp_goal;
+    robots::JointGoal servo_jp_goal{};
+    robots::JointEffortGoal servo_jf_goal{};
+    robots::JointGoal move_jp_goal{};
 
     static Scratch reserved();
   };

@@ -327,13 +327,13 @@ const InterfaceInfo& interfaceInfo<bench::LargeBlocks>() {
 }
 
 auto Provided<bench::SmallBlocks>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(bench::SmallBlocksBounceArguments::block)>(scratch.bounce_block);
   return scratch;
 }
 
 auto Provided<bench::LargeBlocks>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(bench::LargeBlocksBounceArguments::block)>(scratch.bounce_block);
   return scratch;
 }

@@ -136,7 +136,7 @@ class Provided<bench::SmallBlocks> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    bench::SmallBlock bounce_block;
+    bench::SmallBlock bounce_block{};
 
     static Scratch reserved();
   };
@@ -213,7 +213,7 @@ class Provided<bench::LargeBlocks> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    bench::LargeBlock bounce_block;
+    bench::LargeBlock bounce_block{};
 
     static Scratch reserved();
   };

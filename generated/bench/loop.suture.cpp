@@ -257,7 +257,7 @@ const InterfaceInfo& interfaceInfo<bench::LoopServer>() {
 }
 
 auto Provided<bench::LoopServer>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(bench::LoopServerPutArguments::value)>(scratch.put_value);
   reserveFor<decltype(bench::LoopServerBounceArguments::value)>(scratch.bounce_value);
   return scratch;

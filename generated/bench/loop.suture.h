@@ -119,8 +119,8 @@ class Provided<bench::LoopServer> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    robots::PosePrm put_value;
-    robots::PosePrm bounce_value;
+    robots::PosePrm put_value{};
+    robots::PosePrm bounce_value{};
 
     static Scratch reserved();
   };

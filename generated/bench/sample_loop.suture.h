@@ -118,13 +118,13 @@ class Provided<bench::SampleServer> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    robots::PoseSample put_value;
-    robots::PoseSample bounce_value;
+    robots::PoseSample put_value{};
+    robots::PoseSample bounce_value{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

@@ -149,13 +149,13 @@ class Provided<robots::Drives> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    std::chrono::steady_clock::time_point power_on_permitted;
-    robots::DriveGoal servo_jp_goal;
+    std::chrono::steady_clock::time_point power_on_permitted{};
+    robots::DriveGoal servo_jp_goal{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

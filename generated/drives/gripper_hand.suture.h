@@ -73,11 +73,11 @@ class Provided<robots::GripperHand> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    double squeeze_angle;
+    double squeeze_angle{};
   };
 
   Contract& implementation_;
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

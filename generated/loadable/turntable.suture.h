@@ -73,11 +73,11 @@ class Provided<loadable::Turntable> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    double turn_angle;
+    double turn_angle{};
   };
 
   Contract& implementation_;
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

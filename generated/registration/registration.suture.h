@@ -92,11 +92,11 @@ class Provided<robots::Registration> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    Eigen::Isometry3d set_camera_camera;
+    Eigen::Isometry3d set_camera_camera{};
   };
 
   Contract& implementation_;
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

@@ -178,14 +178,14 @@ class Provided<robots::Teleoperation> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    double set_scale_scale;
-    bool lock_rotation_lock;
-    bool lock_translation_lock;
+    double set_scale_scale{};
+    bool lock_rotation_lock{};
+    bool lock_translation_lock{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

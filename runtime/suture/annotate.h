@@ -46,6 +46,8 @@ struct Members;
 
 using namespace std::chrono_literals;
 
+// Its functions are constexpr and not consteval: clang 19 crashes on a consteval call in the
+// annotation of a nested struct's member that has a default, where std::optional holds that struct.
 namespace suture::dsl {
 
 using Nanoseconds = std::chrono::nanoseconds;
@@ -113,64 +115,70 @@ struct Fallback {
 struct Bulk {
   bool set;
 };
+struct All {
+  bool set;
+};
 template <class Pointer, class... Arguments>
 struct Member : Arguments... {
   Pointer pointer;
 };
 
 /// Unit of a number, SI or derived: "m", "rad", "m/s", "N.m".
-consteval Unit unit(const char* symbol) { return {symbol}; }
+constexpr Unit unit(const char* symbol) { return {symbol}; }
 /// Inclusive range that the receiving end enforces.
-consteval Range range(double lowest, double highest) { return {lowest, highest}; }
+constexpr Range range(double lowest, double highest) { return {lowest, highest}; }
 /// Upper bounds of strings, lists, maps (one number each) and matrices (rows, columns), outside in.
 template <class... Bounds>
-consteval Capacity capacity(unsigned first, Bounds... more) {
+constexpr Capacity capacity(unsigned first, Bounds... more) {
   static_assert(sizeof...(more) < 8, "a type has at most eight bounds");
   return {first, static_cast<unsigned>(more)...};
 }
 /// The name this had before: keeps its place on the wire.
-consteval Was was(const char* name) { return {name}; }
+constexpr Was was(const char* name) { return {name}; }
 /// The name on the wire, where the C++ name will not do.
-consteval Name name(const char* wireName) { return {wireName}; }
+constexpr Name name(const char* wireName) { return {wireName}; }
 /// How many of this command or event may wait.
-consteval Queue queue(unsigned depth) { return {depth}; }
+constexpr Queue queue(unsigned depth) { return {depth}; }
 /// Only the newest counts: a waiting older one is replaced.
-consteval Latest latest() { return {true}; }
+constexpr Latest latest() { return {true}; }
 /// A command older than this when its turn comes is discarded and counted as late.
-consteval Ttl ttl(Nanoseconds age) { return {age.count()}; }
+constexpr Ttl ttl(Nanoseconds age) { return {age.count()}; }
 /// A late subscriber receives the last value.
-consteval Latched latched() { return {true}; }
+constexpr Latched latched() { return {true}; }
 /// How long within() waits for the answer of this command when it is not told otherwise.
-consteval Deadline deadline(Nanoseconds limit) { return {limit.count()}; }
+constexpr Deadline deadline(Nanoseconds limit) { return {limit.count()}; }
 /// A command that a provider may lack, or a required interface that may stay unconnected.
-consteval Optional optional() { return {true}; }
+constexpr Optional optional() { return {true}; }
 /// A qualified read that may run beside the component, in the thread of a caller in the same
 /// process. For other callers it runs in the component's own thread.
-consteval Concurrent concurrent() { return {true}; }
+constexpr Concurrent concurrent() { return {true}; }
 /// A command that needs no queue because it only touches atomics: it runs at once, before what
 /// waits in the queue, in the thread of a caller in the same process. For other callers it is
 /// queued and runs in the component's own thread.
-consteval Direct direct() { return {true}; }
+constexpr Direct direct() { return {true}; }
 /// The names and payloads of this contract follow CRTK; suturec checks them.
-consteval Crtk crtk() { return {true}; }
+constexpr Crtk crtk() { return {true}; }
 /// The major version of a contract: two versions do not connect.
-consteval Version version(unsigned number) { return {number}; }
+constexpr Version version(unsigned number) { return {number}; }
 /// The version that this came with: of its contract, or of what the project calls one.
-consteval Since since(unsigned version) { return {version}; }
+constexpr Since since(unsigned version) { return {version}; }
 /// The compiler warns whoever still uses this, and gives the reason.
-consteval Deprecated deprecated(const char* why) { return {why}; }
+constexpr Deprecated deprecated(const char* why) { return {why}; }
 /// Values older than this are stale to the component, unless a connection says otherwise.
-consteval MaxAge max_age(Nanoseconds age) { return {age.count()}; }
+constexpr MaxAge max_age(Nanoseconds age) { return {age.count()}; }
 /// The field is not part of the value: it stays in this process.
-consteval Skip skip() { return {true}; }
+constexpr Skip skip() { return {true}; }
 /// A receiver takes this enumerator for each one that it does not know.
-consteval Fallback fallback() { return {true}; }
+constexpr Fallback fallback() { return {true}; }
 /// The list or matrix of numbers travels as one block of little-endian bytes, which is faster
 /// to copy and which no other language reads without knowing so.
-consteval Bulk bulk() { return {true}; }
+constexpr Bulk bulk() { return {true}; }
+/// All public members of an external type are on the wire; those that are listed too have their own
+/// annotations, of which skip() takes one out.
+constexpr All all() { return {true}; }
 /// A member of an external type, with what else would stand in its SUTURE_FIELD.
 template <class Pointer, class... Arguments>
-consteval Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arguments) {
+constexpr Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arguments) {
   return {arguments..., pointer};
 }
 
@@ -200,16 +208,17 @@ consteval Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arg
 #define SUTURE_COMPONENT(...) SUTURE_ANNOTATE("component", __VA_ARGS__)
 #define SUTURE_REQUIRED(...) SUTURE_ANNOTATE("required", __VA_ARGS__)
 
-// Each item of SUTURE_EXTERNAL_TYPE is name("..."), member(m, ...) or a member's plain name, which
-// becomes a dsl call. What `item` is, is told by pasting it: only the first two are macros then.
+// Each item of SUTURE_EXTERNAL_TYPE is all(), name("..."), member(m, ...) or a member's plain name,
+// which becomes a dsl call. Pasting tells what `item` is: only the first three are macros then.
 #define SUTURE_ITEM_member(...) ~, SUTURE_ITEM_ANNOTATED
-#define SUTURE_ITEM_name(...) ~, SUTURE_ITEM_NAME
+#define SUTURE_ITEM_name(...) ~, SUTURE_ITEM_CALL
+#define SUTURE_ITEM_all(...) ~, SUTURE_ITEM_CALL
 #define SUTURE_ITEM_CHOOSE(ignored, chosen, ...) chosen
 #define SUTURE_ITEM_KIND(...) SUTURE_ITEM_CHOOSE(__VA_ARGS__)
 #define SUTURE_ITEM(item) \
   , SUTURE_ITEM_KIND(SUTURE_ITEM_##item, SUTURE_ITEM_PLAIN, )(item, SUTURE_OPEN_##item)
 #define SUTURE_ITEM_PLAIN(item, ...) ::suture::dsl::member(&Type::item)
-#define SUTURE_ITEM_NAME(item, ...) ::suture::dsl::item
+#define SUTURE_ITEM_CALL(item, ...) ::suture::dsl::item
 #define SUTURE_ITEM_ANNOTATED(item, ...) ::suture::dsl::member(__VA_ARGS__)
 #define SUTURE_OPEN_member(m, ...) &Type::m SUTURE_DSL(__VA_ARGS__)
 #define SUTURE_AGAIN() SUTURE_ITEMS_LOOP
@@ -219,7 +228,10 @@ consteval Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arg
 #define SUTURE_SCAN_1(...) __VA_ARGS__
 #define SUTURE_SCAN_2(...) SUTURE_SCAN_1(SUTURE_SCAN_1(SUTURE_SCAN_1(__VA_ARGS__)))
 #define SUTURE_SCAN_3(...) SUTURE_SCAN_2(SUTURE_SCAN_2(SUTURE_SCAN_2(__VA_ARGS__)))
-#define SUTURE_SCAN(...) SUTURE_SCAN_3(SUTURE_SCAN_3(SUTURE_SCAN_3(__VA_ARGS__)))
+#define SUTURE_SCAN_4(...) SUTURE_SCAN_3(SUTURE_SCAN_3(SUTURE_SCAN_3(__VA_ARGS__)))
+#define SUTURE_SCAN_5(...) SUTURE_SCAN_4(SUTURE_SCAN_4(SUTURE_SCAN_4(__VA_ARGS__)))
+#define SUTURE_SCAN_6(...) SUTURE_SCAN_5(SUTURE_SCAN_5(SUTURE_SCAN_5(__VA_ARGS__)))
+#define SUTURE_SCAN(...) SUTURE_SCAN_6(SUTURE_SCAN_6(SUTURE_SCAN_6(__VA_ARGS__)))
 #define SUTURE_ITEMS(...) __VA_OPT__(SUTURE_SCAN(SUTURE_ITEMS_LOOP(__VA_ARGS__)))
 #define SUTURE_JOIN_NOW(a, b) a##b
 #define SUTURE_JOIN(a, b) SUTURE_JOIN_NOW(a, b)
@@ -239,8 +251,9 @@ consteval Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arg
 #define SUTURE_EVENT(...)
 #define SUTURE_COMPONENT(...)
 #define SUTURE_REQUIRED(...)
-/// At namespace scope, for a struct that cannot be edited: its members that are on the wire, each
-/// by its name or as member(m, unit("m"), ...). A semicolon stands behind it.
+/// At namespace scope, for a struct or enum that cannot be edited. Without a list, or with all(),
+/// each public member is on the wire, else those that are listed, by name or as
+/// member(m, unit("m"), ...). A semicolon stands behind it.
 #define SUTURE_EXTERNAL_TYPE(T, ...) static_assert(true)
 
 #endif

@@ -481,7 +481,7 @@ const InterfaceInfo& interfaceInfo<reference::ArmLike>() {
 }
 
 auto Provided<reference::ArmLike>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(reference::ArmLikeServoJpArguments::goal)>(scratch.servo_jp_goal);
   reserveFor<decltype(reference::ArmLikeMoveArguments::reason)>(scratch.move_reason);
   return scratch;

@@ -197,15 +197,15 @@ class Provided<reference::ArmLike> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    reference::PoseStamped servo_cp_goal;
-    reference::JointState servo_jp_goal;
-    reference::Mode set_mode_mode;
-    reference::PoseStamped distance_to;
-    reference::PoseStamped move_goal;
-    double move_speed;
-    std::string move_reason;
-    double limit_speed;
-    reference::Mode limit_mode;
+    reference::PoseStamped servo_cp_goal{};
+    reference::JointState servo_jp_goal{};
+    reference::Mode set_mode_mode{};
+    reference::PoseStamped distance_to{};
+    reference::PoseStamped move_goal{};
+    double move_speed{};
+    std::string move_reason{};
+    double limit_speed{};
+    reference::Mode limit_mode{};
 
     static Scratch reserved();
   };

@@ -118,13 +118,13 @@ class Provided<reference::GripperArm> : public Provided<reference::ArmLike> {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    double close_width;
-    double fits_width;
+    double close_width{};
+    double fits_width{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

@@ -134,7 +134,8 @@ template <class Emit>
 void forEachArguments(const Context& context, const model::Interface& interface, const Emit& emit) {
   for (const model::Command& command : interface.commands) {
     if (command.parameters.empty() || !command.inheritedFrom.empty()) continue;
-    emit(command, relative(argumentsStruct(interface, command), context.header.cxxNamespace));
+    emit(command,
+         relative(argumentsStruct(interface, command, context), context.header.cxxNamespace));
   }
 }
 template <class Emit>
@@ -161,7 +162,7 @@ void emitNumbers(Code& code, const std::string& contract, const char* kind, cons
 }  // namespace
 
 void emitArguments(Code& code, const Context& context, const model::Interface& interface) {
-  const std::string contract = prefixOf(interface);
+  const std::string contract = prefixOf(interface, context);
   std::string title = ": the arguments of its commands ---";
   const auto titled = [&] {
     if (!title.empty()) code.line("// --- ", contract, std::exchange(title, "")).blank();

@@ -10,7 +10,7 @@ void emitEnum(Code& code, const model::Enum& declaration, const std::string& hom
   code.line("static_assert(std::is_same_v<std::underlying_type_t<", name, ">, ", underlying, ">);");
   for (const model::Enumerator& enumerator : declaration.enumerators) {
     code.line("static_assert(static_cast<", underlying, ">(", name, "::", enumerator.name,
-              ") == ", grouped(enumerator.value), ");");
+              ") == ", valueLiteral(declaration, enumerator), ");");
   }
 }
 

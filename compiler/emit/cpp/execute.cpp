@@ -16,10 +16,10 @@ std::string call(const model::Command& command) {
 
 void emitCase(Code& code, const Context& context, const model::Interface& interface,
               const model::Command& command) {
-  code.open("case ", prefixOf(interface), "Command::", command.name, ": {");
+  code.open("case ", prefixOf(interface, context), "Command::", command.name, ": {");
   if (!command.parameters.empty()) {
-    code.line("const auto& slot = ", kBreakText, "slotIn<", argumentsStruct(interface, command),
-              ">(arguments);");
+    code.line("const auto& slot = ", kBreakText, "slotIn<",
+              argumentsStruct(interface, command, context), ">(arguments);");
     for (const model::Parameter& parameter : command.parameters) {
       code.line("load(slot.", parameter.name, ", scratch_.", scratchName(command, parameter), ");");
     }
@@ -42,10 +42,11 @@ void emitReserved(Code& code, const Context& context, const model::Interface& in
   const std::vector<Argument> arguments = reservedArguments(interface, context.lookup);
   if (arguments.empty()) return;
   code.open("auto Provided<", interface.name, ">::Scratch::reserved() -> Scratch {");
-  code.line("Scratch scratch{};");
+  code.line("Scratch scratch;");
   for (const auto& [command, parameter] : arguments) {
-    code.line("reserveFor<decltype(", argumentsStruct(interface, command), "::", parameter.name,
-              ")>(", kBreakText, "scratch.", scratchName(command, parameter), ");");
+    code.line("reserveFor<decltype(", argumentsStruct(interface, command, context),
+              "::", parameter.name, ")>(", kBreakText, "scratch.", scratchName(command, parameter),
+              ");");
   }
   code.line("return scratch;").close("}").blank();
 }
@@ -65,8 +66,8 @@ void emitExecute(Code& code, const Context& context, const model::Interface& int
             named("command", any), ", ", kBreakText, "const std::byte* ", named("arguments", takes),
             ", ", kBreakText, "std::byte* ", named("result", answers), ") {");
   if (any) {
-    code.line("using ::", interface.name, "Command;");
-    code.open("switch (static_cast<", prefixOf(interface), "Command>(command)) {");
+    code.line("using ::", generatedName(interface.name, context.lookup), "Command;");
+    code.open("switch (static_cast<", prefixOf(interface, context), "Command>(command)) {");
     for (const model::Command* const command : own) emitCase(code, context, interface, *command);
     code.close("}");
   }

@@ -23,7 +23,7 @@ void emitScratch(Code& code, const model::Interface& interface, bool reserves) {
   code.open("struct Scratch {");
   for (const model::Command* const command : ownCommands(interface)) {
     for (const model::Parameter& parameter : command->parameters) {
-      code.line(cxxType(parameter.type, "suture"), " ", scratchName(*command, parameter), ";");
+      code.line(cxxType(parameter.type, "suture"), " ", scratchName(*command, parameter), "{};");
     }
   }
   if (reserves) code.blank().line("static Scratch reserved();");
@@ -55,7 +55,9 @@ void emitProvided(Code& code, const Context& context, const model::Interface& in
   code.open("class Provided<", interface.name, "> : public ", baseClass("Provided", interface),
             " {");
   code.line("using Contract = ", interface.name, ";");
-  if (events) code.line("using EventId = ", interface.name, "Event;");
+  if (events) {
+    code.line("using EventId = ", generatedName(interface.name, context.lookup), "Event;");
+  }
   code.blank().label("public:");
   code.line("Provided(Component& owner, std::string_view name, Contract& implementation)");
   code.line("    : Provided(owner, name, interfaceInfo<Contract>(), ", kBreakText,
@@ -72,7 +74,7 @@ void emitProvided(Code& code, const Context& context, const model::Interface& in
   if (scratch) emitScratch(code, interface, reserves);
   if (commands) code.line("Contract& implementation_;");
   if (events) code.line("Events events_{*this};");
-  if (scratch) code.line("Scratch scratch_", reserves ? " = Scratch::reserved();" : "{};");
+  if (scratch) code.line("Scratch scratch_", reserves ? " = Scratch::reserved();" : ";");
   code.close("};").blank();
 }
 

@@ -127,6 +127,8 @@ bool holdsNumbers(const model::Type& type) {
 std::string namespaceFor(const std::string& name, const Context& context) {
   const model::Struct* const record = context.lookup.findStruct(name);
   if (record && record->foreignNamespace) return *record->foreignNamespace;
+  const model::Enum* const enumeration = context.lookup.findEnum(name);
+  if (enumeration && enumeration->foreignNamespace) return *enumeration->foreignNamespace;
   return context.lookup.headerOf(name)->cxxNamespace;
 }
 
@@ -137,8 +139,8 @@ void emitStruct(Code& code, const model::Struct& declaration, const std::string&
     const bool bounded = field.range && holdsNumbers(field.type);
     const std::string range =
         bounded ? ", " + cxxNumber(field.range->first) + ", " + cxxNumber(field.range->second) : "";
-    code.line("reader.field(\"", field.name, "\", ", kBreakText,
-              access(declaration, field, "value", false, home), range, ");");
+    const std::string before = "reader.field(\"" + field.name + "\", " + kBreak;
+    code.line(changeField(declaration, field, before, range + ")", home));
   }
   code.line("reader.finish();");
 }

@@ -12,8 +12,9 @@ using model::CommandKind;
 /// Everything here lies in namespace suture, where user names are spelled in full.
 constexpr char kHome[] = "suture";
 
-std::string argumentsSlot(const model::Interface& interface, const model::Command& command) {
-  return command.parameters.empty() ? "NoSlot" : argumentsStruct(interface, command);
+std::string argumentsSlot(const Context& context, const model::Interface& interface,
+                          const model::Command& command) {
+  return command.parameters.empty() ? "NoSlot" : argumentsStruct(interface, command, context);
 }
 
 /// "ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot>".
@@ -24,15 +25,15 @@ std::string memberType(const Context& context, const model::Interface& interface
   switch (command.kind) {
     case CommandKind::Void:
     case CommandKind::Write:
-      return "Command<" + method + ", " + kBreak + argumentsSlot(interface, command) + ">";
+      return "Command<" + method + ", " + kBreak + argumentsSlot(context, interface, command) + ">";
     case CommandKind::Read: return "ReadCommand<" + method + ", " + kBreak + result() + ">";
     case CommandKind::QualifiedRead:
-      return "QualifiedReadCommand<" + method + ", " + kBreak + argumentsSlot(interface, command) +
-             ", " + kBreak + result() + ">";
+      return "QualifiedReadCommand<" + method + ", " + kBreak +
+             argumentsSlot(context, interface, command) + ", " + kBreak + result() + ">";
     case CommandKind::VoidReturn:
     case CommandKind::WriteReturn:
-      return "ReturningCommand<" + method + ", " + kBreak + argumentsSlot(interface, command) +
-             ", " + kBreak + result() + ">";
+      return "ReturningCommand<" + method + ", " + kBreak +
+             argumentsSlot(context, interface, command) + ", " + kBreak + result() + ">";
   }
   return "";
 }
@@ -109,7 +110,7 @@ void emitRequired(Code& code, const Context& context, const model::Interface& in
   code.open("class Required<", interface.name, "> : public ", baseClass("Required", interface),
             " {");
   code.line("using Contract = ", interface.name, ";");
-  emitNumberAliases(code, interface);
+  emitNumberAliases(code, context, interface);
   code.blank().label("public:");
   emitConstructor(code, interface);
   for (const model::Command* const command : ownCommands(interface)) {

@@ -57,31 +57,36 @@ void emitStruct(Code& code, const Context& context, const model::Struct& declara
   code.close("};").blank();
 }
 
-std::string storeSignature(const std::string& type, const std::string& slot) {
-  return "bool store(const " + type + "& value, " + kBreak + slot + "& slot)";
+/// Without the names of the parameters where nothing uses them.
+std::string storeSignature(const std::string& type, const std::string& slot, bool any = true) {
+  return "bool store(const " + type + "&" + (any ? " value, " : ", ") + kBreak + slot + "&" +
+         (any ? " slot)" : ")");
 }
 
-std::string loadSignature(const std::string& type, const std::string& slot) {
-  return "void load(const " + slot + "& slot, " + kBreak + type + "& value)";
+std::string loadSignature(const std::string& type, const std::string& slot, bool any = true) {
+  return "void load(const " + slot + "&" + (any ? " slot, " : ", ") + kBreak + type + "&" +
+         (any ? " value)" : ")");
 }
 
 void emitStore(Code& code, const model::Struct& declaration, const std::string& home,
                const std::string& slot) {
-  code.open(storeSignature(relative(declaration.name, home), slot), " {");
-  code.line("bool fits = true;");
+  const bool any = !declaration.fields.empty();
+  code.open(storeSignature(relative(declaration.name, home), slot, any), " {");
+  if (any) code.line("bool fits = true;");
   for (const model::Field& field : declaration.fields) {
     code.line("fits &= store(", access(declaration, field, "value", true, home), ", ", kBreakText,
               "slot.", field.name, ");");
   }
-  code.line("return fits;").close("}").blank();
+  code.line(any ? "return fits;" : "return true;").close("}").blank();
 }
 
 void emitLoad(Code& code, const model::Struct& declaration, const std::string& home,
               const std::string& slot) {
-  code.open(loadSignature(relative(declaration.name, home), slot), " {");
+  const bool any = !declaration.fields.empty();
+  code.open(loadSignature(relative(declaration.name, home), slot, any), " {");
   for (const model::Field& field : declaration.fields) {
-    code.line("load(slot.", field.name, ", ", kBreakText,
-              access(declaration, field, "value", false, home), ");");
+    code.line(
+        changeField(declaration, field, "load(slot." + field.name + ", " + kBreak, ")", home));
   }
   code.close("}").blank();
 }

@@ -60,7 +60,7 @@ void emitCommand(Code& table, Code& before, const Context& context,
   std::vector<std::string> members = {
       ".name = \"" + command.name + "\"",
       std::string(".kind = CommandKind::") + kindName(command.kind)};
-  const std::string slot = relative(argumentsStruct(interface, command), home);
+  const std::string slot = relative(argumentsStruct(interface, command, context), home);
   if (!command.parameters.empty()) {
     members.push_back(".argumentsSize = slotSize<" + slot + ">");
   }
@@ -90,7 +90,7 @@ void emitCommand(Code& table, Code& before, const Context& context,
                       ", " + check + ">");
   }
   addMember(members, ".shiftArguments", shiftOf(slot, argumentValues(command), context));
-  const std::string name = prefixOf(interface) + model::titleCase(command.wireName);
+  const std::string name = prefixOf(interface, context) + model::titleCase(command.wireName);
   if (command.result) {
     addMember(members, ".shiftResult",
               emitShiftOf(before, *command.result, "shift" + name + "Result", context));
@@ -116,7 +116,7 @@ void emitCommands(Code& code, const Context& context, const model::Interface& in
       emitCommand(table, code, context, interface, command, column);
     }
   }
-  code.line("constexpr CommandInfo k", prefixOf(interface), "Commands[] = {");
+  code.line("constexpr CommandInfo k", prefixOf(interface, context), "Commands[] = {");
   code.verbatim(table.text()).line("};").blank();
 }
 
@@ -124,7 +124,8 @@ std::string shiftOfPayload(Code& before, const Context& context, const model::In
                            const model::Event& event) {
   const std::string slot = payloadSlot(interface, event, context, context.header.cxxNamespace);
   if (event.payload.size() != 1) return shiftOf(slot, payloadValues(event), context);
-  const std::string name = "shift" + prefixOf(interface) + model::titleCase(event.wireName);
+  const std::string name =
+      "shift" + prefixOf(interface, context) + model::titleCase(event.wireName);
   return emitShiftOf(before, event.payload.front(), name + "Payload", context);
 }
 
@@ -132,7 +133,7 @@ std::string levelsOfPayload(Code& before, const Context& context, const model::I
                             const model::Event& event) {
   if (event.payload.empty()) return "";
   const std::string name =
-      "k" + prefixOf(interface) + model::titleCase(event.wireName) + "PayloadLevels";
+      "k" + prefixOf(interface, context) + model::titleCase(event.wireName) + "PayloadLevels";
   return emitLevels(before, name,
                     payloadSlot(interface, event, context, context.header.cxxNamespace),
                     payloadValues(event), context);
@@ -164,7 +165,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
     addMember(members, ".payloadLevels", levelsOfPayload(code, context, interface, *event));
     emitEntry(table, members);
   }
-  code.line("constexpr EventInfo k", prefixOf(interface), "Events[] = {");
+  code.line("constexpr EventInfo k", prefixOf(interface, context), "Events[] = {");
   code.verbatim(table.text()).line("};").blank();
 }
 
@@ -187,13 +188,13 @@ void emitTables(Code& code, const Context& context, const model::Interface& inte
   emitCommands(code, context, interface);
   emitEvents(code, context, interface);
   code.line("// The self-description, as in ", model::stemOf(context.header.path), ".suture.json.");
-  code.line("constexpr char k", prefixOf(interface), "Description[] = R\"json(");
+  code.line("constexpr char k", prefixOf(interface, context), "Description[] = R\"json(");
   code.verbatim(packed(describe(context, interface))).line(")json\";").blank();
 }
 
 void emitInfo(Code& code, const Context& context, const model::Interface& interface) {
   const std::string& home = context.header.cxxNamespace;
-  const std::string tables = (home.empty() ? "::k" : home + "::k") + prefixOf(interface);
+  const std::string tables = (home.empty() ? "::k" : home + "::k") + prefixOf(interface, context);
   code.line("template <>");
   code.open("const InterfaceInfo& interfaceInfo<", interface.name, ">() {");
   const std::string commands = rows(code, interface, "commands", tables + "Commands",
@@ -207,7 +208,8 @@ void emitInfo(Code& code, const Context& context, const model::Interface& interf
   code.line("    .description = ", tables, "Description,");
   code.line("    .commands = ", commands, ",");
   code.line("    .events = ", events, ",");
-  code.line("    .codec = &", home.empty() ? "::" : home + "::", codecFunction(interface), ",");
+  code.line("    .codec = &", home.empty() ? "::" : home + "::", codecFunction(context, interface),
+            ",");
   if (derives) {
     code.line("    .base = &interfaceInfo<", interface.base, ">,");
     code.line("    .toBase = &castToBase<", interface.name, ", ", kBreakText, interface.base, ">,");

@@ -142,7 +142,7 @@ Json enumOf(const model::Enum& declaration) {
   addLifecycle(json, declaration.lifecycle);
   json["underlying"] = scalarName(declaration.underlying);
   for (const model::Enumerator& enumerator : declaration.enumerators) {
-    Json one{{"name", enumerator.name}, {"value", enumerator.value}};
+    Json one{{"name", enumerator.name}, {"value", Json::parse(valueText(declaration, enumerator))}};
     addWireName(one, enumerator.name, enumerator.wireName);
     if (enumerator.fallback) one["fallback"] = true;
     addDoc(one, enumerator.doc);

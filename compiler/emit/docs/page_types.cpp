@@ -162,7 +162,7 @@ std::string PageTypes::section(const model::Enum& declaration) const {
       words += (words.empty() ? "" : " ") +
                std::string("Stands for every value that a receiver does not know.");
     }
-    table.add({inCode(one.name), std::to_string(one.value), words});
+    table.add({inCode(one.name), valueText(declaration, one), words});
   }
   return "### " + heading(declaration.name) + "\n\n" +
          paragraph(about(declaration.doc, declaration.lifecycle)) + table.text();

@@ -1,8 +1,11 @@
 #include "compiler/emit/text/context.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <set>
 
+#include "compiler/emit/text/code.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/model/naming.h"
 
@@ -17,12 +20,16 @@ std::string relative(const std::string& name, const std::string& inNamespace) {
   return !inNamespace.empty() && name.starts_with(prefix) ? name.substr(prefix.size()) : name;
 }
 
-std::string slotStruct(const std::string& structName, const model::Lookup& lookup) {
-  const model::Header* const header = lookup.headerOf(structName);
+std::string generatedName(const std::string& declared, const model::Lookup& lookup) {
+  const model::Header* const header = lookup.headerOf(declared);
   const std::string home = header == nullptr ? "" : header->cxxNamespace;
-  std::string flat = relative(structName, home);
+  std::string flat = relative(declared, home);
   for (std::size_t at; (at = flat.find("::")) != std::string::npos;) flat.erase(at, 2);
-  return (home.empty() ? "" : home + "::") + flat + "Slot";
+  return (home.empty() ? "" : home + "::") + flat;
+}
+
+std::string slotStruct(const std::string& structName, const model::Lookup& lookup) {
+  return generatedName(structName, lookup) + "Slot";
 }
 
 std::string cxxScalar(Scalar scalar) {
@@ -112,9 +119,23 @@ std::string access(const model::Struct& owner, const model::Field& field, const 
     return "suture::Members<" + relative(owner.name, inNamespace) + ">::" + field.name + "(" +
            object + ")";
   }
+  if (field.isPacked) {
+    return "suture::unpacked(" + object + ", &" + relative(owner.name, inNamespace) +
+           "::" + field.name + ").value";
+  }
   if (!field.isBase) return object + "." + field.name;
   return std::string("static_cast<") + (isConst ? "const " : "") +
          cxxType(field.type, inNamespace) + "&>(" + object + ")";
+}
+
+std::string changeField(const model::Struct& owner, const model::Field& field,
+                        const std::string& before, const std::string& after,
+                        const std::string& inNamespace) {
+  if (!field.isPacked) {
+    return before + access(owner, field, "value", false, inNamespace) + after + ";";
+  }
+  return "suture::changePacked(value, &" + relative(owner.name, inNamespace) + "::" + field.name +
+         ", " + kBreak + "[&](auto& field) { " + before + "field" + after + "; });";
 }
 
 namespace {
@@ -193,29 +214,31 @@ std::string pascalCase(const std::string& cxxName) {
   return model::titleCase(model::camelCase(cxxName));
 }
 
-std::string prefixOf(const model::Interface& interface) {
-  return model::unqualified(interface.name);
+std::string prefixOf(const model::Interface& interface, const Context& context) {
+  return model::unqualified(generatedName(interface.name, context.lookup));
 }
 
 namespace {
 
 /// "robots::ArmServoCp" + `ending`, of the contract that declares the member.
-std::string memberStruct(const std::string& contract, const std::string& inheritedFrom,
-                         const std::string& member, const char* ending) {
-  return (inheritedFrom.empty() ? contract : inheritedFrom) + pascalCase(member) + ending;
+template <class Member>
+std::string memberStruct(const model::Interface& interface, const Member& member,
+                         const char* ending, const Context& context) {
+  const std::string& owner = member.inheritedFrom.empty() ? interface.name : member.inheritedFrom;
+  return generatedName(owner, context.lookup) + pascalCase(member.name) + ending;
 }
 
 }  // namespace
 
-std::string argumentsStruct(const model::Interface& interface, const model::Command& command) {
-  return memberStruct(interface.name, command.inheritedFrom, command.name, "Arguments");
+std::string argumentsStruct(const model::Interface& interface, const model::Command& command,
+                            const Context& context) {
+  return memberStruct(interface, command, "Arguments", context);
 }
 
 std::string payloadSlot(const model::Interface& interface, const model::Event& event,
                         const Context& context, const std::string& inNamespace) {
   if (event.payload.size() == 1) return slotType(event.payload[0], context, inNamespace);
-  return relative(memberStruct(interface.name, event.inheritedFrom, event.name, "Payload"),
-                  inNamespace);
+  return relative(memberStruct(interface, event, "Payload", context), inNamespace);
 }
 
 std::string openNamespace(const std::string& name) {
@@ -230,14 +253,33 @@ std::string banner(const model::Header& header) {
   return "// Written by suturec from " + header.path + ". Do not edit.\n";
 }
 
-std::string grouped(std::int64_t number) {
-  std::string digits = std::to_string(number);
-  const std::size_t sign = number < 0 ? 1 : 0;
+namespace {
+
+std::string groupedDigits(std::string digits) {
+  const std::size_t sign = digits.front() == '-' ? 1 : 0;
   for (std::size_t i = digits.size(); i > sign + 3;) {
     i -= 3;
     digits.insert(i, "'");
   }
   return digits;
+}
+
+}  // namespace
+
+std::string grouped(std::int64_t number) { return groupedDigits(std::to_string(number)); }
+
+std::string valueText(const model::Enum& type, const model::Enumerator& enumerator) {
+  return type.underlying == Scalar::UInt64
+             ? std::to_string(static_cast<std::uint64_t>(enumerator.value))
+             : std::to_string(enumerator.value);
+}
+
+std::string valueLiteral(const model::Enum& type, const model::Enumerator& enumerator) {
+  if (enumerator.value == std::numeric_limits<std::int64_t>::min()) {
+    if (type.underlying == Scalar::Int64) return "std::numeric_limits<std::int64_t>::min()";
+  }
+  const bool wide = type.underlying == Scalar::UInt32 || type.underlying == Scalar::UInt64;
+  return groupedDigits(valueText(type, enumerator)) + (wide ? "u" : "");
 }
 
 }  // namespace suture::compiler::emit

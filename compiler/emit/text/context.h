@@ -25,6 +25,10 @@ struct Context {
 /// "robots::arm::Pose" -> "Pose" within namespace "robots::arm"; unchanged elsewhere.
 std::string relative(const std::string& name, const std::string& inNamespace);
 
+/// How what is generated for a declaration begins, in its header's namespace: "robots::Pose" of
+/// itself, "robots::ArmState" of "robots::Arm::State", "robots::msgsPose" of "msgs::Pose".
+std::string generatedName(const std::string& declared, const model::Lookup& lookup);
+
 /// The slot struct of a SUTURE_TYPE, qualified: "robots::PoseStampedSlot".
 std::string slotStruct(const std::string& structName, const model::Lookup& lookup);
 
@@ -42,9 +46,16 @@ std::string cxxScalar(model::Scalar scalar);
 std::string elementSlot(const model::Type& type, const Context& context,
                         const std::string& inNamespace);
 
-/// How a field of `object`, an lvalue called so, is reached from namespace `inNamespace`.
+/// How a field of `object`, an lvalue called so, is reached from namespace `inNamespace`; of a
+/// packed field a copy.
 std::string access(const model::Struct& owner, const model::Field& field, const std::string& object,
                    bool isConst, const std::string& inNamespace);
+
+/// A statement that changes a field of `value`, spelled as within namespace `inNamespace`: `before`
+/// and `after` stand around the field.
+std::string changeField(const model::Struct& owner, const model::Field& field,
+                        const std::string& before, const std::string& after,
+                        const std::string& inNamespace);
 
 /// False if some level in it has no capacity, or it holds itself: then its slot owns memory.
 bool isBounded(const model::Type& type, const model::Lookup& lookup);
@@ -56,12 +67,13 @@ bool holdsRecursive(const model::Type& type, const model::Lookup& lookup);
 /// "servo_cp" -> "ServoCp": a part of the name of something generated.
 std::string pascalCase(const std::string& cxxName);
 
-/// The unqualified name of a contract, which begins the names of what is generated for it.
-std::string prefixOf(const model::Interface& interface);
+/// The unqualified name that begins the names of what is generated for a contract.
+std::string prefixOf(const model::Interface& interface, const Context& context);
 
 /// "robots::ArmServoCpArguments": the slot of a command's parameters, of the contract that declares
 /// it.
-std::string argumentsStruct(const model::Interface& interface, const model::Command& command);
+std::string argumentsStruct(const model::Interface& interface, const model::Command& command,
+                            const Context& context);
 
 /// The slot of an event's payload: the value's own, or "robots::ArmMovedPayload" when it has
 /// several. Spelled as within namespace `inNamespace`.
@@ -77,5 +89,11 @@ std::string banner(const model::Header& header);
 
 /// "50'000'000": a number as people group it in C++.
 std::string grouped(std::int64_t number);
+
+/// The value of an enumerator, as people read it: "18446744073709551615".
+std::string valueText(const model::Enum& type, const model::Enumerator& enumerator);
+
+/// The same as a C++ constant of the underlying type: "18'446'744'073'709'551'615u".
+std::string valueLiteral(const model::Enum& type, const model::Enumerator& enumerator);
 
 }  // namespace suture::compiler::emit

@@ -49,9 +49,10 @@ void emitEventConstructor(Code& code, const model::Interface& interface, const s
   }
 }
 
-void emitNumberAliases(Code& code, const model::Interface& interface) {
-  if (!ownCommands(interface).empty()) code.line("using Id = ", interface.name, "Command;");
-  if (!ownEvents(interface).empty()) code.line("using EventId = ", interface.name, "Event;");
+void emitNumberAliases(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string name = generatedName(interface.name, context.lookup);
+  if (!ownCommands(interface).empty()) code.line("using Id = ", name, "Command;");
+  if (!ownEvents(interface).empty()) code.line("using EventId = ", name, "Event;");
 }
 
 namespace {

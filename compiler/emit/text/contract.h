@@ -30,7 +30,7 @@ void emitEventConstructor(Code& code, const model::Interface& interface, const s
                           const std::string& parameter, const std::string& argument);
 
 /// "using Id = robots::ArmCommand;" and the same for events, where it adds any.
-void emitNumberAliases(Code& code, const model::Interface& interface);
+void emitNumberAliases(Code& code, const Context& context, const model::Interface& interface);
 
 /// Returns what the contract declares itself. For the rest its code calls that of its base, whose
 /// commands and events come first among its own.

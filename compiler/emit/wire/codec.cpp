@@ -44,8 +44,8 @@ Message argumentsOf(const Context& context, const model::Interface& interface,
                     const model::Command& command) {
   const std::set<std::string> later = laterParameters(context, interface, command);
   const std::string title = model::titleCase(command.wireName);
-  Message message{prefixOf(interface) + title,
-                  relative(argumentsStruct(interface, command), home(context)),
+  Message message{prefixOf(interface, context) + title,
+                  relative(argumentsStruct(interface, command, context), home(context)),
                   wireInterface(interface) + "::" + title + "Params", argumentValues(command)};
   for (WireValue& value : message.values) value.isNeeded = !later.contains(value.wireName);
   return message;
@@ -54,7 +54,7 @@ Message argumentsOf(const Context& context, const model::Interface& interface,
 Message resultOf(const Context& context, const model::Interface& interface,
                  const model::Command& command) {
   const std::string title = model::titleCase(command.wireName);
-  return {prefixOf(interface) + title + "Result",
+  return {prefixOf(interface, context) + title + "Result",
           slotType(*command.result, context, home(context)),
           wireInterface(interface) + "::" + title + "Results",
           {needed(*command.result, "value")}};
@@ -63,7 +63,7 @@ Message resultOf(const Context& context, const model::Interface& interface,
 Message payloadOf(const Context& context, const model::Interface& interface,
                   const model::Event& event) {
   const std::string title = model::titleCase(event.wireName);
-  return {prefixOf(interface) + title + "Event",
+  return {prefixOf(interface, context) + title + "Event",
           payloadSlot(interface, event, context, home(context)),
           wireEventsOf(interface) + "::" + title + "Params", payloadValues(event)};
 }
@@ -89,7 +89,7 @@ void emitMessage(Code& code, const Context& context, const Message& message) {
 
 void emitEncodeColumns(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<const model::Command*> reads = readsOf(interface);
-  code.open("void encode", prefixOf(interface), "Column(", kBreakText, "unsigned column, ",
+  code.open("void encode", prefixOf(interface, context), "Column(", kBreakText, "unsigned column, ",
             kBreakText, "const std::byte* memory, ", kBreakText, wireRow(interface),
             "::Builder out) {");
   code.open("switch (column) {");
@@ -108,7 +108,7 @@ void emitDecodeColumns(Code& code, const Context& context, const model::Interfac
   const bool shifts = std::any_of(reads.begin(), reads.end(), [](const model::Command* read) {
     return usesShift(*read->result);
   });
-  code.open("Errc decode", prefixOf(interface), "Column(", kBreakText, wireRow(interface),
+  code.open("Errc decode", prefixOf(interface, context), "Column(", kBreakText, wireRow(interface),
             "::Reader in, ", kBreakText, "unsigned column, ", kBreakText, "std::byte* memory, ",
             kBreakText, "suture::Duration", shifts ? " shift) {" : ") {");
   code.open("switch (column) {");
@@ -142,7 +142,7 @@ std::string messageOf(const Message& message) {
 void emitCommandCodecs(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<const model::Command*> own = ownCommands(interface);
   if (own.empty()) return;
-  code.line("constexpr CommandCodec k", prefixOf(interface), "CommandCodecs[] = {");
+  code.line("constexpr CommandCodec k", prefixOf(interface, context), "CommandCodecs[] = {");
   for (const model::Command* const command : own) {
     const std::string method =
         wireInterface(interface) + "::" + model::titleCase(command->wireName);
@@ -166,7 +166,7 @@ void emitCommandCodecs(Code& code, const Context& context, const model::Interfac
 
 void emitEventCodecs(Code& code, const Context& context, const model::Interface& interface) {
   if (interface.events.empty()) return;
-  code.line("constexpr EventCodec k", prefixOf(interface), "EventCodecs[] = {");
+  code.line("constexpr EventCodec k", prefixOf(interface, context), "EventCodecs[] = {");
   for (const model::Event& event : interface.events) {
     std::vector<std::string> members = {
         ".method = " + std::to_string(methodOf(context, interface, event)),
@@ -180,8 +180,8 @@ void emitEventCodecs(Code& code, const Context& context, const model::Interface&
   code.line("};").blank();
 }
 
-std::string rowOf(const model::Interface& interface) {
-  const std::string columns = prefixOf(interface) + "Column";
+std::string rowOf(const Context& context, const model::Interface& interface) {
+  const std::string columns = prefixOf(interface, context) + "Column";
   return "suture::rpc::rowOf<" + wireEventsOf(interface) + "::StateParams, " + kBreakText +
          wireRow(interface) +
          (readsOf(interface).empty() ? ">"
@@ -191,8 +191,8 @@ std::string rowOf(const model::Interface& interface) {
 
 /// Returns how the codec spells all rows of its commands, of which its base has the first. Emits
 /// what joins the two.
-std::string allCommands(Code& code, const model::Interface& interface) {
-  const std::string own = "k" + prefixOf(interface) + "CommandCodecs";
+std::string allCommands(Code& code, const Context& context, const model::Interface& interface) {
+  const std::string own = "k" + prefixOf(interface, context) + "CommandCodecs";
   const std::size_t count = interface.commands.size(), owned = ownCommands(interface).size();
   if (owned == count) return count == 0 ? "{}" : own;
   const std::string inherited = "suture::interfaceInfo<" + interface.base + ">().codec().commands";
@@ -204,12 +204,12 @@ std::string allCommands(Code& code, const model::Interface& interface) {
 
 }  // namespace
 
-std::string codecFunction(const model::Interface& interface) {
-  return model::camelCase(prefixOf(interface)) + "Codec";
+std::string codecFunction(const Context& context, const model::Interface& interface) {
+  return model::camelCase(prefixOf(interface, context)) + "Codec";
 }
 
 void emitCodec(Code& code, const Context& context, const model::Interface& interface) {
-  code.line("// --- ", prefixOf(interface), " as Cap'n Proto").blank();
+  code.line("// --- ", prefixOf(interface, context), " as Cap'n Proto").blank();
   for (const model::Command* const command : ownCommands(interface)) {
     if (!command->parameters.empty()) {
       emitMessage(code, context, argumentsOf(context, interface, *command));
@@ -222,8 +222,8 @@ void emitCodec(Code& code, const Context& context, const model::Interface& inter
   emitRow(code, context, interface);
   emitCommandCodecs(code, context, interface);
   emitEventCodecs(code, context, interface);
-  code.open("const suture::rpc::Codec& ", codecFunction(interface), "() {");
-  const std::string commands = allCommands(code, interface);
+  code.open("const suture::rpc::Codec& ", codecFunction(context, interface), "() {");
+  const std::string commands = allCommands(code, context, interface);
   const bool derives = !interface.base.empty();
   code.line("static ", derives ? "const" : "constexpr", " suture::rpc::Codec kCodec{");
   code.line("    .schema = suture::rpc::schemaOf<", wireInterface(interface), ">,");
@@ -231,8 +231,9 @@ void emitCodec(Code& code, const Context& context, const model::Interface& inter
   code.line("    .subscriber = capnp::typeId<", wireEventsOf(interface), ">(),");
   code.line("    .commands = ", commands, ",");
   code.line("    .events = ",
-            interface.events.empty() ? "{}" : "k" + prefixOf(interface) + "EventCodecs", ",");
-  code.line("    .row = ", rowOf(interface), ",");
+            interface.events.empty() ? "{}" : "k" + prefixOf(interface, context) + "EventCodecs",
+            ",");
+  code.line("    .row = ", rowOf(context, interface), ",");
   code.line("};").line("return kCodec;").close("}").blank();
 }
 

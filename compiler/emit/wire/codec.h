@@ -13,6 +13,6 @@ namespace suture::compiler::emit {
 void emitCodec(Code& code, const Context& context, const model::Interface& interface);
 
 /// "armCodec": the function that hands them out.
-std::string codecFunction(const model::Interface& interface);
+std::string codecFunction(const Context& context, const model::Interface& interface);
 
 }  // namespace suture::compiler::emit

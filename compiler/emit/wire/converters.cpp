@@ -32,19 +32,29 @@ struct EnumNames {
   EnumNames(const model::Enum& type, const std::string& home)
       : cxx(relative(type.name, home)),
         wire("wire::" + type.wireName),
-        slot(cxxScalar(type.underlying)) {}
+        slot(cxxScalar(type.underlying)),
+        isOpen(type.isOpen) {}
+
+  /// What a switch over a slot compares. Few integers are values of an enum without a declared
+  /// type, and whatever has come must not become another.
+  std::string subject() const { return isOpen ? "slot" : "static_cast<" + cxx + ">(slot)"; }
+  std::string label(const model::Enumerator& one) const {
+    const std::string name = cxx + "::" + one.name;
+    return isOpen ? "static_cast<" + slot + ">(" + name + ")" : name;
+  }
 
   std::string cxx, wire, slot;
+  bool isOpen;
 };
 
 void emitEnumEncoder(Code& code, const Context& context, const model::Enum& type) {
   const EnumNames names(type, context.header.cxxNamespace);
   code.open(names.wire, " ", enumEncoder(type.name, context), "(", names.slot, " slot) {");
-  code.open("switch (static_cast<", names.cxx, ">(slot)) {");
+  code.open("switch (", names.subject(), ") {");
   std::set<std::int64_t> values;
   for (const model::Enumerator& one : type.enumerators) {
     if (!values.insert(one.value).second) continue;  // a second name of the same value
-    code.line("case ", names.cxx, "::", one.name, ": return ", names.wire,
+    code.line("case ", names.label(one), ": return ", names.wire,
               "::", model::upperSnakeCase(one.wireName), ";");
   }
   code.close("}").line("return ", names.wire, "{};").close("}").blank();
@@ -53,11 +63,11 @@ void emitEnumEncoder(Code& code, const Context& context, const model::Enum& type
 void emitEnumCheck(Code& code, const Context& context, const model::Enum& type) {
   const EnumNames names(type, context.header.cxxNamespace);
   code.open("bool ", enumCheck(type.name, context), "(", names.slot, " slot) {");
-  code.open("switch (static_cast<", names.cxx, ">(slot)) {");
+  code.open("switch (", names.subject(), ") {");
   std::set<std::int64_t> values;
   for (const model::Enumerator& one : type.enumerators) {
     if (!values.insert(one.value).second) continue;
-    code.line("case ", names.cxx, "::", one.name, ":");
+    code.line("case ", names.label(one), ":");
   }
   if (!values.empty()) code.line("  return true;");
   code.close("}").line("return false;").close("}").blank();
@@ -158,8 +168,9 @@ void declare(Code& code, const Context& context, const std::string& name) {
   } else {
     const model::Enum& one = *context.lookup.findEnum(name);
     const EnumNames names(one, home.cxxNamespace);
-    code.line(names.wire, " wire", model::unqualified(name), "(", names.slot, " slot);");
-    code.line("bool isKnown", model::unqualified(name), "(", names.slot, " slot);");
+    const std::string known = model::unqualified(generatedName(name, context.lookup));
+    code.line(names.wire, " wire", known, "(", names.slot, " slot);");
+    code.line("bool isKnown", known, "(", names.slot, " slot);");
     code.line("suture::Errc fromWire(", names.wire, " in, ", names.slot, "& slot);");
   }
 }

@@ -50,7 +50,7 @@ void emitValueChecks(Code& code, const Context& context, const model::Interface&
   Checks checks(code, context);
   for (const model::Command* const command : ownCommands(interface)) {
     checks.add(argumentsCheck(interface, *command, context),
-               relative(argumentsStruct(interface, *command), home(context)),
+               relative(argumentsStruct(interface, *command, context), home(context)),
                argumentValues(*command));
     if (command->result) {
       checks.add(resultCheck(interface, *command, context),

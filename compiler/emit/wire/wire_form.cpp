@@ -226,11 +226,13 @@ std::string lambdaBody(const std::string& statements) {
 }
 
 std::string enumEncoder(const std::string& enumName, const Context& context) {
-  return qualifier(enumName, context) + "wire" + model::unqualified(enumName);
+  return qualifier(enumName, context) + "wire" +
+         model::unqualified(generatedName(enumName, context.lookup));
 }
 
 std::string enumCheck(const std::string& enumName, const Context& context) {
-  return qualifier(enumName, context) + "isKnown" + model::unqualified(enumName);
+  return qualifier(enumName, context) + "isKnown" +
+         model::unqualified(generatedName(enumName, context.lookup));
 }
 
 namespace {
@@ -284,7 +286,7 @@ std::vector<WireValue> argumentValues(const model::Command& command) {
 std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
                            const Context& context) {
   if (!hasConditions(argumentValues(command), context)) return "";
-  return "accepts" + prefixOf(interface) + model::titleCase(command.wireName);
+  return "accepts" + prefixOf(interface, context) + model::titleCase(command.wireName);
 }
 
 std::vector<WireValue> resultValues(const model::Command& command) {
@@ -295,7 +297,7 @@ std::string resultCheck(const model::Interface& interface, const model::Command&
                         const Context& context) {
   if (!command.result || !hasConditions(resultValues(command), context)) return "";
   if (command.result->shape == Shape::Struct) return structCheck(*command.result, context);
-  return "accepts" + prefixOf(interface) + model::titleCase(command.wireName) + "Result";
+  return "accepts" + prefixOf(interface, context) + model::titleCase(command.wireName) + "Result";
 }
 
 std::vector<WireValue> payloadValues(const model::Event& event) {
@@ -319,7 +321,7 @@ std::string payloadCheck(const model::Interface& interface, const model::Event& 
   if (event.payload.size() == 1 && event.payload.front().shape == Shape::Struct) {
     return structCheck(event.payload.front(), context);
   }
-  return "accepts" + prefixOf(interface) + model::titleCase(event.wireName) + "Event";
+  return "accepts" + prefixOf(interface, context) + model::titleCase(event.wireName) + "Event";
 }
 
 std::string encode(const WireValue& value, const std::string& out, const Context& context) {

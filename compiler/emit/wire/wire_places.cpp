@@ -43,15 +43,15 @@ std::vector<unsigned> placesOf(const std::vector<std::string>& names,
 }
 
 /// The places in the lock, if they are others.
-void emitPlaces(Code& code, const model::Interface& interface, const char* table,
-                const std::vector<unsigned>& places) {
+void emitPlaces(Code& code, const Context& context, const model::Interface& interface,
+                const char* table, const std::vector<unsigned>& places) {
   if (places.empty()) return;
   std::string listed;
   for (const unsigned place : places)
     listed += (listed.empty() ? "" : ", ") + std::to_string(place);
   code.line("// By place in the contract, the place in the lock: a base got more since.");
-  code.line("constexpr std::uint8_t k", prefixOf(interface), table, "[] = {", kBreakText, listed,
-            "};");
+  code.line("constexpr std::uint8_t k", prefixOf(interface, context), table, "[] = {", kBreakText,
+            listed, "};");
   code.blank();
 }
 
@@ -76,8 +76,8 @@ std::vector<unsigned> wireColumns(const Context& context, const model::Interface
 }
 
 void emitWirePlaces(Code& code, const Context& context, const model::Interface& interface) {
-  emitPlaces(code, interface, "WireEvents", wireEvents(context, interface));
-  emitPlaces(code, interface, "WireColumns", wireColumns(context, interface));
+  emitPlaces(code, context, interface, "WireEvents", wireEvents(context, interface));
+  emitPlaces(code, context, interface, "WireColumns", wireColumns(context, interface));
 }
 
 unsigned methodOf(const Context& context, const model::Interface& interface,

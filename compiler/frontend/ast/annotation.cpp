@@ -32,7 +32,7 @@ constexpr std::array kKinds{
              "queue(), latest(), latched(), name(), was(), since(), deprecated()"},
     KindInfo{Kind::Component, "suture::component", "SUTURE_COMPONENT", "optional(), max_age()"},
     KindInfo{Kind::Required, "suture::required", "SUTURE_REQUIRED", "optional(), max_age()"},
-    KindInfo{Kind::External, "suture::external", "SUTURE_EXTERNAL_TYPE", "member(), name()"},
+    KindInfo{Kind::External, "suture::external", "SUTURE_EXTERNAL_TYPE", "all(), member(), name()"},
 };
 
 const KindInfo& infoOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
@@ -84,9 +84,25 @@ std::vector<unsigned> capacityOf(const clang::APValue& value) {
   return levels;
 }
 
+/// Where `&Type::m` within dsl::member(&Type::m, ...) names m.
+clang::SourceLocation memberPlace(const clang::Stmt* argument) {
+  if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(argument)) {
+    if (!llvm::isa<clang::FunctionDecl>(reference->getDecl()) ||
+        llvm::isa<clang::CXXMethodDecl>(reference->getDecl())) {
+      return reference->getLocation();
+    }
+  }
+  for (const clang::Stmt* child : argument->children()) {
+    const clang::SourceLocation place = child ? memberPlace(child) : clang::SourceLocation();
+    if (place.isValid()) return place;
+  }
+  return {};
+}
+
 class Reader {
  public:
-  Reader(Kind kind, std::vector<AnnotationProblem>& problems) : problems_(problems) {
+  Reader(Kind kind, std::vector<AnnotationProblem>& problems, clang::SourceLocation place = {})
+      : problems_(problems), place_(place) {
     result_.kind = kind;
   }
 
@@ -100,6 +116,7 @@ class Reader {
  private:
   void readArgument(const clang::Expr* argument) {
     const std::optional<clang::APValue> value = constantOf(argument);
+    if (nameOf(argument->getType()) == "member") place_ = memberPlace(argument);
     readValue(argument->getType(), value);
   }
 
@@ -162,6 +179,7 @@ class Reader {
     if (name == "skip") return &result_.skip;
     if (name == "fallback") return &result_.fallback;
     if (name == "bulk") return &result_.bulk;
+    if (name == "all") return &result_.all;
     return name == "crtk" ? &result_.crtk : nullptr;
   }
 
@@ -173,12 +191,12 @@ class Reader {
       return problem("bad-argument", "an argument of SUTURE_EXTERNAL_TYPE() is not a data member",
                      "list data members of the type");
     }
-    Reader inner(Kind::Field, problems_);
+    Reader inner(Kind::Field, problems_, place_);
     unsigned index = 0;
     for (const clang::CXXBaseSpecifier& base : type->getAsCXXRecordDecl()->bases()) {
       inner.readValue(base.getType(), value.getStructBase(index++));
     }
-    result_.members.push_back({field, std::move(inner).result()});
+    result_.members.push_back({field, std::move(inner).result(), place_});
   }
 
   void storeText(const std::string& name, const clang::APValue& value) {
@@ -196,12 +214,13 @@ class Reader {
   }
 
   void problem(std::string slug, std::string message, std::string help) {
-    problems_.push_back({std::move(slug), std::move(message), std::move(help)});
+    problems_.push_back({std::move(slug), std::move(message), std::move(help), place_});
   }
 
   Annotation result_;
   std::set<std::string> seen_;
   std::vector<AnnotationProblem>& problems_;
+  clang::SourceLocation place_;  // of the listed member that is being read
 };
 
 }  // namespace

@@ -41,6 +41,7 @@ struct Annotation {
   bool skip = false;
   bool fallback = false;
   bool bulk = false;
+  bool all = false;
   unsigned arguments = 0;               ///< how many were given
   std::vector<ExternalMember> members;  ///< of an external type, as listed
 };
@@ -48,6 +49,7 @@ struct Annotation {
 struct ExternalMember {
   const clang::FieldDecl* field = nullptr;
   Annotation annotation;
+  clang::SourceLocation place{};  ///< where SUTURE_EXTERNAL_TYPE names it
 };
 
 /// Whether a macro of that name annotates.
@@ -56,9 +58,10 @@ bool isVocabulary(llvm::StringRef macro);
 /// "unit", "range"...: what any of the macros takes.
 std::vector<std::string_view> annotationArguments();
 
-/// What is wrong with an annotation's arguments, without the place.
+/// What is wrong with an annotation's arguments.
 struct AnnotationProblem {
   std::string slug, message, help;
+  clang::SourceLocation place;  ///< of the member that is listed; invalid: at the declaration
 };
 
 /// Whether the declaration bears the macro.

@@ -16,12 +16,14 @@ std::string scopeOf(const clang::DeclContext* context) {
     const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(context);
     const auto* named = llvm::dyn_cast<clang::NamedDecl>(context);
     if (named && !(space && space->isInline())) {
-      return joined(scopeOf(context->getParent()), named->getNameAsString());
+      return joined(scopeOf(context->getParent()), plainName(named));
     }
     context = context->getParent();
   }
   return "";
 }
+
+std::string titled(const std::string& name) { return model::titleCase(model::camelCase(name)); }
 
 // Names in capitals are taken as words: capnp would spell FOO's constant as F_O_O.
 std::string quiet(std::string name) {
@@ -31,21 +33,39 @@ std::string quiet(std::string name) {
 
 }  // namespace
 
+std::string plainName(const clang::NamedDecl* declaration) {
+  const auto* tag = llvm::dyn_cast<clang::TagDecl>(declaration);
+  const clang::NamedDecl* alias = tag ? tag->getTypedefNameForAnonDecl() : nullptr;
+  return (alias ? alias : declaration)->getNameAsString();
+}
+
 std::string qualifiedName(const clang::NamedDecl* declaration) {
-  return joined(scopeOf(declaration->getDeclContext()), declaration->getNameAsString());
+  return joined(scopeOf(declaration->getDeclContext()), plainName(declaration));
 }
 
 std::string namespaceOf(const clang::Decl* declaration) {
   return scopeOf(declaration->getDeclContext()->getEnclosingNamespaceContext());
 }
 
-std::string wireTypeName(const clang::NamedDecl* declaration,
+std::string wireTypeName(model::Named kind, const clang::NamedDecl* declaration,
                          const std::optional<std::string>& given) {
-  return given ? *given : model::titleCase(model::camelCase(declaration->getNameAsString()));
+  if (given) return *given;
+  std::string name = titled(plainName(declaration));
+  for (const clang::DeclContext* scope = declaration->getDeclContext(); scope->isRecord();
+       scope = scope->getParent()) {
+    name = titled(plainName(llvm::cast<clang::TagDecl>(scope))) + name;
+  }
+  return model::freeName(kind, std::move(name));
 }
 
 std::string wireMemberName(const std::string& cxxName, const std::optional<std::string>& given) {
   return model::camelCase(quiet(given.value_or(cxxName)));
+}
+
+std::string wireMemberName(model::Named kind, const std::string& cxxName,
+                           const std::optional<std::string>& given) {
+  std::string name = wireMemberName(cxxName, given);
+  return given ? name : model::freeName(kind, std::move(name));
 }
 
 }  // namespace suture::compiler::frontend

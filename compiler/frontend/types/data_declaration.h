@@ -5,7 +5,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "compiler/frontend/ast/annotation.h"
 #include "compiler/model/model.h"
@@ -19,10 +18,22 @@ struct DataDeclaration {
   const clang::NamedDecl* place;       ///< what gives it its name and home: errors stand there
   std::string name;                    ///< qualified
   std::string wireName;
-  /// The members that count, of somebody else's; absent: all of them.
-  std::optional<std::vector<ExternalMember>> listed;
+  /// Of a type that cannot be edited: what SUTURE_EXTERNAL_TYPE says. Absent of any other.
+  std::optional<Annotation> external;
   std::optional<std::string> was{};
   model::Lifecycle lifecycle{};
+};
+
+/// An enum that enters the model, in the same way.
+struct EnumDeclaration {
+  const clang::EnumDecl* declaration;
+  const clang::NamedDecl* place;
+  std::string name;
+  std::string wireName;
+  std::optional<std::string> was{};
+  model::Lifecycle lifecycle{};
+
+  bool isExternal() const { return place != declaration; }
 };
 
 }  // namespace suture::compiler::frontend

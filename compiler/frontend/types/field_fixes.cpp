@@ -122,10 +122,11 @@ std::vector<model::Fix> fixesFor(const clang::NamedDecl* declaration, const Type
                                  Mapping& mapping) {
   if (problem.slug == "unannotated-type" && problem.culprit) {
     const auto* type = llvm::cast<clang::NamedDecl>(problem.culprit);
+    if (mapping.sources().isInSystemHeader(type->getLocation())) return {};
     return {mapping.fix(type->getLocation(), Place::Before, "SUTURE_TYPE() ")};
   }
   const auto* field = llvm::dyn_cast<clang::FieldDecl>(declaration);
-  if (!field || !FieldText::isPlain(field)) return {};
+  if (!field || mapping.isForeign(field) || !FieldText::isPlain(field)) return {};
   return fixesOf(field, problem.slug, mapping);
 }
 

@@ -9,6 +9,9 @@
 namespace suture::compiler::frontend {
 
 model::Source Mapping::sourceOf(const clang::NamedDecl* declaration) {
+  if (const auto foreign = foreign_.find(declaration); foreign != foreign_.end()) {
+    return table_.add(sources(), foreign->second.place, clang::SourceRange());
+  }
   // Underline the type of a field or parameter as well; for a class or method the caret is
   // enough.
   const bool typed =
@@ -28,7 +31,14 @@ model::Documentation Mapping::documentationOf(const clang::Decl* declaration) co
 
 model::Diagnostic& Mapping::error(const clang::NamedDecl* declaration, std::string slug,
                                   std::string message, std::string help) {
-  return add(sourceOf(declaration), std::move(slug), std::move(message), std::move(help));
+  model::Diagnostic& finding =
+      add(sourceOf(declaration), std::move(slug), std::move(message), std::move(help));
+  const auto foreign = foreign_.find(declaration);
+  if (foreign != foreign_.end() && foreign->second.wantedBy) {
+    finding.notes.push_back(
+        {sourceOf(foreign->second.wantedBy), "all public members are meant here"});
+  }
+  return finding;
 }
 
 model::Diagnostic& Mapping::errorAt(clang::SourceLocation place, std::string slug,
@@ -79,8 +89,10 @@ std::vector<Annotation> Mapping::annotationsOf(const clang::NamedDecl* declarati
 
 void Mapping::report(const clang::NamedDecl* declaration, std::vector<AnnotationProblem> problems) {
   for (AnnotationProblem& problem : problems) {
-    error(declaration, std::move(problem.slug), std::move(problem.message),
-          std::move(problem.help));
+    const model::Source source =
+        problem.place.isValid() ? table_.add(sources(), sources().getFileLoc(problem.place), {})
+                                : sourceOf(declaration);
+    add(source, std::move(problem.slug), std::move(problem.message), std::move(problem.help));
   }
 }
 
@@ -91,7 +103,8 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
     error(declaration, "c-array", subject + " is a C array, which is no value", "use std::array");
     return std::nullopt;
   }
-  MappedType mapped = mapType(type, names_);
+  const bool foreign = isForeign(declaration);
+  MappedType mapped = foreign ? mapForeignType(type, names_, context_) : mapType(type, names_);
   if (const auto* problem = std::get_if<TypeProblem>(&mapped)) {
     model::Diagnostic& finding = error(
         declaration, problem->slug,
@@ -100,11 +113,15 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
       finding.notes.push_back({sourceOf(culprit), problem->help});
       finding.help.clear();
     }
+    if (foreign && !problem->culprit) {
+      finding.help = "leave it out: all(), member(" + declaration->getNameAsString() + ", skip())";
+    }
     finding.fixes = fixesFor(declaration, *problem, *this);
     return std::nullopt;
   }
   // An event's values have lost the names they were written with: std::int64_t is long here.
-  const std::string integer = isAnnotated(declaration, Kind::Event) ? "" : platformInteger(type);
+  const bool unnamed = foreign || isAnnotated(declaration, Kind::Event);
+  const std::string integer = unnamed ? "" : platformInteger(type);
   if (!integer.empty()) {
     warn(declaration, "platform-integer",
          subject + " is a '" + integer + "', whose width differs between machines",

@@ -5,6 +5,7 @@
 #include <clang/AST/ASTContext.h>
 #include <clang/AST/DeclCXX.h>
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -20,10 +21,23 @@ namespace suture::compiler::frontend {
 
 class Mapping {
  public:
-  Mapping(clang::ASTContext& context, SourceTable& table, model::Diagnostics& findings)
-      : context_(context), table_(table), findings_(findings) {}
+  Mapping(clang::Sema& semantics, SourceTable& table, model::Diagnostics& findings)
+      : context_(semantics.getASTContext()),
+        table_(table),
+        findings_(findings),
+        names_(semantics) {}
 
   model::Source sourceOf(const clang::NamedDecl* declaration);
+
+  /// Findings about this declaration, which the user cannot edit, appear at `place` from now on.
+  /// They say that `wantedBy` means it, if that is not null.
+  void addForeign(const clang::NamedDecl* declaration, clang::SourceLocation place,
+                  const clang::NamedDecl* wantedBy) {
+    foreign_[declaration] = {sources().getFileLoc(place), wantedBy};
+  }
+  bool isForeign(const clang::NamedDecl* declaration) const {
+    return foreign_.contains(declaration);
+  }
   model::Documentation documentationOf(const clang::Decl* declaration) const;
 
   /// Appends a finding at the declaration's name; the result takes notes.
@@ -81,6 +95,11 @@ class Mapping {
   model::Diagnostics& findings_;
   NamedTypes names_;
   std::set<const clang::NamedDecl*> seen_;
+  struct Foreign {
+    clang::SourceLocation place;
+    const clang::NamedDecl* wantedBy;
+  };
+  std::map<const clang::NamedDecl*, Foreign> foreign_;
 };
 
 }  // namespace suture::compiler::frontend

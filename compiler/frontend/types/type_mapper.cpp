@@ -16,12 +16,28 @@ namespace {
 using Shape = model::Type::Shape;
 
 TypeProblem unannotated(const clang::TagDecl* declaration, const std::string& keyword) {
-  return {"unannotated-type", "'" + declaration->getNameAsString() + "' is not a SUTURE_TYPE",
-          "declare it as '" + keyword + " SUTURE_TYPE() " + declaration->getNameAsString() + "'",
+  const std::string name = plainName(declaration);
+  return {"unannotated-type", "'" + name + "' is not a SUTURE_TYPE",
+          "declare it as '" + keyword + " SUTURE_TYPE() " + name +
+              "'; if it cannot be edited, write SUTURE_EXTERNAL_TYPE(" +
+              qualifiedName(declaration) + ")",
           declaration};
 }
 
-MappedType mapEnum(const clang::EnumDecl* declaration) {
+TypeProblem unnamed() {
+  return {"unnamed-type", "an unnamed type has no stable wire name", "name the type"};
+}
+
+model::Type enumNamed(const std::string& name) {
+  model::Type type;
+  type.shape = Shape::Enum;
+  type.name = type.spelling = name;
+  return type;
+}
+
+MappedType mapEnum(const clang::EnumDecl* declaration, const NamedTypes& names) {
+  if (const NamedTypes::Entry* named = names.find(declaration)) return enumNamed(named->name);
+  if (plainName(declaration).empty()) return unnamed();
   if (qualifiedName(declaration) == "std::byte") {
     model::Type byte;
     byte.scalar = model::Scalar::UInt8;
@@ -31,15 +47,12 @@ MappedType mapEnum(const clang::EnumDecl* declaration) {
   if (!isAnnotated(declaration, Kind::Type)) {
     return unannotated(declaration, declaration->isScoped() ? "enum class" : "enum");
   }
-  model::Type type;
-  type.shape = model::Type::Shape::Enum;
-  type.name = type.spelling = qualifiedName(declaration);
-  return type;
+  return enumNamed(qualifiedName(declaration));
 }
 
 model::Type structNamed(const std::string& name) {
   model::Type type;
-  type.shape = model::Type::Shape::Struct;
+  type.shape = Shape::Struct;
   type.name = type.spelling = name;
   return type;
 }
@@ -49,15 +62,13 @@ MappedType mapUnannotated(const clang::CXXRecordDecl* declaration) {
   const std::string name = qualifiedName(declaration);
   if (llvm::StringRef(name).starts_with("std::")) return noWireForm();
   TypeProblem problem = unannotated(declaration, declaration->isClass() ? "class" : "struct");
-  problem.help += ", or give it a SUTURE_EXTERNAL_TYPE() or a suture::Wire";
+  problem.help += ", or specialise suture::Wire";
   return problem;
 }
 
 MappedType mapRecord(const clang::CXXRecordDecl* declaration, const NamedTypes& names) {
-  if (!declaration->getIdentifier()) {
-    return TypeProblem{"unnamed-type", "an unnamed type has no stable wire name", "name the type"};
-  }
   if (const NamedTypes::Entry* named = names.find(declaration)) return structNamed(named->name);
+  if (plainName(declaration).empty()) return unnamed();
   if (auto hooked = mapByHook(declaration, names)) return *hooked;
   if (const auto* specialisation =
           llvm::dyn_cast<clang::ClassTemplateSpecializationDecl>(declaration)) {
@@ -93,7 +104,7 @@ MappedType mapCArray(const clang::ConstantArrayType* type, const NamedTypes& nam
 MappedType mapCanonical(clang::QualType type, const NamedTypes& names) {
   if (const auto* builtin = type->getAs<clang::BuiltinType>()) return mapBuiltin(builtin);
   if (const auto* enumeration = type->getAs<clang::EnumType>()) {
-    return mapEnum(enumeration->getDecl());
+    return mapEnum(enumeration->getDecl(), names);
   }
   if (const auto* record = type->getAsCXXRecordDecl()) return mapRecord(record, names);
   if (type->isPointerType() || type->isMemberPointerType() || type->isNullPtrType()) {
@@ -125,6 +136,50 @@ MappedType mapType(clang::QualType type, const NamedTypes& names) {
                        "drop const"};
   }
   return mapCanonical(canonical, names);
+}
+
+namespace {
+
+/// The type with the integers of a slot in place of others, which `replaced` tells; arrays too.
+clang::QualType withSlotIntegers(clang::QualType type, const clang::ASTContext& context,
+                                 clang::QualType& replaced) {
+  if (const auto* array = llvm::dyn_cast<clang::ConstantArrayType>(type.getTypePtr())) {
+    return context.getConstantArrayType(
+        withSlotIntegers(array->getElementType(), context, replaced), array->getSize(), nullptr,
+        array->getSizeModifier(), array->getIndexTypeCVRQualifiers());
+  }
+  const auto* builtin = type->getAs<clang::BuiltinType>();
+  if (builtin == nullptr || type.isLocalConstQualified()) return type;
+  const auto replace = [&](clang::QualType integer) {
+    replaced = type;
+    return integer;
+  };
+  switch (builtin->getKind()) {
+    case clang::BuiltinType::Char_S:
+    case clang::BuiltinType::Char_U: return replace(context.SignedCharTy);
+    case clang::BuiltinType::LongLong: return replace(context.LongTy);
+    case clang::BuiltinType::ULongLong: return replace(context.UnsignedLongTy);
+    default: return type;
+  }
+}
+
+/// Spells an integer, or an array of them, as its struct does.
+void respell(model::Type& type, const std::string& integer) {
+  const std::size_t extent = std::min(type.spelling.find('['), type.spelling.size());
+  type.spelling = integer + type.spelling.substr(extent);
+  for (model::Type& element : type.element) respell(element, integer);
+}
+
+}  // namespace
+
+MappedType mapForeignType(clang::QualType type, const NamedTypes& names,
+                          const clang::ASTContext& context) {
+  clang::QualType replaced;
+  const clang::QualType carried = withSlotIntegers(type.getCanonicalType(), context, replaced);
+  if (replaced.isNull()) return mapType(type, names);
+  MappedType mapped = mapType(carried, names);
+  if (auto* done = std::get_if<model::Type>(&mapped)) respell(*done, spelled(replaced, context));
+  return mapped;
 }
 
 TypeProblem noWireForm() {

@@ -10,29 +10,30 @@ namespace {
 
 using Specialisation = clang::ClassTemplateSpecializationDecl;
 
-/// An instance of a template that is annotated; null of any other type.
+/// An instance of a template that is annotated, or a specialisation that is; null of any other
+/// type.
 const Specialisation* annotatedInstance(clang::QualType type) {
   const auto* instance =
       llvm::dyn_cast_or_null<Specialisation>(type.getCanonicalType()->getAsCXXRecordDecl());
   if (!instance) return nullptr;
   const clang::CXXRecordDecl* pattern = instance->getSpecializedTemplate()->getTemplatedDecl();
-  return isAnnotated(pattern, Kind::Type) ? instance : nullptr;
+  const bool annotated = isAnnotated(pattern, Kind::Type) || isAnnotated(instance, Kind::Type);
+  return annotated ? instance : nullptr;
 }
 
-/// What the user called the type: an alias, or the class itself.
+/// What the user called the type: an alias, or the type itself; null of an instance of a template.
 const clang::NamedDecl* writtenName(clang::QualType type) {
   if (const auto* alias = type->getAs<clang::TypedefType>()) return alias->getDecl();
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  return llvm::isa_and_nonnull<Specialisation>(record) ? nullptr : record;
+  const clang::TagDecl* tag = type->getAsTagDecl();
+  return llvm::isa_and_nonnull<Specialisation>(tag) ? nullptr : tag;
 }
 
-clang::QualType externalType(const clang::CXXMethodDecl* members) {
+/// How SUTURE_EXTERNAL_TYPE names its type.
+const clang::TypedefNameDecl* externalAlias(const clang::CXXMethodDecl* members) {
   for (const clang::Decl* one : members->getParent()->decls()) {
-    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(one)) {
-      return alias->getUnderlyingType();
-    }
+    if (const auto* alias = llvm::dyn_cast<clang::TypedefNameDecl>(one)) return alias;
   }
-  return {};
+  return nullptr;
 }
 
 }  // namespace
@@ -46,49 +47,55 @@ std::optional<DataDeclaration> TypeNames::addAlias(const clang::TypedefNameDecl*
   }
   const auto* instance = annotatedInstance(alias->getUnderlyingType());
   DataDeclaration declared{llvm::cast<clang::CXXRecordDecl>(instance->getDefinition()), alias,
-                           qualifiedName(alias), wireTypeName(alias, std::nullopt), std::nullopt};
+                           qualifiedName(alias),
+                           wireTypeName(model::Named::Type, alias, std::nullopt), std::nullopt};
   const Annotation pattern =
       mapping_.peek(instance->getSpecializedTemplate()->getTemplatedDecl(), Kind::Type);
   declared.lifecycle = {pattern.since, pattern.deprecated};
-  if (!add(declared)) return std::nullopt;
+  if (!add(declared.record, {declared.name, alias}, true)) return std::nullopt;
   return declared;
 }
 
-std::optional<DataDeclaration> TypeNames::addExternal(const clang::CXXMethodDecl* members) {
-  const clang::QualType type = externalType(members);
+TypeNames::External TypeNames::addExternal(const clang::CXXMethodDecl* members) {
+  const clang::TypedefNameDecl* alias = externalAlias(members);
+  const clang::QualType type = alias->getUnderlyingType();
+  mapping_.addForeign(members, alias->getTypeSourceInfo()->getTypeLoc().getBeginLoc(), nullptr);
   Annotation annotation = mapping_.annotationOf(members, Kind::External);
-  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
-  if (!record || !semantics_.isCompleteType(members->getLocation(), type)) {
+  const clang::TagDecl* tag = type->getAsTagDecl();
+  if (!tag || !semantics_.isCompleteType(members->getLocation(), type)) {
     mapping_.error(members, "external-type",
-                   "'" + type.getAsString() + "' is not a class that is defined here",
+                   "'" + type.getAsString() + "' is not a class or enum that is defined here",
                    "include the header that defines it");
-    return std::nullopt;
+    return {};
   }
   const clang::NamedDecl* name = writtenName(type);
-  if (!name || isAnnotated(record, Kind::Type)) {
+  if (!name || isAnnotated(tag, Kind::Type)) {
     mapping_.error(
         members, "external-type",
-        name ? "'" + name->getNameAsString() + "' is a SUTURE_TYPE itself"
+        name ? "'" + plainName(name) + "' is a SUTURE_TYPE itself"
              : "an instance of a template has no name of its own",
         name ? "drop SUTURE_EXTERNAL_TYPE()" : "give it one with 'using', and list that");
-    return std::nullopt;
+    return {};
   }
-  DataDeclaration declared{record->getDefinition(), members, qualifiedName(name),
-                           wireTypeName(name, annotation.name), std::move(annotation.members)};
-  if (!add(declared)) return std::nullopt;
-  return declared;
+  const std::string known = qualifiedName(name);
+  const std::string onWire = wireTypeName(model::Named::Type, name, annotation.name);
+  if (!add(tag, {known, members}, false)) return {};
+  if (const auto* record = llvm::dyn_cast<clang::CXXRecordDecl>(tag)) {
+    return DataDeclaration{record->getDefinition(), members, known, onWire, std::move(annotation)};
+  }
+  auto* enumeration = llvm::cast<clang::EnumDecl>(type->getAsTagDecl());
+  // An enum within an instance of a template is defined only when somebody asks for it.
+  if (semantics_.RequireCompleteEnumDecl(enumeration, members->getLocation())) return {};
+  return EnumDeclaration{enumeration->getDefinition(), members, known, onWire};
 }
 
-bool TypeNames::add(const DataDeclaration& declared) {
-  const NamedTypes::Entry& entry =
-      mapping_.names().add(declared.record, {declared.name, declared.place});
-  if (entry.declaration == declared.place) return true;
-  const bool again = entry.name == declared.name && !declared.listed;
-  if (again) return false;  // the same alias, declared once more
-  const clang::NamedDecl* place = declared.place;
+bool TypeNames::add(const clang::TagDecl* type, const NamedTypes::Entry& added, bool isAlias) {
+  const NamedTypes::Entry& entry = mapping_.names().add(type, added);
+  if (entry.declaration == added.declaration) return true;
+  if (isAlias && entry.name == added.name) return false;  // the same alias, declared once more
   mapping_
-      .error(place, "second-name",
-             "'" + declared.name + "' is another name of what is '" + entry.name + "' already",
+      .error(added.declaration, "second-name",
+             "'" + added.name + "' is another name of what is '" + entry.name + "' already",
              "one type has one name on the wire: keep one of the two")
       .notes.push_back({mapping_.sourceOf(entry.declaration), "the first is here"});
   return false;

@@ -4,6 +4,7 @@
 #include <clang/Sema/Sema.h>
 
 #include <optional>
+#include <variant>
 
 #include "compiler/frontend/types/data_declaration.h"
 #include "compiler/frontend/types/mapping.h"
@@ -17,12 +18,13 @@ class TypeNames {
   /// The name of a namespace-scope alias for an instance of an annotated template; none otherwise.
   std::optional<DataDeclaration> addAlias(const clang::TypedefNameDecl* alias);
 
-  /// The name of what SUTURE_EXTERNAL_TYPE declares; none after an error.
-  std::optional<DataDeclaration> addExternal(const clang::CXXMethodDecl* members);
+  /// What SUTURE_EXTERNAL_TYPE names; nothing after an error.
+  using External = std::variant<std::monostate, DataDeclaration, EnumDeclaration>;
+  External addExternal(const clang::CXXMethodDecl* members);
 
  private:
   /// False after an error: the type has a name already.
-  bool add(const DataDeclaration& declared);
+  bool add(const clang::TagDecl* type, const NamedTypes::Entry& entry, bool isAlias);
 
   Mapping& mapping_;
   clang::Sema& semantics_;

@@ -1,6 +1,7 @@
 #include "compiler/frontend/types/wire_hook.h"
 
 #include <clang/AST/DeclTemplate.h>
+#include <clang/Sema/Sema.h>
 
 namespace suture::compiler::frontend {
 namespace {
@@ -16,24 +17,28 @@ Declaration* findIn(const clang::DeclContext* scope, llvm::StringRef name) {
   return nullptr;
 }
 
-const Specialisation* hookOf(const clang::CXXRecordDecl* type) {
-  const clang::ASTContext& context = type->getASTContext();
-  const auto* space = findIn<clang::NamespaceDecl>(context.getTranslationUnitDecl(), "suture");
-  const auto* hooks = space ? findIn<clang::ClassTemplateDecl>(space, "Wire") : nullptr;
+/// The specialisation of suture::Wire for the type, which may be a partial one; null if there is
+/// none.
+const Specialisation* hookOf(const clang::CXXRecordDecl* type, clang::Sema& semantics) {
+  clang::ASTContext& context = semantics.getASTContext();
+  auto* space = findIn<clang::NamespaceDecl>(context.getTranslationUnitDecl(), "suture");
+  auto* hooks = space ? findIn<clang::ClassTemplateDecl>(space, "Wire") : nullptr;
   if (!hooks) return nullptr;
-  const clang::QualType wanted = context.getRecordType(type).getCanonicalType();
-  for (const Specialisation* one : hooks->specializations()) {
-    const bool same = one->getTemplateArgs()[0].getAsType().getCanonicalType() == wanted;
-    if (same && one->hasDefinition())
-      return one->getDefinition() ? llvm::cast<Specialisation>(one->getDefinition()) : nullptr;
-  }
-  return nullptr;
+  const clang::SourceLocation place = type->getLocation();
+  const clang::QualType hooked = context.getRecordType(type);
+  clang::TemplateArgumentListInfo arguments(place, place);
+  arguments.addArgument(
+      {clang::TemplateArgument(hooked), context.getTrivialTypeSourceInfo(hooked, place)});
+  const clang::QualType hook =
+      semantics.CheckTemplateIdType(clang::TemplateName(hooks), place, arguments);
+  if (hook.isNull() || !semantics.isCompleteType(place, hook)) return nullptr;
+  return llvm::cast<Specialisation>(hook->getAsCXXRecordDecl()->getDefinition());
 }
 
 }  // namespace
 
 std::optional<MappedType> mapByHook(const clang::CXXRecordDecl* type, const NamedTypes& names) {
-  const Specialisation* hook = hookOf(type);
+  const Specialisation* hook = hookOf(type, names.semantics());
   if (!hook) return std::nullopt;
   const auto* form = findIn<clang::TypedefNameDecl>(hook, "Type");
   if (!form || !findIn<clang::CXXMethodDecl>(hook, "to") ||

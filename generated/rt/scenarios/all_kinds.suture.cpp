@@ -974,7 +974,7 @@ const InterfaceInfo& interfaceInfo<scenarios::AllKinds>() {
 }
 
 auto Provided<scenarios::AllKinds>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(scenarios::AllKindsSetRecordArguments::value)>(scratch.set_record_value);
   reserveFor<decltype(scenarios::AllKindsSetTextArguments::value)>(scratch.set_text_value);
   reserveFor<decltype(scenarios::AllKindsTwiceRecordArguments::value)>(scratch.twice_record_value);

@@ -263,18 +263,18 @@ class Provided<scenarios::AllKinds> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    double set_scalar_value;
-    Eigen::Vector3d set_vector_value;
-    robots::PosePrm set_record_value;
-    std::string set_text_value;
-    double twice_scalar_value;
-    Eigen::Vector3d twice_vector_value;
-    robots::PosePrm twice_record_value;
-    std::string twice_text_value;
-    double swap_scalar_value;
-    Eigen::Vector3d swap_vector_value;
-    robots::PosePrm swap_record_value;
-    std::string swap_text_value;
+    double set_scalar_value{};
+    Eigen::Vector3d set_vector_value{};
+    robots::PosePrm set_record_value{};
+    std::string set_text_value{};
+    double twice_scalar_value{};
+    Eigen::Vector3d twice_vector_value{};
+    robots::PosePrm twice_record_value{};
+    std::string twice_text_value{};
+    double swap_scalar_value{};
+    Eigen::Vector3d swap_vector_value{};
+    robots::PosePrm swap_record_value{};
+    std::string swap_text_value{};
 
     static Scratch reserved();
   };

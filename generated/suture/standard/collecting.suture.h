@@ -110,11 +110,11 @@ class Provided<suture::Collecting> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    CollectingInterval set_interval_interval;
+    CollectingInterval set_interval_interval{};
   };
 
   Contract& implementation_;
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

@@ -456,7 +456,7 @@ const InterfaceInfo& interfaceInfo<suture::Lifecycle>() {
 }
 
 auto Provided<suture::Lifecycle>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(suture::LifecycleResumeConnectionArguments::required)>(
       scratch.resume_connection_required);
   return scratch;

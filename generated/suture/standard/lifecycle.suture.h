@@ -127,7 +127,7 @@ class Provided<suture::Lifecycle> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    std::string resume_connection_required;
+    std::string resume_connection_required{};
 
     static Scratch reserved();
   };

@@ -74,11 +74,11 @@ class Provided<contracts::Lamp> : public Provided<suture::Messages> {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    bool light_on;
+    bool light_on{};
   };
 
   Contract& implementation_;
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

@@ -339,7 +339,7 @@ const InterfaceInfo& interfaceInfo<large_values::Gallery>() {
 }
 
 auto Provided<large_values::Gallery>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(large_values::GalleryDimmedArguments::picture)>(scratch.dimmed_picture);
   reserveFor<decltype(large_values::GalleryHangArguments::picture)>(scratch.hang_picture);
   return scratch;

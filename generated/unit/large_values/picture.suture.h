@@ -123,8 +123,8 @@ class Provided<large_values::Gallery> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    large_values::Picture dimmed_picture;
-    large_values::Picture hang_picture;
+    large_values::Picture dimmed_picture{};
+    large_values::Picture hang_picture{};
 
     static Scratch reserved();
   };

@@ -17,6 +17,18 @@ namespace suture {
 inline bool store(std::monostate, SlotNothing&) { return true; }
 inline void load(SlotNothing, std::monostate&) {}
 
+/// Calls `emplace` with what it needs to make a T. Clang takes a struct for not
+/// default-constructible if it has default member initialisers and is nested in the one that holds
+/// it: such a T is moved there.
+template <class T, class Emplace>
+void emplaceNew(const Emplace& emplace) {
+  if constexpr (std::is_default_constructible_v<T>) {
+    emplace();
+  } else {
+    emplace(T());
+  }
+}
+
 /// Makes the slot hold a value, and returns it for the caller to fill.
 template <class S>
 S& engage(OpenOptional<S>& slot) {
@@ -33,7 +45,7 @@ bool store(const std::optional<T>& value, SlotOptional<S>& slot) {
 template <class T, class S>
 void load(const SlotOptional<S>& slot, std::optional<T>& value) {
   if (slot.present == 0) return value.reset();
-  if (!value) value.emplace();
+  if (!value) emplaceNew<T>([&](auto&&... made) { value.emplace(std::move(made)...); });
   load(slot.value, *value);
 }
 
@@ -67,7 +79,7 @@ bool store(const std::optional<T>& value, OpenOptional<S>& slot) {
 template <class T, class S>
 void load(const OpenOptional<S>& slot, std::optional<T>& value) {
   if (slot.present == 0) return value.reset();
-  if (!value) value.emplace();
+  if (!value) emplaceNew<T>([&](auto&&... made) { value.emplace(std::move(made)...); });
   load(*slot.value, *value);
 }
 
@@ -131,7 +143,10 @@ bool storeAlternative(const Variant& value, Slot& slot, std::index_sequence<I...
 }
 template <std::size_t I, class Slot, class Variant>
 void loadAlternative(const Slot& slot, Variant& value) {
-  if (value.index() != I) value.template emplace<I>();
+  if (value.index() != I) {
+    emplaceNew<std::variant_alternative_t<I, Variant>>(
+        [&](auto&&... made) { value.template emplace<I>(std::move(made)...); });
+  }
   load(alternative<I>(slot), *std::get_if<I>(&value));
 }
 template <class Variant, class Slot, std::size_t... I>

@@ -133,6 +133,22 @@ inline bool store(bool value, std::uint8_t& slot) {
 }
 inline void load(std::uint8_t slot, bool& value) { value = slot != 0; }
 
+/// Integers of foreign structs that are types of their own beside those of a slot. Whether a char
+/// has a sign differs between machines; its bits are the same.
+template <class T>
+concept ForeignInteger = std::is_same_v<T, char> || std::is_same_v<T, long long> ||
+    std::is_same_v<T, unsigned long long>;
+
+template <ForeignInteger T, Number S>
+requires(!std::is_same_v<T, S> && sizeof(T) == sizeof(S)) bool store(T value, S& slot) {
+  slot = static_cast<S>(value);
+  return true;
+}
+template <ForeignInteger T, Number S>
+requires(!std::is_same_v<T, S> && sizeof(T) == sizeof(S)) void load(S slot, T& value) {
+  value = static_cast<T>(slot);
+}
+
 template <class E>
 requires std::is_enum_v<E>
 bool store(E value, std::underlying_type_t<E>& slot) {
@@ -255,17 +271,6 @@ concept Hooked = requires {
   typename Wire<T>::Type;
 };
 
-template <Hooked T, class S>
-bool store(const T& value, S& slot) {
-  return store(Wire<T>::to(value), slot);
-}
-template <class S, Hooked T>
-void load(const S& slot, T& value) {
-  typename Wire<T>::Type form{};
-  load(slot, form);
-  value = Wire<T>::from(form);
-}
-
 /// How a T is written into and read from a std::array; slots.h defines this for arrays and for
 /// Eigen's fixed types.
 template <class T>
@@ -278,6 +283,19 @@ requires(!Hooked<T>) bool store(const T& value, std::array<S, N>& slot) {
 template <class T, class S, std::size_t N>
 requires(!Hooked<T>) void load(const std::array<S, N>& slot, T& value) {
   ArraySlot<T>::read(slot, value);
+}
+
+// These stand behind the functions for arrays because a hook may travel as an array: no argument of
+// namespace std or Eigen would lead from here to what is declared later.
+template <Hooked T, class S>
+bool store(const T& value, S& slot) {
+  return store(Wire<T>::to(value), slot);
+}
+template <class S, Hooked T>
+void load(const S& slot, T& value) {
+  typename Wire<T>::Type form{};
+  load(slot, form);
+  value = Wire<T>::from(form);
 }
 
 }  // namespace suture

@@ -79,8 +79,8 @@ void fromJson(const JsonReader& in, Eigen::Affine3d& value);
 int enumeratorFromJson(const JsonReader& in, const std::vector<std::string>& names);
 
 template <class T>
-requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) void fromJson(const JsonReader& in,
-                                                                            T& value) {
+requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool> &&
+         !std::is_same_v<T, char>) void fromJson(const JsonReader& in, T& value) {
   if constexpr (std::is_floating_point_v<T>) {
     if (!in.json().is_number()) return in.expected("a number");
     value = in.json().get<T>();
@@ -95,6 +95,13 @@ requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) void fromJson(cons
     }
     value = in.json().get<T>();
   }
+}
+
+/// A char of a foreign struct is read as the number of its byte.
+inline void fromJson(const JsonReader& in, char& value) {
+  signed char number = 0;
+  fromJson(in, number);
+  value = static_cast<char>(number);
 }
 
 /// Durations are numbers of seconds.

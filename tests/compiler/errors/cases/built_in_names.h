@@ -6,10 +6,9 @@ struct SUTURE_TYPE() ContractEvents {
 };
 class SUTURE_INTERFACE() Contract {
  public:
-  SUTURE_COMMAND() virtual void subscribe() = 0;
-  SUTURE_COMMAND() virtual double stamp() const = 0;
-  SUTURE_COMMAND() virtual bool too_large() const = 0;
-  SUTURE_COMMAND() virtual void move(double sent) = 0;
-  SUTURE_EVENT() suture::EventOf<> state;
+  SUTURE_COMMAND(name("subscribe")) virtual void listen() = 0;
+  SUTURE_COMMAND(name("stamp")) virtual double time() const = 0;
+  SUTURE_COMMAND(name("too_large")) virtual bool large() const = 0;
+  SUTURE_COMMAND() virtual void move(SUTURE_FIELD(name("sent")) double at) = 0;
 };
 }  // namespace demo

@@ -15,6 +15,15 @@ struct Box {
   T value;
 };
 struct Later;
+enum Mode { Slow, Fast };
+class Secret {
+  int x_ = 0;
+};
+struct View {
+  double x = 0;
+  const double& again = x;
+  void* raw = nullptr;
+};
 }  // namespace lib
 namespace demo {
 struct SUTURE_TYPE() Ours {
@@ -27,4 +36,7 @@ SUTURE_EXTERNAL_TYPE(lib::Box<int>, value);
 SUTURE_EXTERNAL_TYPE(lib::Later);
 SUTURE_EXTERNAL_TYPE(Ours, x);
 SUTURE_EXTERNAL_TYPE(int);
+SUTURE_EXTERNAL_TYPE(lib::Mode, name("Pace"));
+SUTURE_EXTERNAL_TYPE(lib::Secret);
+SUTURE_EXTERNAL_TYPE(lib::View, all(), member(x, unit("parsec")));
 }  // namespace demo

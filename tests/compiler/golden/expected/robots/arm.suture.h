@@ -217,17 +217,17 @@ class Provided<robots::Arm> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    robots::PoseStamped servo_cp_goal;
-    double set_speed_speed;
-    robots::PoseStamped inverse_kinematics_x;
-    double inverse_kinematics_tolerance;
-    double grasp_width;
-    robots::Mode grasp_mode;
+    robots::PoseStamped servo_cp_goal{};
+    double set_speed_speed{};
+    robots::PoseStamped inverse_kinematics_x{};
+    double inverse_kinematics_tolerance{};
+    double grasp_width{};
+    robots::Mode grasp_mode{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

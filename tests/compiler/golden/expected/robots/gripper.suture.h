@@ -153,13 +153,13 @@ class Provided<robots::Gripper> : public Provided<robots::Arm> {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    double open_width;
-    double fits_width;
+    double open_width{};
+    double fits_width{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 template <>
@@ -231,15 +231,15 @@ class Provided<robots::Names> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    std::int32_t queue_name;
-    double name_range;
-    double name_slot;
-    double name_store;
+    std::int32_t queue_name{};
+    double name_range{};
+    double name_slot{};
+    double name_store{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

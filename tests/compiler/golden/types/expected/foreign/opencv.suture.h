@@ -99,11 +99,11 @@ class Provided<foreign::Camera> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    cv::Point3d aim_at;
+    cv::Point3d aim_at{};
   };
 
   Contract& implementation_;
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture

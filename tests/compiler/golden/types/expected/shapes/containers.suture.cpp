@@ -1239,7 +1239,7 @@ const InterfaceInfo& interfaceInfo<shapes::Store>() {
 }
 
 auto Provided<shapes::Store>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(shapes::StorePutArguments::value)>(scratch.put_value);
   return scratch;
 }

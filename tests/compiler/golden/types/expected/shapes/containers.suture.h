@@ -195,8 +195,8 @@ class Provided<shapes::Store> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    shapes::Sequences put_value;
-    std::optional<double> choose_gain;
+    shapes::Sequences put_value{};
+    std::optional<double> choose_gain{};
 
     static Scratch reserved();
   };

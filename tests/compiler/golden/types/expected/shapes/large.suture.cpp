@@ -600,7 +600,7 @@ const InterfaceInfo& interfaceInfo<shapes::Recorder>() {
 }
 
 auto Provided<shapes::Recorder>::Scratch::reserved() -> Scratch {
-  Scratch scratch{};
+  Scratch scratch;
   reserveFor<decltype(shapes::RecorderKeepArguments::values)>(scratch.keep_values);
   reserveFor<decltype(shapes::RecorderKeepArguments::rest)>(scratch.keep_rest);
   reserveFor<decltype(shapes::RecorderRenameArguments::name)>(scratch.rename_name);

@@ -158,9 +158,9 @@ class Provided<shapes::Recorder> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
-    std::vector<double> keep_values;
-    shapes::Large keep_rest;
-    std::string rename_name;
+    std::vector<double> keep_values{};
+    shapes::Large keep_rest{};
+    std::string rename_name{};
 
     static Scratch reserved();
   };

@@ -177,15 +177,15 @@ class Provided<shapes::Journal> : public ProvidedBase {
  private:
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
-    std::chrono::steady_clock::time_point put_from;
-    std::int64_t put_number;
-    std::int64_t count_number;
-    std::int64_t find_number;
+    std::chrono::steady_clock::time_point put_from{};
+    std::int64_t put_number{};
+    std::int64_t count_number{};
+    std::int64_t find_number{};
   };
 
   Contract& implementation_;
   Events events_{*this};
-  Scratch scratch_{};
+  Scratch scratch_;
 };
 
 }  // namespace suture
