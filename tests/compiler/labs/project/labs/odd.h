@@ -1,0 +1,98 @@
+#pragma once
+// What no library above has, and a lab may: names that Cap'n Proto or suturec needs for itself,
+// enums at the ends of their type, deprecated and empty things, types that hold each other.
+
+#include <suture/annotate.h>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace odd {
+
+struct SUTURE_TYPE() Text {
+  std::int32_t letters = 0;
+};
+struct SUTURE_TYPE() Data {
+  std::int32_t bytes = 0;
+};
+struct SUTURE_TYPE() List {
+  Text first;
+};
+struct SUTURE_TYPE() Int32 {
+  std::int32_t value = 0;
+};
+struct SUTURE_TYPE() Reader {
+  Data card;
+};
+enum class SUTURE_TYPE() Bool { no, yes, eof, overflow, null };
+
+struct SUTURE_TYPE() Empty {};
+enum class SUTURE_TYPE() Lowest : std::int64_t {
+  start = std::numeric_limits<std::int64_t>::min(),
+  zero = 0
+};
+enum class SUTURE_TYPE() Highest : std::uint64_t {
+  end = std::numeric_limits<std::uint64_t>::max(),
+  zero = 0
+};
+
+struct SUTURE_TYPE() Old {
+  Empty nothing;
+  Lowest lowest = Lowest::zero;
+  Highest highest = Highest::zero;
+  [[deprecated("see lowest")]] double least = 0;
+};
+
+/// Branches have a bound, but what leads back to them has none.
+struct Leaf;
+struct SUTURE_TYPE() Branch {
+  SUTURE_FIELD(capacity(3)) std::vector<Leaf> leaves;
+};
+struct SUTURE_TYPE() Leaf {
+  std::unique_ptr<Branch> branch;
+  std::vector<Branch> more;
+};
+
+template <class T>
+struct SUTURE_TYPE() Box {
+  T content{};
+};
+template <>
+struct SUTURE_TYPE() Box<bool> {
+  std::uint8_t bits = 0;
+};
+using NumberBox = Box<double>;
+using FlagBox = Box<bool>;
+
+typedef struct SUTURE_TYPE() {
+  NumberBox number;
+  FlagBox flag;
+} Boxes;
+
+struct SUTURE_TYPE() Everything {
+  Text text;
+  Data data;
+  List list;
+  Int32 number;
+  Reader reader;
+  Bool truth = Bool::no;
+  SUTURE_FIELD(capacity(4)) std::variant<Text, std::string> either;
+  Boxes boxes;
+};
+
+/// Its commands and events have names that every contract on the wire has already.
+class SUTURE_INTERFACE() Client {
+ public:
+  virtual ~Client() = default;
+  SUTURE_COMMAND() virtual void subscribe(const Everything& sent) = 0;
+  SUTURE_COMMAND() virtual double stamp() const = 0;
+  SUTURE_COMMAND() virtual void keep(const Old& old, Highest value, std::int32_t slot) = 0;
+  SUTURE_EVENT() suture::EventOf<Bool> state;
+};
+
+}  // namespace odd

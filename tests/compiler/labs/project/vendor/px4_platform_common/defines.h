@@ -1,0 +1,3 @@
+#pragma once
+// What NuttX says of a symbol that other modules see.
+#define __EXPORT __attribute__((visibility("default")))
