@@ -20,7 +20,7 @@ std::string fieldSubject(const clang::FieldDecl* field) {
   return "field '" + field->getNameAsString() + "'";
 }
 
-/// The value, of a std::uint64_t beyond the largest std::int64_t its bits.
+/// Returns the value, or the bits of a std::uint64_t that no std::int64_t can hold.
 std::int64_t bitsOf(const llvm::APSInt& value) {
   return value.isSigned() ? value.getSExtValue() : static_cast<std::int64_t>(value.getZExtValue());
 }

@@ -57,7 +57,7 @@ void emitStruct(Code& code, const Context& context, const model::Struct& declara
   code.close("};").blank();
 }
 
-/// Without the names of the parameters where nothing uses them.
+/// Leaves out the names of the parameters where nothing uses them.
 std::string storeSignature(const std::string& type, const std::string& slot, bool any = true) {
   return "bool store(const " + type + "&" + (any ? " value, " : ", ") + kBreak + slot + "&" +
          (any ? " slot)" : ")");

@@ -25,8 +25,8 @@ struct Context {
 /// "robots::arm::Pose" -> "Pose" within namespace "robots::arm"; unchanged elsewhere.
 std::string relative(const std::string& name, const std::string& inNamespace);
 
-/// How what is generated for a declaration begins, in its header's namespace: "robots::Pose" of
-/// itself, "robots::ArmState" of "robots::Arm::State", "robots::msgsPose" of "msgs::Pose".
+/// Begins the names of all that is generated for a declaration, in its header's namespace:
+/// "robots::ArmState" for "robots::Arm::State", "robots::msgsPose" for "msgs::Pose".
 std::string generatedName(const std::string& declared, const model::Lookup& lookup);
 
 /// The slot struct of a SUTURE_TYPE, qualified: "robots::PoseStampedSlot".

@@ -84,7 +84,7 @@ std::vector<unsigned> capacityOf(const clang::APValue& value) {
   return levels;
 }
 
-/// Where `&Type::m` within dsl::member(&Type::m, ...) names m.
+/// Finds where dsl::member(&Type::m, ...) names m.
 clang::SourceLocation memberPlace(const clang::Stmt* argument) {
   if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(argument)) {
     if (!llvm::isa<clang::FunctionDecl>(reference->getDecl()) ||

@@ -28,7 +28,7 @@ std::string wireTypeName(model::Named kind, const clang::NamedDecl* declaration,
 /// "POWER_ON" -> "powerOn".
 std::string wireMemberName(const std::string& cxxName, const std::optional<std::string>& given);
 
-/// The same of what cannot have every name.
+/// Gives the same, and a word more where something else has that name on the wire.
 std::string wireMemberName(model::Named kind, const std::string& cxxName,
                            const std::optional<std::string>& given);
 
