@@ -48,8 +48,8 @@ bool leadsBack(const model::Type& type, const model::Lookup& lookup) {
   return !walk(type, lookup, [](const Place& place) { return !place.recursive; });
 }
 
-/// Whether the slot of a type would hold one of the struct within itself. What has no bound, and an
-/// optional struct that leads back, are blocks of their own.
+/// Tells if the slot of a type would hold one of the struct within itself. What has no bound, and
+/// an optional struct that leads back, are blocks of their own.
 class Within {
  public:
   Within(const model::Struct& target, const model::Lookup& lookup)

@@ -102,7 +102,7 @@ void emitHeaderIncludes(Code& code, const Context& context) {
   code.blank();
 }
 
-/// Whether the compiler would warn of what the user's headers mark as [[deprecated]].
+/// Tells if the compiler would warn of what the user's headers mark as [[deprecated]].
 bool mentionsDeprecated(const Context& context) {
   const auto& imports = context.header.imports;
   const auto& headers = context.model.headers;

@@ -97,7 +97,7 @@ void checkDefault(const Candidate& candidate, Default::State state, Mapping& map
   }
 }
 
-/// Whether the field may lie where its type would not be aligned, so that no reference binds to it.
+/// Tells if the field may lie where its type is not aligned, so that no reference binds to it.
 bool isPacked(const clang::FieldDecl* field) {
   const clang::ASTContext& context = field->getASTContext();
   const clang::CharUnits wanted = context.getTypeAlignInChars(field->getType());
@@ -220,7 +220,7 @@ bool isDefaultConstructible(const clang::CXXRecordDecl* declaration) {
   return declaration->hasDefaultConstructor();
 }
 
-/// Whether SUTURE_EXTERNAL_TYPE means each public member.
+/// Tells if SUTURE_EXTERNAL_TYPE means each public member.
 bool meansAll(const Annotation& external) { return external.all || external.members.empty(); }
 
 /// The members that SUTURE_EXTERNAL_TYPE means; findings about those that it lists appear there.

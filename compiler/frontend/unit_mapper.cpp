@@ -110,19 +110,22 @@ class Visitor : public clang::RecursiveASTVisitor<Visitor> {
   }
 
   void add(const DataDeclaration& declared) {
-    model::Header& header = headers_.of(declared.place);
-    model::Struct type = mapStructDeclaration(declared, mapping_);
-    type.foreignNamespace = foreignNamespace(declared.record, header);
-    noteDeprecation(declared.record, header);
-    header.structs.push_back(std::move(type));
+    add(&model::Header::structs, mapStructDeclaration(declared, mapping_), declared.record,
+        declared.place);
   }
 
   void add(const EnumDeclaration& declared) {
-    model::Header& header = headers_.of(declared.place);
-    model::Enum type = mapEnumDeclaration(declared, mapping_);
-    type.foreignNamespace = foreignNamespace(declared.declaration, header);
-    noteDeprecation(declared.declaration, header);
-    header.enums.push_back(std::move(type));
+    add(&model::Header::enums, mapEnumDeclaration(declared, mapping_), declared.declaration,
+        declared.place);
+  }
+
+  template <class Type>
+  void add(std::vector<Type> model::Header::*types, Type type, const clang::TagDecl* declaration,
+           const clang::NamedDecl* place) {
+    model::Header& header = headers_.of(place);
+    type.foreignNamespace = foreignNamespace(declaration, header);
+    noteDeprecation(declaration, header);
+    (header.*types).push_back(std::move(type));
   }
 
   void visit(clang::NamedDecl* declaration, Kind kind) {

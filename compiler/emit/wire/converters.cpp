@@ -35,8 +35,8 @@ struct EnumNames {
         slot(cxxScalar(type.underlying)),
         isOpen(type.isOpen) {}
 
-  /// What a switch over a slot compares. Few integers are values of an enum without a declared
-  /// type, and whatever has come must not become another.
+  /// Spells what a switch over a slot compares. Few integers are values of an enum without a
+  /// declared type, and whatever has come must not become another.
   std::string subject() const { return isOpen ? "slot" : "static_cast<" + cxx + ">(slot)"; }
   std::string label(const model::Enumerator& one) const {
     const std::string name = cxx + "::" + one.name;

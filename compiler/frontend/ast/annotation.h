@@ -58,7 +58,7 @@ bool isVocabulary(llvm::StringRef macro);
 /// "unit", "range"...: what any of the macros takes.
 std::vector<std::string_view> annotationArguments();
 
-/// What is wrong with an annotation's arguments.
+/// Says what is wrong with an annotation's arguments.
 struct AnnotationProblem {
   std::string slug, message, help;
   clang::SourceLocation place;  ///< of the member that is listed; invalid: at the declaration
