@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "run/connection_name.h"
 #include "tables/units.h"
 
 namespace demo {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "run/connection_name.h"
 #include "run/stop.h"
 
 namespace demo {
@@ -170,10 +171,6 @@ bool isArm(const ComponentEntry& component) {
 suture::Duration lengthOf(const Options& options) {
   return std::chrono::duration_cast<suture::Duration>(
       std::chrono::duration<double>(options.seconds));
-}
-
-std::string nameOf(const ConnectionEntry& connection) {
-  return connection.from.toString() + " -> " + connection.to.toString();
 }
 
 Plan::Plan(const Options& options, Network& network, const std::filesystem::path& topology,

@@ -53,9 +53,6 @@ struct KnotPlacing {
   double radius, slope;  ///< of the corridor: m at the target, and by which it widens before it
 };
 
-/// As reports call the connection.
-std::string nameOf(const suture::ConnectionEntry& connection);
-
 /// The topology's deployment file with the run's rate, lane, stop, manager and keys, written into
 /// the run's folder. The rate is that of each task whose period the topology's file states as 1 ms;
 /// one with a shorter period, as drives have, runs faster in proportion. All others keep theirs.

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "run/connection_name.h"
 #include "tables/short_names.h"
 #include "tables/units.h"
 
@@ -21,17 +22,21 @@ constexpr std::size_t kAges = 4;
 std::string bytes(std::uint64_t count) {
   if (count == 0) return "-";
   const auto number = static_cast<double>(count);
-  return number < 1e6 ? fmt::format("{:.1f} kB", number / 1e3)
-                      : fmt::format("{:.1f} MB", number / 1e6);
+  if (number < 999.95e3) return fmt::format("{:.1f} kB", number / 1e3);
+  if (number < 999.95e6) return fmt::format("{:.1f} MB", number / 1e6);
+  return fmt::format("{:.1f} GB", number / 1e9);
 }
 
 std::string count(std::uint64_t number) { return number == 0 ? "-" : fmt::format("{}", number); }
 
+/// Beyond 99 the exact number would widen the table; the result file has it.
+std::string few(std::uint64_t number) { return number > 99 ? "99+" : fmt::format("{}", number); }
+
 /// "-" tells that the connection has none.
 std::string kept(const std::optional<suture::ContractReport>& contract) {
   if (!contract) return "-";
-  if (contract->losses > 0) return fmt::format("{} lost", contract->losses);
-  return contract->staleReads > 0 ? fmt::format("{} stale", contract->staleReads) : "kept";
+  if (contract->losses > 0) return few(contract->losses) + " lost";
+  return contract->staleReads > 0 ? few(contract->staleReads) + " stale" : "kept";
 }
 
 std::vector<std::string> ageCells(const char* what, const Distribution& age) {
@@ -71,10 +76,11 @@ std::string unwelcome(const std::vector<ConnectionReport>& connections) {
   return fmt::format("Commands that were dropped: {}; that were late: {}.", dropped, late);
 }
 
-Table connectionTable(const Plan& plan, const std::vector<ConnectionReport>& connections) {
-  const ShortNames names({&plan.deployment()});
+Table connectionTable(const suture::Deployment& deployment,
+                      const std::vector<ConnectionReport>& connections) {
+  const ShortNames names({&deployment});
   std::map<std::string, std::string> shortOf;
-  for (const suture::ConnectionEntry& one : plan.deployment().connections()) {
+  for (const suture::ConnectionEntry& one : deployment.connections()) {
     shortOf[nameOf(one)] = names.of(one);
   }
   Table table(kTitles);

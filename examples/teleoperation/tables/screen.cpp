@@ -148,7 +148,7 @@ void Screen::end(const Plan& plan, const CrewResult& result, const Verdict& verd
     fmt::print("Interrupted after {:.1f} s; every process has been ended.\n\n",
                std::chrono::duration<double>(result.ran).count());
   }
-  printTable(connectionTable(plan, verdict.connections));
+  printTable(connectionTable(plan.deployment(), verdict.connections));
   fmt::print("{}\n\n", unwelcome(verdict.connections));
   printTable(componentTable(plan, result.reports));
   fmt::print("{}\n\n", processorTime(result.reports));

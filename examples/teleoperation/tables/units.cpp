@@ -7,7 +7,9 @@
 namespace demo {
 
 std::string milliseconds(suture::Duration duration) {
-  return fmt::format("{:.2f}", std::chrono::duration<double, std::milli>(duration).count());
+  const double number = std::chrono::duration<double, std::milli>(duration).count();
+  const int decimals = number < 99.995 ? 2 : number < 999.95 ? 1 : 0;
+  return fmt::format("{:.{}f}", number, decimals);
 }
 
 std::string microseconds(suture::Duration duration) {

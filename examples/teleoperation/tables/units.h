@@ -7,6 +7,7 @@
 
 namespace demo {
 
+/// Has fewer decimals from 100 ms on, so that a column of ages is as wide as "99.99" up to 100 s.
 std::string milliseconds(suture::Duration duration);
 std::string microseconds(suture::Duration duration);
 
