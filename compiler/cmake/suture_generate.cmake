@@ -18,7 +18,7 @@
 # SUTUREC_EXECUTABLE, set before, is the suturec to run where that of the package is for another machine.
 # With suturec at hand it runs at build time: once per change of anything the headers read, and it
 # rewrites only files whose text changes. Without it, what is committed in <project>/generated is compiled.
-# Three targets serve all: update-lock, update-generated and the test check-generated.
+# Four targets serve all: update-lock, accept-break, update-generated and the test check-generated.
 
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_checks.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/suture_generate_parts.cmake)

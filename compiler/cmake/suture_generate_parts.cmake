@@ -34,7 +34,8 @@ endfunction()
 # One argument a line; lists of the target are complete only when the build files are written.
 function(suture_write_response_file file target base generated lock_dirs stems entry)
   set(own --target-name ${target} --project ${PROJECT_NAME} --base-dir ${base} --out ${generated})
-  list(APPEND own --lock-command "cmake --build ${CMAKE_BINARY_DIR} --target update-lock")
+  list(APPEND own --lock-command "cmake --build ${CMAKE_BINARY_DIR} --target update-lock"
+    --break-command "cmake --build ${CMAKE_BINARY_DIR} --target accept-break")
   foreach(directory IN LISTS lock_dirs)
     list(APPEND own --lock-dir ${directory})
   endforeach()

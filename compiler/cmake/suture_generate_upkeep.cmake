@@ -1,5 +1,5 @@
-# Targets that keep what is committed in step with the headers: update-lock, update-generated, and the
-# test check-generated. Each serves all suture_generate() calls of a project, so they are defined when
+# Targets that keep what is committed in step with the headers: update-lock, accept-break (the same,
+# where old peers no longer count), update-generated, and the test check-generated. Each serves all suture_generate() calls of a project, so they are defined when
 # the project's own list file ends.
 
 function(suture_register_upkeep suturec target stems entry)
@@ -26,9 +26,11 @@ function(suture_define_upkeep)
   foreach(target IN LISTS targets)
     get_property(rsp GLOBAL PROPERTY SUTURE_UPKEEP_RSP_${target})
     list(APPEND update_lock COMMAND ${suturec} @${rsp} --update-lock)
+    list(APPEND accept_break COMMAND ${suturec} @${rsp} --update-lock --accept-break)
     list(APPEND stamps ${target}_suture)
   endforeach()
   add_custom_target(update-lock ${update_lock} VERBATIM COMMENT "Updating the locked schemas")
+  add_custom_target(accept-break ${accept_break} VERBATIM COMMENT "Updating the locked schemas, breaks included")
 
   set(list ${CMAKE_BINARY_DIR}/generated.list)
   list(JOIN files "\n" text)

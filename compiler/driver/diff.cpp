@@ -29,19 +29,8 @@ std::optional<lock::Lock> readLock(const std::string& path) {
   return std::move(locks.files.begin()->second);
 }
 
-const char* label(lock::Effect effect) {
-  switch (effect) {
-    case lock::Effect::None: return "fine:    ";
-    case lock::Effect::Refusals: return "refuses: ";
-    case lock::Effect::Break: return "breaks:  ";
-  }
-  return "";
-}
-
 int tell(const std::vector<lock::Difference>& differences) {
-  for (const lock::Difference& one : differences) {
-    std::cout << label(one.effect) << one.text << "\n";
-  }
+  for (const lock::Difference& one : differences) std::cout << one.line() << "\n";
   const auto any = [&](lock::Effect effect) {
     return std::any_of(differences.begin(), differences.end(),
                        [effect](const lock::Difference& one) { return one.effect == effect; });

@@ -60,6 +60,8 @@ void declare(CLI::App& app, Options& options) {
   app.add_option("--project", options.project, "Owner of new wire ids");
   app.add_option("--lock-command", options.lockCommand,
                  "What messages tell to run to update the lock");
+  app.add_option("--break-command", options.breakCommand,
+                 "What messages tell to run to update the lock and take breaks");
   auto* update =
       app.add_flag("--update-lock", options.updateLock, "Write the lock instead of checking it");
   app.add_flag("--accept-break", options.acceptBreak,

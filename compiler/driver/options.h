@@ -19,6 +19,7 @@ struct Options {
   std::string resourceDirectory;  ///< "" = look for it
   std::string project = "suture";
   std::string lockCommand = "suturec --update-lock";
+  std::string breakCommand = "suturec --update-lock --accept-break";
   bool updateLock = false;
   bool acceptBreak = false;
   std::vector<std::string> newIds;         ///< names that get one, with updateLock

@@ -85,7 +85,8 @@ class Run {
                    resourceDirectory(options.resourceDirectory),
                    options.clangArguments,
                    {options.fatalWarnings.begin(), options.fatalWarnings.end()}}) {
-    lockOptions_ = {options.project, options.lockDirectories.front(), options.lockCommand,
+    lockOptions_ = {options.project,     options.lockDirectories.front(),
+                    options.lockCommand, options.breakCommand,
                     options.acceptBreak, options.newIds};
   }
 
@@ -128,7 +129,11 @@ class Run {
     NewFiles files;
     for (const model::Artefact& file : update.files) {
       const fs::path path = fs::path(options_.lockDirectories.front()) / file.path;
-      if (files.addIfChanged(path, file.text)) std::cout << "updated " << path.string() << "\n";
+      if (!files.addIfChanged(path, file.text)) continue;
+      std::cout << "updated " << path.string() << "\n";
+      const auto changes = update.changes.find(file.path);
+      if (changes == update.changes.end()) continue;
+      for (const std::string& line : changes->second) std::cout << "  " << line << "\n";
     }
     files.place();
     return true;

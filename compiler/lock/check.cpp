@@ -4,11 +4,13 @@
 #include <string_view>
 #include <utility>
 
+#include "compiler/lock/differences.h"
 #include "compiler/lock/major_versions.h"
 #include "compiler/lock/merge.h"
 #include "compiler/lock/schema/lock.h"
 #include "compiler/lock/schema/wire_type.h"
 #include "compiler/lock/schema/writer.h"
+#include "compiler/lock/verdicts.h"
 #include "compiler/lock/wanted.h"
 
 namespace suture::compiler::lock {
@@ -38,15 +40,20 @@ struct Judged {
   }
 };
 
-/// Calls visit(judged, merge) for each own header that has a lock or needs one.
+/// Calls visit(judged, the lock as it should be) for each own header that has a lock or needs one.
 template <class Visit>
 void forEachOwn(const model::Model& model, const model::Lookup& lookup, const Locks& locks,
                 const Options& options, const Visit& visit) {
   for (const model::Header& header : model.headers) {
     const Judged judged{header, wanted(header, lookup), lockOf(header, locks)};
     if (!header.own || (!needsLock(header) && judged.old.text.empty())) continue;
-    visit(judged, merge(judged.wanted, header, judged.old, options));
+    visit(judged, merge(judged.wanted, header, judged.old, options.project));
   }
+}
+
+Verdicts verdictsOf(const Judged& judged, const Lock& merged, const Options& options) {
+  return verdicts(differences(judged.old, merged), judged.wanted, judged.header, judged.old,
+                  options);
 }
 
 /// The wire names of all headers, by the C++ namespace in which capnp will declare them.
@@ -240,18 +247,21 @@ Diagnostics check(const model::Model& model, const Locks& locks, const Options& 
   Diagnostics all = duplicateIds(locks, options);
   const model::Lookup lookup(model);
   const WireNames names(model, lookup);
-  forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
+  forEachOwn(model, lookup, locks, options, [&](const Judged& judged, const Lock& merged) {
     append(all, names.clashes(judged.header, judged.wanted));
     append(all, clashesWithOwn(judged.wanted));
-    append(all, names.clashesWithRemoved(judged.header, merge.lock));
+    append(all, names.clashesWithRemoved(judged.header, merged));
     if (judged.old.text.empty()) {
       all.push_back(missing(judged, options));
       return;
     }
-    const bool clean = merge.breaks.empty() && merge.pending.empty();
-    append(all, std::move(merge.breaks));
-    append(all, std::move(merge.pending));
-    if (clean && withoutComments(write(merge.lock)) != withoutComments(judged.old.text)) {
+    Verdicts found = verdictsOf(judged, merged, options);
+    const bool errors = !found.breaks.empty() || !found.pending.empty();
+    const bool told = errors || !found.stale.empty();
+    append(all, std::move(found.breaks));
+    append(all, std::move(found.pending));
+    if (!errors) append(all, std::move(found.stale));
+    if (!told && withoutComments(write(merged)) != withoutComments(judged.old.text)) {
       all.push_back(stale(judged, options));
     }
   });
@@ -266,24 +276,29 @@ Update update(const model::Model& model, const Locks& committed, const Options& 
   const WireNames names(model, lookup);
   std::map<std::string, Lock> merged = locks.files;
   std::set<std::string> own, broken;
-  forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Merge merge) {
+  forEachOwn(model, lookup, locks, options, [&](const Judged& judged, Lock lock) {
     append(result.diagnostics, names.clashes(judged.header, judged.wanted));
     append(result.diagnostics, clashesWithOwn(judged.wanted));
-    append(result.diagnostics, names.clashesWithRemoved(judged.header, merge.lock));
-    if (!options.acceptBreaks) append(result.diagnostics, std::move(merge.breaks));
+    append(result.diagnostics, names.clashesWithRemoved(judged.header, lock));
+    Verdicts found = verdictsOf(judged, lock, options);
+    if (!options.acceptBreaks) append(result.diagnostics, std::move(found.breaks));
     const std::string path = judged.old.path;
-    for (const std::string& node : merge.broken) broken.insert(path + ":" + node);
+    for (const std::string& node : found.broken) broken.insert(path + ":" + node);
     own.insert(path);
-    merged[path] = std::move(merge.lock);
+    merged[path] = std::move(lock);
   });
   giveFreeIds(merged, locks);
   raiseMajors(merged, own, broken);
   for (const std::string& path : own) {
     const auto old = committed.files.find(path);
     std::string text = write(merged.at(path));
-    if (old == committed.files.end() || text != old->second.text) {
-      result.files.push_back({path, std::move(text)});
+    if (old != committed.files.end()) {
+      if (text == old->second.text) continue;
+      for (const Difference& one : differences(old->second, merged.at(path))) {
+        result.changes[path].push_back(one.line());
+      }
     }
+    result.files.push_back({path, std::move(text)});
   }
   return result;
 }

@@ -1,7 +1,9 @@
 #include "compiler/lock/differences.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "compiler/lock/major_versions.h"
 #include "compiler/lock/schema/renames.h"
@@ -22,132 +24,260 @@ const char* kindOf(Node::Kind kind) {
 
 std::string titleOf(const Node& node) { return kindOf(node.kind) + node.name; }
 
+std::string titleOf(const Node& node, const Member& member) {
+  return "'" + member.name + "' of " + titleOf(node);
+}
+
 bool isMeaningful(const std::string& name) {
   return std::find(std::begin(kMeaningful), std::end(kMeaningful), name) != std::end(kMeaningful);
 }
+
+/// Finds the same node in another lock: of the same id, which outlives renames, else of the same
+/// name, else of the same C++ name.
+class Nodes {
+ public:
+  explicit Nodes(const Lock& lock) {
+    for (const Node& node : lock.nodes) {
+      names_.emplace(node.name, &node);
+      identities_.emplace(identity(node), &node);
+      ids_.emplace(node.id, &node);
+    }
+  }
+
+  const Node* find(const Node& node) const {
+    const auto named = names_.find(node.name);
+    const bool isNamed = named != names_.end();
+    if (isNamed && named->second->id == node.id)
+      return named->second;  // also where two have one id
+    if (const auto known = ids_.find(node.id); known != ids_.end()) return known->second;
+    if (isNamed) return named->second;
+    const auto same = identities_.find(identity(node));
+    return same == identities_.end() ? nullptr : same->second;
+  }
+
+ private:
+  std::map<std::string, const Node*> names_, identities_;
+  std::map<std::uint64_t, const Node*> ids_;
+};
 
 class Comparison {
  public:
   std::vector<Difference> run(const Lock& old, const Lock& now) {
     if (old.cxxNamespace != now.cxxNamespace) {
-      harmless("namespace " + now.cxxNamespace + " instead of " + old.cxxNamespace);
+      add(Change::Policy, Effect::None, {}, {}, "the schema",
+          " is in namespace " + now.cxxNamespace + " instead of " + old.cxxNamespace);
     }
+    const Nodes nodes(now);
+    std::set<const Node*> known;
     for (const Node& node : old.nodes) {
-      if (const Node* const same = find(now, node)) renames_.add(node.name, same->name);
+      const Node* const same = nodes.find(node);
+      if (same == nullptr) continue;
+      known.insert(same);
+      renames_.add(node.name, same->name);
+      if (node.kind == Node::Kind::Enum) addEnumerators(node, *same);
     }
-    for (const Node& node : old.nodes) compare(node, find(now, node));
+    for (const Node& node : old.nodes) compare(node, nodes.find(node));
     for (const Node& node : now.nodes) {
-      if (!find(old, node)) harmless(titleOf(node) + " is new");
+      if (!known.contains(&node)) {
+        add(Change::New, Effect::None, {}, {&node}, titleOf(node), " is new");
+      }
     }
     return std::move(found_);
   }
 
  private:
-  /// The same node in another lock: of the same name, else of the same C++ name, else of the same
-  /// id, which outlives renames.
-  static const Node* find(const Lock& lock, const Node& node) {
-    const auto first = [&lock](const auto& isSame) -> const Node* {
-      const auto found = std::find_if(lock.nodes.begin(), lock.nodes.end(), isSame);
-      return found == lock.nodes.end() ? nullptr : &*found;
-    };
-    const Node* found = first([&](const Node& one) { return one.name == node.name; });
-    if (!found) {
-      found = first([&](const Node& one) { return identity(one) == identity(node); });
-    }
-    return found ? found : first([&](const Node& one) { return one.id == node.id; });
+  Difference& add(Change change, Effect effect, LockPlace before, LockPlace now,
+                  std::string subject, std::string detail) {
+    found_.push_back(
+        {change, effect, before, now, "", "", std::move(subject), std::move(detail), ""});
+    return found_.back();
   }
 
-  void broken(std::string text) { found_.push_back({Effect::Break, std::move(text)}); }
-  void harmless(std::string text) { found_.push_back({Effect::None, std::move(text)}); }
+  void addEnumerators(const Node& old, const Node& now) {
+    for (std::size_t i = 0; i < std::min(old.members.size(), now.members.size()); ++i) {
+      enumerators_[now.name].emplace(old.members[i].name, now.members[i].name);
+    }
+  }
+
+  /// The default of before by the names of now.
+  std::string defaultOf(const Member& old, const std::string& type) const {
+    const auto names = enumerators_.find(type);
+    if (names == enumerators_.end()) return old.defaultValue;
+    const auto renamed = names->second.find(old.defaultValue);
+    return renamed == names->second.end() ? old.defaultValue : renamed->second;
+  }
 
   void compare(const Node& old, const Node* now) {
-    const std::string title = titleOf(old);
-    if (!now) return broken(title + " is gone without a trace");
-    if (now->id != old.id) broken(title + " has another id");
-    if (now->kind != old.kind) return broken(title + " became " + titleOf(*now));
-    if (now->name != old.name) harmless(title + " is called " + now->name + " now");
+    const auto say = [&](Change change, Effect effect, std::string detail) {
+      add(change, effect, {&old}, {now}, titleOf(old), std::move(detail));
+    };
+    if (now == nullptr) return say(Change::Identity, Effect::Break, " is gone without a trace");
+    if (now->id != old.id) say(Change::Identity, Effect::Break, " has another id");
+    if (now->kind != old.kind) {
+      return say(Change::Kind, Effect::Break, " became " + titleOf(*now));
+    }
+    if (now->name != old.name) {
+      say(Change::Renamed, Effect::None, " is called " + now->name + " now");
+    }
     if (now->removed() && !old.removed()) {
       const bool contract = old.kind == Node::Kind::Interface;
-      found_.push_back({contract ? Effect::Break : Effect::None, title + " was removed"});
+      say(Change::Removed, contract ? Effect::Break : Effect::None, " was removed");
     }
     if (majorOf(*now) != majorOf(old)) {
-      broken(title + ": major " + std::to_string(majorOf(*now)) + " instead of " +
-             std::to_string(majorOf(old)) + "; peers of the two refuse each other");
+      say(Change::Identity, Effect::Break,
+          ": major " + std::to_string(majorOf(*now)) + " instead of " +
+              std::to_string(majorOf(old)) + "; peers of the two refuse each other");
     }
-    const std::string version = valueOf(now->annotations, "version");
-    const std::string before = valueOf(old.annotations, "version");
-    if (version != before) {
-      broken(title + ": version " + version + " instead of " + before +
-             "; peers of the two refuse each other");
+    compareAnnotations(old, *now);
+    if (!hasSameBases(old, *now)) {
+      say(Change::Base, Effect::Break, " has another base; peers of before know it without");
     }
-    if (now->extends.size() != old.extends.size()) {
-      broken(title + " has another base; peers of before know it without");
-    }
-    compareMembers(old, *now, title);
+    compareMembers(old, *now);
   }
 
-  void compareMembers(const Node& old, const Node& now, const std::string& title) {
+  bool hasSameBases(const Node& old, const Node& now) const {
+    return std::equal(old.extends.begin(), old.extends.end(), now.extends.begin(),
+                      now.extends.end(), [this](const std::string& before, const std::string& one) {
+                        return renames_.apply(before) == one;
+                      });
+  }
+
+  void compareAnnotations(const Node& old, const Node& now) {
+    for (const std::string& name : namesOf(old.annotations, now.annotations)) {
+      if (name == "removed" || name == "major") continue;
+      const bool version = name == "version";
+      const std::string change = changeOf(name, old.annotations, now.annotations);
+      if (change.empty()) continue;
+      add(version ? Change::Version : Change::Policy, version ? Effect::Break : Effect::None,
+          {&old}, {&now}, titleOf(old),
+          change + (version ? "; peers of the two refuse each other" : ""))
+          .what = name;
+    }
+  }
+
+  void compareMembers(const Node& old, const Node& now) {
     const bool chosen = old.kind == Node::Kind::Enum || old.isUnion;
     for (std::size_t i = 0; i < old.members.size(); ++i) {
-      const std::string subject = "'" + old.members[i].name + "' of " + title;
+      const Member& before = old.members[i];
       if (i >= now.members.size()) {
-        broken(subject + " is gone without a trace");
-      } else if (now.members[i].removed() && !old.members[i].removed()) {
-        found_.push_back(removal(old.members[i], subject, chosen));
+        add(Change::Identity, Effect::Break, {&old, &before}, {&now}, titleOf(old, before),
+            " is gone without a trace");
+      } else if (now.members[i].removed() && !before.removed()) {
+        addRemoval({&old, &before}, {&now, &now.members[i]}, chosen);
       } else {
-        compare(old.members[i], now.members[i], subject);
+        compare({&old, &before}, {&now, &now.members[i]});
       }
     }
     for (std::size_t i = old.members.size(); i < now.members.size(); ++i) {
-      found_.push_back({chosen ? Effect::Refusals : Effect::None,
-                        "'" + now.members[i].name + "' of " + title + " is new" +
-                            (chosen ? "; peers of before refuse a message that has it" : "")});
+      add(Change::New, chosen ? Effect::Refusals : Effect::None, {&old}, {&now, &now.members[i]},
+          titleOf(now, now.members[i]),
+          std::string(" is new") + (chosen ? "; peers of before refuse a message that has it" : ""))
+          .hint = hintOfRename(old, now, now.members[i]);
     }
   }
 
   /// `chosen`: it is one of several of which a message has one.
-  static Difference removal(const Member& old, const std::string& subject, bool chosen) {
-    const std::string text = subject + " was removed; ";
-    if (old.isMethod) return {Effect::Break, text + "who calls it is told so"};
-    if (chosen) return {Effect::Refusals, text + "peers of now refuse a message that has it"};
-    return {Effect::None, text + "its place is kept"};
+  void addRemoval(LockPlace before, LockPlace now, bool chosen) {
+    const std::string subject = titleOf(*before.node, *before.member);
+    if (before.member->isMethod) {
+      add(Change::Removed, Effect::Break, before, now, subject,
+          " was removed; who calls it is told so");
+    } else if (chosen) {
+      add(Change::Removed, Effect::Refusals, before, now, subject,
+          " was removed; peers of now refuse a message that has it");
+    } else {
+      add(Change::Removed, Effect::None, before, now, subject, " was removed; its place is kept");
+    }
   }
 
-  void compare(const Member& old, const Member& now, const std::string& subject) {
-    if (now.name != old.name) harmless(subject + " is called '" + now.name + "' now");
-    compareMeaning(old, now, subject);
-    if (now.defaultValue != old.defaultValue) {
-      broken(subject + ": default " + shown(now.defaultValue, "zero") + " instead of " +
-             shown(old.defaultValue, "zero"));
+  /// A rename without was() looks like something removed and something new of one form.
+  std::string hintOfRename(const Node& old, const Node& now, const Member& added) const {
+    for (std::size_t i = 0; i < std::min(old.members.size(), now.members.size()); ++i) {
+      const Member& before = old.members[i];
+      const bool gone = now.members[i].removed() && !before.removed();
+      if (!gone || before.isMethod != added.isMethod) continue;
+      if (renames_.apply(before.type) != added.type) continue;
+      return "if it is '" + before.name + "' under another name, say was(\"" + before.name + "\")";
     }
-    compareLists(old.parameters, now.parameters, "parameter", subject);
-    compareLists(old.results, now.results, "result", subject);
+    return "";
+  }
+
+  void compare(LockPlace before, LockPlace now) {
+    const Member &old = *before.member, &member = *now.member;
+    const std::string subject = titleOf(*before.node, old);
+    if (member.name != old.name) {
+      add(Change::Renamed, Effect::None, before, now, subject,
+          " is called '" + member.name + "' now");
+    }
+    const bool same = compareMeaning(before, now, old, member, subject, "");
+    if (same && member.defaultValue != defaultOf(old, member.type)) {
+      add(Change::Identity, Effect::Break, before, now, subject,
+          ": default " + shown(member.defaultValue, "zero") + " instead of " +
+              shown(old.defaultValue, "zero"));
+    }
+    compareLists(before, now, old.parameters, member.parameters, "parameter", subject);
+    compareLists(before, now, old.results, member.results, "result", subject);
   }
 
   static std::string shown(const std::string& value, const char* nothing) {
     return value.empty() ? nothing : value;
   }
 
-  void compareMeaning(const Member& old, const Member& now, const std::string& subject) {
-    if (old.isMethod != now.isMethod || renames_.apply(old.type) != now.type) {
-      broken(subject + ": type " + now.type + " instead of " + old.type);
-    }
+  static std::set<std::string> namesOf(const Annotations& old, const Annotations& now) {
     std::set<std::string> names;
-    for (const auto& [name, value] : old.annotations) names.insert(name);
-    for (const auto& [name, value] : now.annotations) names.insert(name);
-    for (const std::string& name : names) {
-      const std::string before = valueOf(old.annotations, name);
-      const std::string after = valueOf(now.annotations, name);
-      if (before == after) continue;
-      found_.push_back({effectOf(name), subject + ": " + name + " " + shown(after, "given") +
-                                            " instead of " + shown(before, "given") +
-                                            consequenceOf(name)});
-    }
+    for (const auto& [name, value] : old) names.insert(name);
+    for (const auto& [name, value] : now) names.insert(name);
+    return names;
   }
 
-  static Effect effectOf(const std::string& annotation) {
-    if (isMeaningful(annotation)) return Effect::Break;
-    return consequenceOf(annotation).empty() ? Effect::None : Effect::Refusals;
+  /// ": queue 8 instead of 4"; "" if it is the same.
+  static std::string changeOf(const std::string& name, const Annotations& old,
+                              const Annotations& now) {
+    const std::string before = valueOf(old, name), after = valueOf(now, name);
+    if (before == after) return "";
+    const std::string title = name == "cxx" ? "name in C++" : name;
+    return ": " + title + " " + shown(after, "given") + " instead of " + shown(before, "given");
+  }
+
+  /// `old` and `now` are the member itself, or a parameter or result of it, which `part` names.
+  /// Returns false if bytes of the two mean different things.
+  bool compareMeaning(LockPlace before, LockPlace after, const Member& old, const Member& now,
+                      const std::string& subject, const std::string& part) {
+    bool same = true;
+    const auto say = [&](Change change, Effect effect, std::string detail, std::string what) {
+      Difference& one = add(change, effect, before, after, subject, std::move(detail));
+      one.part = part;
+      one.what = std::move(what);
+      if (effect == Effect::Break) same = false;
+    };
+    if (old.isMethod != now.isMethod || renames_.apply(old.type) != now.type) {
+      say(Change::Type, Effect::Break, ": type " + now.type + " instead of " + old.type, "");
+    }
+    for (const std::string& name : namesOf(old.annotations, now.annotations)) {
+      const std::string change = changeOf(name, old.annotations, now.annotations);
+      if (change.empty()) continue;
+      if (isMeaningful(name)) {
+        say(Change::Meaning, Effect::Break, change, name);
+      } else if (name == "default") {
+        say(Change::Default, Effect::None, defaultChange(old, now), name);
+      } else {
+        const std::string consequence = consequenceOf(name);
+        const bool limit = !consequence.empty();
+        say(limit ? Change::Limit : Change::Policy, limit ? Effect::Refusals : Effect::None,
+            change + consequence, name);
+      }
+    }
+    return same;
+  }
+
+  /// The annotation is there where C++ has another default than the schema, which keeps its first.
+  static std::string defaultChange(const Member& old, const Member& now) {
+    const auto inCpp = [](const Member& one) {
+      const auto own = one.annotations.find("default");
+      return own == one.annotations.end() ? shown(one.defaultValue, "zero") : unquoted(own->second);
+    };
+    return ": default " + inCpp(now) + " instead of " + inCpp(old) +
+           "; where a message does not have it, it still is " + shown(now.defaultValue, "zero");
   }
 
   static std::string consequenceOf(const std::string& annotation) {
@@ -156,26 +286,53 @@ class Comparison {
     return "";
   }
 
-  void compareLists(const std::vector<Member>& old, const std::vector<Member>& now,
-                    const std::string& what, const std::string& subject) {
+  void compareLists(LockPlace before, LockPlace after, const std::vector<Member>& old,
+                    const std::vector<Member>& now, const std::string& what,
+                    const std::string& subject) {
+    const auto title = [&](const Member& one) {
+      return what + " '" + one.name + "' of " + subject;
+    };
+    const auto placeIn = [](const std::vector<Member>& list, const Member& one) {
+      const auto same = [&](const Member& other) { return other.name == one.name; };
+      return static_cast<std::size_t>(std::find_if(list.begin(), list.end(), same) - list.begin());
+    };
+    const auto broken = [&](const Member& one, const char* detail) {
+      add(Change::Parameter, Effect::Break, before, after, title(one), detail).part =
+          "'" + one.name + "'";
+    };
+    std::size_t gone = 0;  // what follows has moved up by so much, which is told once
     for (std::size_t i = 0; i < old.size(); ++i) {
-      const std::string one = what + " '" + old[i].name + "' of " + subject;
-      if (i >= now.size() || now[i].name != old[i].name) {
-        broken(one + " is gone");
-      } else {
-        compareMeaning(old[i], now[i], one);
+      const std::size_t place = placeIn(now, old[i]);
+      if (place == now.size()) {
+        broken(old[i], " is gone");
+        ++gone;
+        continue;
       }
+      if (place + gone != i) broken(old[i], " has another place");
+      compareMeaning(before, after, old[i], now[place], title(old[i]), "'" + old[i].name + "'");
     }
-    for (std::size_t i = old.size(); i < now.size(); ++i) {
-      harmless(what + " '" + now[i].name + "' of " + subject + " is new");
+    for (const Member& one : now) {
+      if (placeIn(old, one) < old.size()) continue;
+      add(Change::New, Effect::None, before, after, title(one), " is new").part =
+          "'" + one.name + "'";
     }
   }
 
   std::vector<Difference> found_;
   Renames renames_;
+  std::map<std::string, std::map<std::string, std::string>> enumerators_;  // by enum: old and now
 };
 
 }  // namespace
+
+std::string Difference::line() const {
+  switch (effect) {
+    case Effect::None: return "fine:    " + text();
+    case Effect::Refusals: return "refuses: " + text();
+    case Effect::Break: return "breaks:  " + text();
+  }
+  return text();
+}
 
 std::vector<Difference> differences(const Lock& old, const Lock& now) {
   return Comparison().run(old, now);

@@ -2,72 +2,86 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "compiler/lock/schema/renames.h"
 #include "compiler/lock/schema/wire_type.h"
-#include "compiler/lock/schema/writer.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::lock {
 namespace {
 
-using model::Diagnostic;
-
-constexpr char kAcceptAdvice[] =
-    "; where all peers are replaced together, update the lock with --accept-break";
-
 class Merger {
  public:
-  Merger(const Lock& old, const Options& options) : old_(old), options_(options) {}
+  Merger(const std::vector<WantedNode>& wanted, const Lock& old, const std::string& project)
+      : wanted_(wanted), old_(old), project_(project) {}
 
-  Merge run(const std::vector<WantedNode>& wanted, const model::Header& header) {
-    merge_.lock = old_;
-    merge_.lock.nodes.clear();
-    merge_.lock.header = header.path;
-    merge_.lock.cxxNamespace = header.cxxNamespace;
-    if (merge_.lock.id == 0) merge_.lock.id = freshId(options_.project, header.path);
-    matchByName(wanted);
-    while (matchByContent(wanted)) continue;  // what holds one of those may follow
+  Lock run(const model::Header& header) {
+    Lock result = old_;
+    result.nodes.clear();
+    result.header = header.path;
+    result.cxxNamespace = header.cxxNamespace;
+    if (result.id == 0) result.id = freshId(project_, header.path);
+    matchByName();
+    while (matchByContent()) continue;  // what holds one of those may follow
+    for (std::size_t i = 0; i < wanted_.size(); ++i) addEnumerators(i);
     for (std::size_t i = 0; i < old_.nodes.size(); ++i) {
       const Node& node = old_.nodes[i];
       const auto same = matches_.find(i);
-      merge_.lock.nodes.push_back(same == matches_.end() ? buried(node, header)
-                                                         : merged(wanted[same->second], node));
+      result.nodes.push_back(same == matches_.end() ? buried(node)
+                                                    : merged(wanted_[same->second], node));
     }
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (!isMatched(i)) merge_.lock.nodes.push_back(created(wanted[i]));
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      if (!matched_.contains(i)) result.nodes.push_back(created(wanted_[i]));
     }
-    return std::move(merge_);
+    return result;
   }
 
  private:
-  void match(std::size_t old, std::size_t now, const std::string& name) {
+  struct Enumerators {
+    std::string zero;                        // the one whose ordinal is 0, as it is called now
+    std::map<std::string, std::string> now;  // those of the lock
+  };
+
+  void match(std::size_t old, std::size_t now) {
     matches_[old] = now;
-    renames_.add(old_.nodes[old].name, name);
+    matched_[now] = old;
+    renames_.add(old_.nodes[old].name, wanted_[now].node.name);
   }
 
-  bool isMatched(std::size_t now) const {
-    return std::any_of(matches_.begin(), matches_.end(),
-                       [now](const auto& match) { return match.second == now; });
-  }
-
-  void matchByName(const std::vector<WantedNode>& wanted) {
+  /// A node of the header is one of the lock by its C++ name, else by was(). A was() beside a name
+  /// that the lock knows already is an old, done rename.
+  void matchByName() {
+    std::set<std::string> living;
+    for (const Node& node : old_.nodes) {
+      if (!node.removed()) living.insert(identity(node));
+    }
+    std::map<std::string, std::size_t> names, formerNames;
+    for (std::size_t i = 0; i < wanted_.size(); ++i) {
+      const std::string name = identity(wanted_[i].node);
+      names.emplace(name, i);
+      if (!living.contains(name)) formerNames.emplace(formerIdentity(wanted_[i]), i);
+    }
     for (std::size_t i = 0; i < old_.nodes.size(); ++i) {
-      const auto same = find(wanted, old_.nodes[i]);
-      if (same == wanted.end()) continue;
-      match(i, static_cast<std::size_t>(same - wanted.begin()), same->node.name);
+      const std::string name = identity(old_.nodes[i]);
+      if (const auto same = names.find(name); same != names.end()) {
+        match(i, same->second);
+      } else if (const auto was = formerNames.find(name);
+                 was != formerNames.end() && !old_.nodes[i].removed()) {
+        match(i, was->second);
+      }
     }
   }
 
   /// A composite is named after what it is made of: a variant that got an alternative has another
   /// name and is the same thing, and so is what holds it. True if there was one.
-  bool matchByContent(const std::vector<WantedNode>& wanted) {
+  bool matchByContent() {
     for (std::size_t i = 0; i < old_.nodes.size(); ++i) {
-      if (matches_.contains(i)) continue;
-      for (std::size_t j = 0; j < wanted.size(); ++j) {
-        if (isMatched(j) || !isGrown(wanted[j], old_.nodes[i])) continue;
-        match(i, j, wanted[j].node.name);
+      if (matches_.contains(i) || !isComposite(old_.nodes[i]) || old_.nodes[i].removed()) continue;
+      for (std::size_t j = 0; j < wanted_.size(); ++j) {
+        if (matched_.contains(j) || !isGrown(wanted_[j], old_.nodes[i])) continue;
+        match(i, j);
         return true;
       }
     }
@@ -75,8 +89,7 @@ class Merger {
   }
 
   bool isGrown(const WantedNode& wanted, const Node& locked) const {
-    const bool composites = isComposite(wanted.node) && isComposite(locked) && !locked.removed();
-    if (!composites || wanted.node.isUnion != locked.isUnion) return false;
+    if (!isComposite(wanted.node) || wanted.node.isUnion != locked.isUnion) return false;
     if (!locked.isUnion && wanted.members.size() != locked.members.size()) return false;
     return std::all_of(locked.members.begin(), locked.members.end(), [&](const Member& member) {
       return std::any_of(wanted.members.begin(), wanted.members.end(), [&](const auto& one) {
@@ -90,65 +103,46 @@ class Merger {
     return node.kind == Node::Kind::Struct && identity(node) == node.name;
   }
 
-  /// The node of the header that `locked` is: by its C++ name, else by was().
-  std::vector<WantedNode>::const_iterator find(const std::vector<WantedNode>& wanted,
-                                               const Node& locked) const {
-    const std::string name = identity(locked);
-    const auto same = std::find_if(wanted.begin(), wanted.end(), [&](const WantedNode& one) {
-      return identity(one.node) == name;
-    });
-    if (same != wanted.end() || locked.removed()) return same;
-    return std::find_if(wanted.begin(), wanted.end(), [&](const WantedNode& one) {
-      return formerIdentity(one) == name && !lives(identity(one.node));
-    });
-  }
-
-  /// Has the lock a node of this name already? Then a was() beside it is an old, done rename.
-  bool lives(const std::string& name) const {
-    return std::any_of(old_.nodes.begin(), old_.nodes.end(),
-                       [&](const Node& node) { return !node.removed() && identity(node) == name; });
-  }
-
-  std::string where(unsigned line) const {
-    return options_.folder + "/" + old_.path + (line > 0 ? ":" + std::to_string(line) : "");
-  }
-
-  model::Note lockNote(unsigned line, const std::string& text) const {
-    return {{0, options_.folder + "/" + old_.path, line}, "the lock has: " + text};
-  }
-
-  void pending(const model::Source& source, const char* slug, std::string message,
-               std::vector<model::Note> notes = {}) {
-    Diagnostic one{source, slug, std::move(message), "run: " + options_.command, std::move(notes)};
-    merge_.pending.push_back(std::move(one));
-  }
-
-  void broken(const model::Source& source, std::string message, const std::string& help,
-              model::Note note) {
-    merge_.broken.insert(node_);
-    merge_.breaks.push_back(
-        {source, "lock-break", std::move(message), help + kAcceptAdvice, {std::move(note)}});
-  }
-
-  void broken(const WantedMember& wanted, const Member& locked, const std::string& message,
-              const std::string& help) {
-    broken(wanted.source, wanted.title + ": " + message, help,
-           lockNote(locked.line, describe(locked)));
-  }
-
-  void broken(const WantedNode& wanted, const Node& locked, const std::string& message,
-              const std::string& help) {
-    broken(wanted.source, wanted.title + message, help, lockNote(locked.line, locked.name));
-  }
-
-  Node created(const WantedNode& wanted) {
+  Node created(const WantedNode& wanted) const {
     Node node = wanted.node;
-    node.id = freshId(options_.project, identity(node));
-    if (!old_.text.empty()) {
-      pending(wanted.source, "lock-new", wanted.title + " is not in the lock " + where(0));
-    }
-    for (const WantedMember& member : wanted.members) append(node, member.member);
+    node.id = freshId(project_, identity(node));
+    for (const WantedMember& member : wanted.members) append(node, withDefault(member.member));
     return node;
+  }
+
+  /// Notes which enumerator is the zero of the wire, and what those of the lock are called now.
+  void addEnumerators(std::size_t now) {
+    const WantedNode& wanted = wanted_[now];
+    if (wanted.node.kind != Node::Kind::Enum || wanted.members.empty()) return;
+    Enumerators& names = enumerators_[wanted.node.name];
+    names.zero = wanted.members.front().member.name;
+    const auto same = matched_.find(now);
+    if (same == matched_.end()) return;
+    const Node& locked = old_.nodes[same->second];
+    for (const Member& member : locked.members) {
+      const std::size_t i = find(wanted, locked, member);
+      const std::string name =
+          i == wanted.members.size() ? placeholder(member).name : wanted.members[i].member.name;
+      if (member.ordinal == 0) names.zero = name;
+      names.now.emplace(member.name, name);
+    }
+  }
+
+  /// The default of a field whose enum this lock has is none where it is the zero of the wire.
+  Member withDefault(Member member) const {
+    const auto type = enumerators_.find(member.type);
+    if (type != enumerators_.end() && member.defaultValue == type->second.zero) {
+      member.defaultValue.clear();
+    }
+    return member;
+  }
+
+  /// The same default as the lock has it, by the names of now.
+  std::string lockedDefault(const Member& locked, const std::string& type) const {
+    const auto names = enumerators_.find(type);
+    if (names == enumerators_.end()) return locked.defaultValue;
+    const auto renamed = names->second.now.find(locked.defaultValue);
+    return renamed == names->second.now.end() ? locked.defaultValue : renamed->second;
   }
 
   static void append(Node& node, Member member) {
@@ -157,77 +151,30 @@ class Merger {
   }
 
   /// What the header no longer declares stays, so that its id and ordinals are never given again.
-  Node buried(Node node, const model::Header& header) {
-    if (node.removed()) return node;
-    const model::Source source{0, header.path, 0};
-    const std::string message = node.name + " is no longer declared in " + header.path;
-    if (node.kind == Node::Kind::Interface) {
-      node_ = node.name;
-      broken(source, message, "old peers use it: put it back, or say was() on what replaces it",
-             lockNote(node.line, node.name));
-    } else {
-      pending(source, "lock-removed", message, {lockNote(node.line, node.name)});
-    }
-    node.annotations["removed"] = quoted(node.name);
+  static Node buried(Node node) {
+    if (!node.removed()) node.annotations["removed"] = quoted(node.name);
     return node;
   }
 
-  Node merged(const WantedNode& wanted, const Node& locked) {
+  Node merged(const WantedNode& wanted, const Node& locked) const {
     Node node = wanted.node;
     node.id = locked.id;
-    node_ = node.name;
     const auto major = locked.annotations.find("major");
     if (major != locked.annotations.end()) node.annotations.insert(*major);
-    if (node.kind != locked.kind) {
-      broken(wanted, locked, " was something else before", "give the new thing a name of its own");
-    }
-    compareBases(wanted, locked);
-    compareVersions(wanted, locked);
-    if (node.name != locked.name) {
-      pending(wanted.source, "lock-renamed",
-              wanted.title + " has a new wire name, '" + node.name + "'",
-              {lockNote(locked.line, locked.name)});
-    }
     std::vector<bool> used(wanted.members.size(), false);
     for (const Member& member : locked.members) {
       const std::size_t i = find(wanted, locked, member);
       if (i == wanted.members.size()) {
-        append(node, placeholder(wanted, member));
+        append(node, placeholder(member));
       } else {
         used[i] = true;
-        append(node, merged(wanted.members[i], member));
+        append(node, merged(wanted.members[i].member, member));
       }
     }
     for (std::size_t i = 0; i < wanted.members.size(); ++i) {
-      if (used[i]) continue;
-      pending(wanted.members[i].source, "lock-new",
-              wanted.members[i].title + " is not in the lock " + where(locked.line));
-      append(node, wanted.members[i].member);
+      if (!used[i]) append(node, withDefault(wanted.members[i].member));
     }
     return node;
-  }
-
-  /// A base is part of what the two ends know of each other.
-  void compareBases(const WantedNode& wanted, const Node& locked) {
-    for (const std::string& base : locked.extends) {
-      const auto& now = wanted.node.extends;
-      if (std::find(now.begin(), now.end(), base) != now.end()) continue;
-      broken(wanted, locked, " no longer derives from " + base,
-             "put the base back: its commands are part of the contract");
-    }
-    if (wanted.node.extends.size() > locked.extends.size()) {
-      broken(wanted, locked, " has a base that it did not have: peers of before know it without",
-             "declare the commands of the base in the contract itself");
-    }
-  }
-
-  /// Peers of two versions refuse each other.
-  void compareVersions(const WantedNode& wanted, const Node& locked) {
-    const std::string now = valueOf(wanted.node.annotations, "version");
-    const std::string before = valueOf(locked.annotations, "version");
-    if (now == before) return;
-    broken(wanted, locked, ": version " + now + " instead of " + before,
-           "peers of two versions refuse each other: keep the version while old peers are in use");
   }
 
   /// The member of the header that `locked` is: by its wire name, else by was().
@@ -253,85 +200,47 @@ class Merger {
     });
   }
 
-  Member placeholder(const WantedNode& wanted, Member member) {
+  static Member placeholder(Member member) {
     if (member.removed()) return member;
-    const std::string name = member.name;
-    const std::string message = wanted.title + " no longer has '" + name + "'";
-    const std::string help = "say was(\"" + name + "\") on what replaces it, or ";
-    const model::Note note = lockNote(member.line, describe(member));
-    if (member.isMethod) {
-      broken(wanted.source, message, help + "keep it and say deprecated(): old peers use it", note);
-    } else {
-      merge_.pending.push_back({wanted.source,
-                                "lock-removed",
-                                message,
-                                help + "keep its place by running: " + options_.command,
-                                {note}});
-    }
-    member.annotations["removed"] = quoted(name);
+    member.annotations["removed"] = quoted(member.name);
     member.name = "removed" + std::to_string(member.ordinal);
     return member;
   }
 
-  Member merged(const WantedMember& wanted, const Member& locked) {
-    Member member = wanted.member;
-    if (member.name != locked.name) {
-      pending(
-          wanted.source, "lock-renamed",
-          wanted.title + " was '" + locked.name + "' so far; the lock has to learn its new name",
-          {lockNote(locked.line, describe(locked))});
+  Member merged(const Member& wanted, const Member& locked) const {
+    Member member = withDefault(wanted);
+    if (means(locked, member)) freezeDefault(member, lockedDefault(locked, member.type));
+    if (member.isMethod) {
+      member.parameters = merged(member.parameters, locked.parameters);
+      member.results = merged(member.results, locked.results);
     }
-    const std::size_t breaks = merge_.breaks.size();
-    compare(wanted, locked, member, locked);
-    // Freeze the default while it means the same: capnp stores values relative to it.
-    if (merge_.breaks.size() == breaks) member.defaultValue = locked.defaultValue;
-    if (member.isMethod) mergeSignature(wanted, locked, member);
     return member;
   }
 
-  /// `now` and `before` are the member itself, or one of its parameters or results.
-  void compare(const WantedMember& wanted, const Member& locked, const Member& now,
-               const Member& before) {
-    const std::string what = &before == &locked ? "" : "'" + before.name + "': ";
-    if (now.type != renames_.apply(before.type) || now.isMethod != before.isMethod) {
-      broken(wanted, locked, what + "type " + now.type + " instead of " + before.type,
-             "a type never changes: add '" + before.name +
-                 "' anew under another name and remove the old one");
-    }
-    for (const char* const name : kMeaningful) {
-      const std::string newValue = valueOf(now.annotations, name);
-      const std::string oldValue = valueOf(before.annotations, name);
-      if (newValue == oldValue) continue;
-      broken(wanted, locked, what + name + " " + newValue + " instead of " + oldValue,
-             std::string("a change of ") + name +
-                 " changes what the bytes mean: put it back, or "
-                 "add the new form under another name");
-    }
-    compareLimits(wanted, locked, what, now, before);
+  /// Do bytes of both mean the same?
+  bool means(const Member& locked, const Member& now) const {
+    return now.type == renames_.apply(locked.type) &&
+           std::all_of(std::begin(kMeaningful), std::end(kMeaningful), [&](const char* name) {
+             return valueOf(now.annotations, name) == valueOf(locked.annotations, name);
+           });
   }
 
-  /// The bytes mean the same, but one of two peers refuses what the other may send.
-  void compareLimits(const WantedMember& wanted, const Member& locked, const std::string& what,
-                     const Member& now, const Member& before) {
-    for (const char* const name : {"range", "capacity"}) {
-      const std::string newLimit = valueOf(now.annotations, name);
-      const std::string oldLimit = valueOf(before.annotations, name);
-      if (newLimit == oldLimit) continue;
-      pending(wanted.source, "lock-range",
-              wanted.title + ": " + what + name + " " + newLimit + " instead of " + oldLimit +
-                  "; a receiver refuses what lies outside its own",
-              {lockNote(locked.line, describe(locked))});
+  /// capnp stores values relative to the default, so that of the lock stays; one that C++ has since
+  /// then is written beside it.
+  static void freezeDefault(Member& member, const std::string& locked) {
+    if (member.defaultValue == locked) return;
+    // Only the lock of its own header knows which enumerator of a foreign enum is the zero.
+    const bool isForeign = member.type.starts_with('/');
+    if (!isForeign || !locked.empty()) {
+      member.annotations["default"] =
+          quoted(member.defaultValue.empty() ? "zero" : member.defaultValue);
     }
-  }
-
-  void mergeSignature(const WantedMember& wanted, const Member& locked, Member& member) {
-    member.parameters = mergeList(wanted, locked, wanted.member.parameters, locked.parameters);
-    member.results = mergeList(wanted, locked, wanted.member.results, locked.results);
+    member.defaultValue = locked;
   }
 
   /// Parameters keep the lock's order, since their place is their ordinal; new ones follow.
-  std::vector<Member> mergeList(const WantedMember& wanted, const Member& locked,
-                                const std::vector<Member>& now, const std::vector<Member>& before) {
+  static std::vector<Member> merged(const std::vector<Member>& now,
+                                    const std::vector<Member>& before) {
     std::vector<Member> result;
     const auto findIn = [](const std::vector<Member>& list, const std::string& name) {
       return std::find_if(list.begin(), list.end(),
@@ -339,37 +248,28 @@ class Merger {
     };
     for (const Member& old : before) {
       const auto same = findIn(now, old.name);
-      if (same == now.end()) {
-        broken(wanted, locked, "'" + old.name + "' is gone from its signature",
-               "a signature only grows: put it back under the same name");
-        continue;
-      }
-      compare(wanted, locked, *same, old);
-      result.push_back(*same);
+      if (same != now.end()) result.push_back(*same);
     }
     for (const Member& one : now) {
-      if (findIn(before, one.name) != before.end()) continue;
-      pending(
-          wanted.source, "lock-new",
-          wanted.title + ": parameter '" + one.name + "' is not in the lock " + where(locked.line));
-      result.push_back(one);
+      if (findIn(before, one.name) == before.end()) result.push_back(one);
     }
     return result;
   }
 
+  const std::vector<WantedNode>& wanted_;
   const Lock& old_;
-  const Options& options_;
+  const std::string& project_;
   std::map<std::size_t, std::size_t> matches_;  // nodes of the lock to those of the header
+  std::map<std::size_t, std::size_t> matched_;  // the other way round
   Renames renames_;
-  std::string node_;  // being merged
-  Merge merge_;
+  std::map<std::string, Enumerators> enumerators_;  // by the names of enums
 };
 
 }  // namespace
 
-Merge merge(const std::vector<WantedNode>& wanted, const model::Header& header, const Lock& old,
-            const Options& options) {
-  return Merger(old, options).run(wanted, header);
+Lock merge(const std::vector<WantedNode>& wanted, const model::Header& header, const Lock& old,
+           const std::string& project) {
+  return Merger(wanted, old, project).run(header);
 }
 
 }  // namespace suture::compiler::lock

@@ -1,8 +1,7 @@
 #pragma once
-// Header against lock: what is the lock to become, and what does the header ask that a lock
-// forbids?
+// Header and lock brought together: what is the lock to become? It judges nothing: differences.h
+// does, of the lock of before and this one.
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -11,15 +10,9 @@
 
 namespace suture::compiler::lock {
 
-struct Merge {
-  Lock lock;                     ///< as it should be, when there are no breaks
-  model::Diagnostics breaks;     ///< would change the meaning of bytes that already have one
-  model::Diagnostics pending;    ///< allowed, but the lock has to be written first
-  std::set<std::string> broken;  ///< names of the nodes that have a break
-};
-
-/// `old` is the committed lock, or one without nodes when there is none.
-Merge merge(const std::vector<WantedNode>& wanted, const model::Header& header, const Lock& old,
-            const Options& options);
+/// The lock as it should be. `old` is the committed one, or one without nodes when there is none;
+/// `project` goes into the ids of what is new.
+Lock merge(const std::vector<WantedNode>& wanted, const model::Header& header, const Lock& old,
+           const std::string& project);
 
 }  // namespace suture::compiler::lock

@@ -12,7 +12,7 @@ std::map<std::string, Lock> upToDate(const model::Model& model, const Locks& loc
     const auto committed = locks.files.find(path);
     Lock old;
     if (committed != locks.files.end()) old = committed->second;
-    merged.emplace(path, merge(wanted(header, lookup), header, old, {}).lock);
+    merged.emplace(path, merge(wanted(header, lookup), header, old, Options().project));
   }
   return merged;
 }

@@ -7,7 +7,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("surgeon/surgeon.h");
 
 struct SurgeonParameters @0x87be51985ec39338 $Meta.cxx("robots::SurgeonParameters") {
-  period @0 :Int64 $Meta.period("1/1000000000");
+  period @0 :Int64 $Meta.default("1000000") $Meta.period("1/1000000000");
   amplitude @1 :Float64 = 0.1 $Meta.range(lowest = 0, highest = 0.2) $Meta.unit("m");
   # How far the hand swings along its widest axis.
   turn @2 :Float64 = 0.3 $Meta.range(lowest = 0, highest = 1) $Meta.unit("rad");

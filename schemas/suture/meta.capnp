@@ -42,6 +42,9 @@ annotation capacity @0xb9153c2d27d33063 (field, param, method) :List(UInt32);
 annotation bulk @0xe60b8c2f94a7d135 (field, param, method) :Text;
 # break. "Float64"...: the bytes are such numbers, little-endian, one behind the other.
 
+annotation default @0xc2d6f0a91b7e4835 (field) :Text;
+# The C++ default where it is not that of the schema, which keeps the first one.
+
 annotation underlying @0xaa6a851ab778967e (enum) :Text;
 # The C++ underlying type of an enum.
 

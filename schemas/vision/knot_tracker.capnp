@@ -7,7 +7,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("vision/knot_tracker.h");
 
 struct TrackerParameters @0xbb998047e1f73ec4 $Meta.cxx("robots::TrackerParameters") {
-  period @0 :Int64 = 10000000 $Meta.period("1/1000000000");
+  period @0 :Int64 = 10000000 $Meta.default("20000000") $Meta.period("1/1000000000");
   # As often it looks for new images, and publishes poses.
   maxAge @1 :Int64 = 250000000 $Meta.cxx("max_age") $Meta.period("1/1000000000");
   # What was seen longer ago is no pose any more: some three images.

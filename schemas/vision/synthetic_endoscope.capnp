@@ -18,7 +18,7 @@ struct EndoscopeParameters @0x81c804e92c547797 $Meta.cxx("robots::EndoscopeParam
   # Standard deviation of a point's light.
   dropout @3 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 1);
   # Share of the pairs that are lost on their way.
-  latency @4 :Int64 = 30000000 $Meta.period("1/1000000000");
+  latency @4 :Int64 = 30000000 $Meta.default("10000000") $Meta.period("1/1000000000");
   # From the exposure until a pair is there; the time that drawing takes comes on top. Beyond what
   # the strand keeps of its past, half a second, nothing is seen.
   vergence @5 :Float64 $Meta.range(lowest = -0.1, highest = 0.1) $Meta.unit("rad");

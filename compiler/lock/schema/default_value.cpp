@@ -38,8 +38,7 @@ std::string capnpDuration(const std::string& json, const model::Type& type) {
 
 std::string capnpEnumerator(const std::string& name, const model::Enum& type) {
   for (const model::Enumerator& enumerator : type.enumerators) {
-    const bool isFirst = &enumerator == &type.enumerators.front();
-    if (enumerator.name == name) return isFirst ? "" : enumerator.wireName;
+    if (enumerator.name == name) return enumerator.wireName;
   }
   return "";
 }

@@ -86,6 +86,8 @@ struct Options {
   std::string folder = "schemas";
   /// What the user has to run to write the lock: "cmake --build build --target update-lock".
   std::string command = "suturec --update-lock";
+  /// The same, where the update shall take breaks as well.
+  std::string breakCommand = "suturec --update-lock --accept-break";
   /// An update takes breaks and raises the major of every contract that they reach.
   bool acceptBreaks = false;
   /// Names on the wire, in C++ or of headers that an update gives an id anew.
@@ -96,6 +98,9 @@ struct Update {
   std::vector<model::Artefact> files;     ///< whole new texts, only those that differ from the old
   model::Diagnostics diagnostics;         ///< breaking edits, which an update refuses as well
   std::vector<std::string> unknownIds{};  ///< of options.newIds, what no lock has
+  /// By the path of a file that was there before: what `suturec diff` says of the two, line by
+  /// line.
+  std::map<std::string, std::vector<std::string>> changes{};
 };
 
 /// "arm/arm.h" -> "arm/arm.capnp".
@@ -111,8 +116,8 @@ Locks read(const std::vector<model::Artefact>& texts, model::Diagnostics& diagno
            const Options& options = {});
 
 /// Judges own headers against their locks: a break is an error naming field and lock line; a new
-/// thing that the lock does not know is an error naming the command; a lock that is merely out of
-/// date in what does not touch the wire (queue depth, range...) is a warning.
+/// thing that the lock does not know is an error naming the command; what the wire does not care
+/// for (a queue's depth, a default) is a warning at its line.
 model::Diagnostics check(const model::Model& model, const Locks& locks,
                          const Options& options = {});
 

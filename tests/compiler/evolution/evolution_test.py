@@ -58,7 +58,7 @@ BREAKS = [
     ("std::vector<double> values", "std::vector<float> values", "type List(Float32) instead of List(Float64)"),
     ("std::string label", "std::vector<std::uint8_t> label", "type Data instead of Text"),
     ("double speed) = 0", "float speed) = 0", "'speed': type Float32 instead of Float64"),
-    (", double speed) = 0", ") = 0", "'speed' is gone from its signature"),
+    (", double speed) = 0", ") = 0", "'speed' is gone"),
     ("Mode mode() const = 0", "Mode mode(double when) const = 0", 'kind "qualifiedRead" instead of "read"'),
     ("virtual void put(", "virtual Mode put(", None),  # refused before the lock is asked, or a kind of its own
     ("EventOf<Sample> moved_event", "EventOf<double> moved_event", "'value': type Float64 instead of Sample"),

@@ -104,7 +104,7 @@ IMPOSSIBLE = [
     Edit("type moved to another header", "a type moved to another header", record("  double a = 1;"),
          Side(elsewhere="struct SUTURE_TYPE() {T} {\n  double a = 1;\n};\n"),
          "lock-break lock-missing lock-removed wire-name-clash", "lock-break wire-name-clash", "wire-name-clash", NOTHING),
-    Edit("namespace changed", "a namespace", record("  double a = 1;"),
+    Edit("namespace changed", "a namespace, without `was()`", record("  double a = 1;"),
          dataclasses.replace(record("  double a = 1;"), space="moved"),
          "lock-break lock-new lock-removed wire-name-clash", "lock-break wire-name-clash", "wire-name-clash", NOTHING),
 ]

@@ -43,9 +43,9 @@ FIELDS = [
     Edit("default changed", "a default",
          record("  double a = 1;", sends={"a": "5"}, sees={"a": "6"}),
          record("  double a = 2;\n  double b = 9;", sends={"a": "6"}, sees={"a": "5", "b": "3"}),
-         between=record("  double a = 1;\n  double b = 3;")),
+         build="lock-stale", between=record("  double a = 1;\n  double b = 3;")),
     Edit("default of both changed", "a default",
-         record("  double a = 1;", sees={"a": "2"}), record("  double a = 2;", sees={"a": "1"}), diff=NOTHING),
+         record("  double a = 1;", sees={"a": "2"}), record("  double a = 2;", sees={"a": "1"}), build="lock-stale"),
     Edit("field documented", "a comment",
          record("  double a = 1;", sees={"a": "1"}), record("  double a = 1;  ///< A number.", sees={"a": "1"}), diff=NOTHING),
     Edit("field deprecated", "`deprecated()`",
@@ -63,6 +63,12 @@ FIELDS = [
          Side(types='struct SUTURE_TYPE(was("{T}Inner")) {T}Part {\n  double a = 1;\n};\n'
                     "struct SUTURE_TYPE() {T} {\n  {T}Part inner;\n};\n", sends={"inner.a": "6"}, sees={"inner.a": "5"}),
          build="lock-renamed"),
+    Edit("struct moved to another namespace with was", "a namespace, by `was()`",
+         Side(types="struct SUTURE_TYPE() {T}Inner {\n  double a = 1;\n};\n"
+                    "struct SUTURE_TYPE() {T} {\n  {T}Inner inner;\n};\n", sends={"inner.a": "5"}, sees={"inner.a": "6"}),
+         Side(types='namespace moved {\nstruct SUTURE_TYPE(was("edits::{T}Inner")) {T}Inner {\n  double a = 1;\n};\n}\n'
+                    "struct SUTURE_TYPE() {T} {\n  moved::{T}Inner inner;\n};\n", sends={"inner.a": "6"}, sees={"inner.a": "5"}),
+         build="lock-stale"),
 ]
 
 

@@ -44,6 +44,17 @@ def slugs(text):
     return found
 
 
+def told(text):
+    """Of each file the lines that suturec printed below its name when it wrote its lock."""
+    found, lines = {}, []
+    for line in text.splitlines():
+        if line.startswith("updated "):
+            lines = found.setdefault(line.removeprefix("updated schemas/"), [])
+        else:
+            lines.append(line.removeprefix("  "))
+    return found
+
+
 def write_all(folder, edits, version):
     return [header for edit in edits for header in write_alone(folder, edit, getattr(edit, version))]
 
@@ -126,12 +137,25 @@ class Verdicts(unittest.TestCase):
     def test_what_diff_says(self):
         self.each(self.judge_diff)
 
-    def judge_diff(self, edit):
+    def diff(self, edit):
+        """The verdicts and the sentence below them."""
         lock = f"{edit.stem}/contract.capnp"
         done = subprocess.run([GIVEN.suturec, "diff", f"old/{lock}", f"schemas/{lock}"], cwd=self.folder,
                               capture_output=True, text=True)
-        said = [LABELS[word] for word in re.findall(r"^\w+:", done.stdout, re.M) if word in LABELS]
-        self.assertEqual(max(said, key=ORDER.index, default=NOTHING), edit.diff, done.stdout)
+        return done.stdout.splitlines()
+
+    def judge_diff(self, edit):
+        lines = self.diff(edit)
+        said = [LABELS[line.split()[0]] for line in lines if line.split()[0] in LABELS]
+        self.assertEqual(max(said, key=ORDER.index, default=NOTHING), edit.diff, lines)
+
+    def test_an_update_prints_what_diff_says(self):
+        printed = told(self.taken[1]) | told(self.accepted[1])
+        for edit in POSSIBLE:
+            if edit.between:  # two updates in one diff
+                continue
+            with self.subTest(edit.name):
+                self.assertEqual(printed.get(f"{edit.stem}/contract.capnp", []), self.diff(edit)[:-1])
 
     def test_the_page_has_a_row_for_each(self):
         rows = re.findall(r"^\| ([^|]+) \|", pathlib.Path(GIVEN.page).read_text(encoding="utf-8"), re.M)

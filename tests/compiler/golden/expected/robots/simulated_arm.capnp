@@ -12,5 +12,5 @@ struct ArmParameters @0xb1e811bf96bf0bda $Meta.cxx("robots::ArmParameters") {
 
   rate @0 :Float64 = 1000.0 $Meta.range(lowest = 1, highest = 4000) $Meta.unit("Hz");
   name @1 :Text;
-  start @2 :Arm.Mode;
+  start @2 :Arm.Mode = disabled;
 }

@@ -16,7 +16,7 @@ enum Mode @0xc7e824ac7ff42451 $Meta.cxx("evolution::Mode") $Meta.underlying("Int
 
 struct Sample @0xf2844f25fa4ab653 $Meta.cxx("evolution::Sample") {
   east @0 :Float64 $Meta.unit("m");
-  count @1 :Int32 = 7;
+  count @1 :Int32 = 7 $Meta.default("9");
   label @2 :Text $Meta.capacity([32]);
   values @3 :List(Float64) $Meta.capacity([4]);
   mode @4 :Mode;
