@@ -15,7 +15,9 @@ std::vector<std::string> namesFor(const clang::TagDecl* declaration, Kind kind) 
   std::vector<std::string> names{"CommandInfo", "CommandKind",  "Duration",   "Errc",
                                  "EventInfo",   "CommandCodec", "EventCodec", "wire"};
   if (kind == Kind::Type) names.push_back(name + "Slot");
-  if (kind == Kind::Interface) names.insert(names.end(), {name + "Command", name + "Event"});
+  if (kind == Kind::Interface) {
+    names.insert(names.end(), {name + "Command", name + "Event", name + "Column"});
+  }
   return names;
 }
 

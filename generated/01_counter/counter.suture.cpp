@@ -60,25 +60,27 @@ Errc decodeCounterTenMoreEvent(wire::CounterEvents::TenMoreParams::Reader in, st
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeCounterValueColumn(const std::int64_t& slot, wire::CounterStateRow::Builder out) {
+  out.setValue(slot);
+}
+Errc decodeCounterValueColumn(wire::CounterStateRow::Reader in, std::int64_t& slot,
+                              suture::Duration) {
+  slot = in.getValue();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeCounterColumn(unsigned column, const std::byte* memory,
                          wire::CounterStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<std::int64_t>(memory);
-      out.setValue(slot);
-      break;
-    }
+  switch (static_cast<CounterColumn>(column)) {
+    case CounterColumn::value: return encodeCounterValueColumn(slotIn<std::int64_t>(memory), out);
   }
 }
 Errc decodeCounterColumn(wire::CounterStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<std::int64_t>(memory);
-      slot = in.getValue();
-      return Errc{};
-    }
+                         suture::Duration shift) {
+  switch (static_cast<CounterColumn>(column)) {
+    case CounterColumn::value:
+      return decodeCounterValueColumn(in, newSlot<std::int64_t>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -126,7 +128,7 @@ constexpr CommandInfo kCounterCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::int64_t>,
      .depth = 16,
-     .column = 0},
+     .column = static_cast<int>(CounterColumn::value)},
 };
 
 constexpr EventInfo kCounterEvents[] = {
@@ -176,20 +178,27 @@ const InterfaceInfo& interfaceInfo<counting::Counter>() {
   return kInfo;
 }
 
+// A function for each command of counting::Counter, so that a stack in a debugger names it.
+struct Provided<counting::Counter>::Dispatch {
+  static Errc execute_add(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<counting::CounterAddArguments>(arguments);
+    load(slot.amount, scratch.add_amount);
+    implementation.add(scratch.add_amount);
+    return Errc{};
+  }
+
+  static Errc execute_value(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::int64_t>(result);
+    return store(implementation.value(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<counting::Counter>::execute(std::uint16_t command, const std::byte* arguments,
                                           std::byte* result) {
   using ::counting::CounterCommand;
   switch (static_cast<CounterCommand>(command)) {
-    case CounterCommand::add: {
-      const auto& slot = slotIn<counting::CounterAddArguments>(arguments);
-      load(slot.amount, scratch_.add_amount);
-      implementation_.add(scratch_.add_amount);
-      return Errc{};
-    }
-    case CounterCommand::value: {
-      auto& slot = newSlot<std::int64_t>(result);
-      return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case CounterCommand::add: return Dispatch::execute_add(implementation_, scratch_, arguments);
+    case CounterCommand::value: return Dispatch::execute_value(implementation_, result);
   }
   return Errc::Invalid;
 }

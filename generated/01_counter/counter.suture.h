@@ -30,6 +30,11 @@ enum class CounterEvent : std::uint16_t {
   ten_more,
 };
 
+/// Names where a row of the state has each read of Counter.
+enum class CounterColumn : std::uint16_t {
+  value,
+};
+
 }  // namespace counting
 
 namespace suture {
@@ -103,6 +108,8 @@ class Provided<counting::Counter> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     std::int32_t add_amount{};

@@ -45,24 +45,28 @@ Errc decodeTrackerObservationResult(wire::Tracker::ObservationResults::Reader in
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeTrackerObservationColumn(const ObservationSlot& slot,
+                                    wire::TrackerStateRow::Builder out) {
+  toWire(slot, out.initObservation());
+}
+Errc decodeTrackerObservationColumn(wire::TrackerStateRow::Reader in, ObservationSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasObservation() ? fromWire(in.getObservation(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeTrackerColumn(unsigned column, const std::byte* memory,
                          wire::TrackerStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<ObservationSlot>(memory);
-      toWire(slot, out.initObservation());
-      break;
-    }
+  switch (static_cast<TrackerColumn>(column)) {
+    case TrackerColumn::observation:
+      return encodeTrackerObservationColumn(slotIn<ObservationSlot>(memory), out);
   }
 }
 Errc decodeTrackerColumn(wire::TrackerStateRow::Reader in, unsigned column, std::byte* memory,
                          suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<ObservationSlot>(memory);
-      return in.hasObservation() ? fromWire(in.getObservation(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<TrackerColumn>(column)) {
+    case TrackerColumn::observation:
+      return decodeTrackerObservationColumn(in, newSlot<ObservationSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -94,7 +98,7 @@ constexpr CommandInfo kTrackerCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<ObservationSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(TrackerColumn::observation),
      .acceptsResult = checkSlot<ObservationSlot, isValid>},
 };
 
@@ -157,14 +161,19 @@ const InterfaceInfo& interfaceInfo<tracking::Tracker>() {
   return kInfo;
 }
 
+// A function for each command of tracking::Tracker, so that a stack in a debugger names it.
+struct Provided<tracking::Tracker>::Dispatch {
+  static Errc execute_observation(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<tracking::ObservationSlot>(result);
+    return store(implementation.observation(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<tracking::Tracker>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                           std::byte* result) {
   using ::tracking::TrackerCommand;
   switch (static_cast<TrackerCommand>(command)) {
-    case TrackerCommand::observation: {
-      auto& slot = newSlot<tracking::ObservationSlot>(result);
-      return store(implementation_.observation(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case TrackerCommand::observation: return Dispatch::execute_observation(implementation_, result);
   }
   return Errc::Invalid;
 }

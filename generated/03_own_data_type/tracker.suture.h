@@ -17,6 +17,11 @@ enum class TrackerCommand : std::uint16_t {
   observation,
 };
 
+/// Names where a row of the state has each read of Tracker.
+enum class TrackerColumn : std::uint16_t {
+  observation,
+};
+
 }  // namespace tracking
 
 namespace suture {
@@ -63,6 +68,8 @@ class Provided<tracking::Tracker> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
 };
 

@@ -39,25 +39,26 @@ Errc decodeJoystickAngleResult(wire::Joystick::AngleResults::Reader in, double& 
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeJoystickAngleColumn(const double& slot, wire::JoystickStateRow::Builder out) {
+  out.setAngle(slot);
+}
+Errc decodeJoystickAngleColumn(wire::JoystickStateRow::Reader in, double& slot, suture::Duration) {
+  slot = in.getAngle();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeJoystickColumn(unsigned column, const std::byte* memory,
                           wire::JoystickStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<double>(memory);
-      out.setAngle(slot);
-      break;
-    }
+  switch (static_cast<JoystickColumn>(column)) {
+    case JoystickColumn::angle: return encodeJoystickAngleColumn(slotIn<double>(memory), out);
   }
 }
 Errc decodeJoystickColumn(wire::JoystickStateRow::Reader in, unsigned column, std::byte* memory,
-                          suture::Duration) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getAngle();
-      return Errc{};
-    }
+                          suture::Duration shift) {
+  switch (static_cast<JoystickColumn>(column)) {
+    case JoystickColumn::angle:
+      return decodeJoystickAngleColumn(in, newSlot<double>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -89,7 +90,7 @@ constexpr CommandInfo kJoystickCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(JoystickColumn::angle),
      .acceptsResult = checkSlot<double, acceptsJoystickAngleResult>},
 };
 
@@ -128,14 +129,19 @@ const InterfaceInfo& interfaceInfo<following::Joystick>() {
   return kInfo;
 }
 
+// A function for each command of following::Joystick, so that a stack in a debugger names it.
+struct Provided<following::Joystick>::Dispatch {
+  static Errc execute_angle(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.angle(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<following::Joystick>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                             std::byte* result) {
   using ::following::JoystickCommand;
   switch (static_cast<JoystickCommand>(command)) {
-    case JoystickCommand::angle: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.angle(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case JoystickCommand::angle: return Dispatch::execute_angle(implementation_, result);
   }
   return Errc::Invalid;
 }

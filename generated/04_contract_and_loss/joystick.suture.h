@@ -16,6 +16,11 @@ enum class JoystickCommand : std::uint16_t {
   angle,
 };
 
+/// Names where a row of the state has each read of Joystick.
+enum class JoystickColumn : std::uint16_t {
+  angle,
+};
+
 }  // namespace following
 
 namespace suture {
@@ -61,6 +66,8 @@ class Provided<following::Joystick> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
 };
 

@@ -208,18 +208,25 @@ const InterfaceInfo& interfaceInfo<gripping::Gripper>() {
   return kInfo;
 }
 
+// A function for each command of gripping::Gripper, so that a stack in a debugger names it.
+struct Provided<gripping::Gripper>::Dispatch {
+  static Errc execute_grasp(Contract& implementation) {
+    implementation.grasp();
+    return Errc{};
+  }
+
+  static Errc execute_release(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.release(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<gripping::Gripper>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                           std::byte* result) {
   using ::gripping::GripperCommand;
   switch (static_cast<GripperCommand>(command)) {
-    case GripperCommand::grasp: {
-      implementation_.grasp();
-      return Errc{};
-    }
-    case GripperCommand::release: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.release(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case GripperCommand::grasp: return Dispatch::execute_grasp(implementation_);
+    case GripperCommand::release: return Dispatch::execute_release(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -102,6 +102,8 @@ class Provided<gripping::Gripper> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
   Events events_{*this};
 };

@@ -938,221 +938,279 @@ Errc decodeArmTrajectoryJRatioAEvent(wire::ArmEvents::TrajectoryJRatioAParams::R
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeArmMeasuredJsColumn(const JointStateSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initMeasuredJs());
+}
+Errc decodeArmMeasuredJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSetpointJsColumn(const JointStateSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initSetpointJs());
+}
+Errc decodeArmSetpointJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmMeasuredCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initMeasuredCp());
+}
+Errc decodeArmMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                               suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSetpointCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initSetpointCp());
+}
+Errc decodeArmSetpointCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                               suture::Duration shift) {
+  return in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmOperatingStateColumn(const OperatingStateSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initOperatingState());
+}
+Errc decodeArmOperatingStateColumn(wire::ArmStateRow::Reader in, OperatingStateSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmConfigurationJsColumn(const JointConfigurationSlot& slot,
+                                    wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initConfigurationJs());
+}
+Errc decodeArmConfigurationJsColumn(wire::ArmStateRow::Reader in, JointConfigurationSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmPeriodStatisticsColumn(const IntervalStatisticsSlot& slot,
+                                     wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initPeriodStatistics());
+}
+Errc decodeArmPeriodStatisticsColumn(wire::ArmStateRow::Reader in, IntervalStatisticsSlot& slot,
+                                     suture::Duration shift) {
+  return in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmGoalJsColumn(const JointStateSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initGoalJs());
+}
+Errc decodeArmGoalJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
+                           suture::Duration shift) {
+  return in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmGoalCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initGoalCp());
+}
+Errc decodeArmGoalCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                           suture::Duration shift) {
+  return in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLocalMeasuredCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initLocalMeasuredCp());
+}
+Errc decodeArmLocalMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLocalSetpointCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initLocalSetpointCp());
+}
+Errc decodeArmLocalSetpointCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmMeasuredCvColumn(const TwistSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initMeasuredCv());
+}
+Errc decodeArmMeasuredCvColumn(wire::ArmStateRow::Reader in, TwistSlot& slot,
+                               suture::Duration shift) {
+  return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSetpointCvColumn(const TwistSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initSetpointCv());
+}
+Errc decodeArmSetpointCvColumn(wire::ArmStateRow::Reader in, TwistSlot& slot,
+                               suture::Duration shift) {
+  return in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmBodyMeasuredCfColumn(const WrenchSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initBodyMeasuredCf());
+}
+Errc decodeArmBodyMeasuredCfColumn(wire::ArmStateRow::Reader in, WrenchSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSpatialMeasuredCfColumn(const WrenchSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initSpatialMeasuredCf());
+}
+Errc decodeArmSpatialMeasuredCfColumn(wire::ArmStateRow::Reader in, WrenchSlot& slot,
+                                      suture::Duration shift) {
+  return in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, shift)
+      : Errc::Invalid;
+}
+
+void encodeArmMeasuredCsColumn(const CartesianStateSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initMeasuredCs());
+}
+Errc decodeArmMeasuredCsColumn(wire::ArmStateRow::Reader in, CartesianStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmBodyJacobianColumn(const JacobianSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initBodyJacobian());
+}
+Errc decodeArmBodyJacobianColumn(wire::ArmStateRow::Reader in, JacobianSlot& slot,
+                                 suture::Duration shift) {
+  return in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmSpatialJacobianColumn(const JacobianSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initSpatialJacobian());
+}
+Errc decodeArmSpatialJacobianColumn(wire::ArmStateRow::Reader in, JacobianSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmBaseFrameColumn(const TransformStampedSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initBaseFrame());
+}
+Errc decodeArmBaseFrameColumn(wire::ArmStateRow::Reader in, TransformStampedSlot& slot,
+                              suture::Duration shift) {
+  return in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmTrajectoryJRatioColumn(const double& slot, wire::ArmStateRow::Builder out) {
+  out.setTrajectoryJRatio(slot);
+}
+Errc decodeArmTrajectoryJRatioColumn(wire::ArmStateRow::Reader in, double& slot, suture::Duration) {
+  slot = in.getTrajectoryJRatio();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJRatioVColumn(const double& slot, wire::ArmStateRow::Builder out) {
+  out.setTrajectoryJRatioV(slot);
+}
+Errc decodeArmTrajectoryJRatioVColumn(wire::ArmStateRow::Reader in, double& slot,
+                                      suture::Duration) {
+  slot = in.getTrajectoryJRatioV();
+  return Errc{};
+}
+
+void encodeArmTrajectoryJRatioAColumn(const double& slot, wire::ArmStateRow::Builder out) {
+  out.setTrajectoryJRatioA(slot);
+}
+Errc decodeArmTrajectoryJRatioAColumn(wire::ArmStateRow::Reader in, double& slot,
+                                      suture::Duration) {
+  slot = in.getTrajectoryJRatioA();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<JointStateSlot>(memory);
-      toWire(slot, out.initMeasuredJs());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<JointStateSlot>(memory);
-      toWire(slot, out.initSetpointJs());
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initMeasuredCp());
-      break;
-    }
-    case 3: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initSetpointCp());
-      break;
-    }
-    case 4: {
-      const auto& slot = slotIn<OperatingStateSlot>(memory);
-      toWire(slot, out.initOperatingState());
-      break;
-    }
-    case 5: {
-      const auto& slot = slotIn<JointConfigurationSlot>(memory);
-      toWire(slot, out.initConfigurationJs());
-      break;
-    }
-    case 6: {
-      const auto& slot = slotIn<IntervalStatisticsSlot>(memory);
-      toWire(slot, out.initPeriodStatistics());
-      break;
-    }
-    case 7: {
-      const auto& slot = slotIn<JointStateSlot>(memory);
-      toWire(slot, out.initGoalJs());
-      break;
-    }
-    case 8: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initGoalCp());
-      break;
-    }
-    case 9: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initLocalMeasuredCp());
-      break;
-    }
-    case 10: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initLocalSetpointCp());
-      break;
-    }
-    case 11: {
-      const auto& slot = slotIn<TwistSlot>(memory);
-      toWire(slot, out.initMeasuredCv());
-      break;
-    }
-    case 12: {
-      const auto& slot = slotIn<TwistSlot>(memory);
-      toWire(slot, out.initSetpointCv());
-      break;
-    }
-    case 13: {
-      const auto& slot = slotIn<WrenchSlot>(memory);
-      toWire(slot, out.initBodyMeasuredCf());
-      break;
-    }
-    case 14: {
-      const auto& slot = slotIn<WrenchSlot>(memory);
-      toWire(slot, out.initSpatialMeasuredCf());
-      break;
-    }
-    case 15: {
-      const auto& slot = slotIn<CartesianStateSlot>(memory);
-      toWire(slot, out.initMeasuredCs());
-      break;
-    }
-    case 16: {
-      const auto& slot = slotIn<JacobianSlot>(memory);
-      toWire(slot, out.initBodyJacobian());
-      break;
-    }
-    case 17: {
-      const auto& slot = slotIn<JacobianSlot>(memory);
-      toWire(slot, out.initSpatialJacobian());
-      break;
-    }
-    case 18: {
-      const auto& slot = slotIn<TransformStampedSlot>(memory);
-      toWire(slot, out.initBaseFrame());
-      break;
-    }
-    case 19: {
-      const auto& slot = slotIn<double>(memory);
-      out.setTrajectoryJRatio(slot);
-      break;
-    }
-    case 20: {
-      const auto& slot = slotIn<double>(memory);
-      out.setTrajectoryJRatioV(slot);
-      break;
-    }
-    case 21: {
-      const auto& slot = slotIn<double>(memory);
-      out.setTrajectoryJRatioA(slot);
-      break;
-    }
+  switch (static_cast<ArmColumn>(column)) {
+    case ArmColumn::measured_js:
+      return encodeArmMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
+    case ArmColumn::setpoint_js:
+      return encodeArmSetpointJsColumn(slotIn<JointStateSlot>(memory), out);
+    case ArmColumn::measured_cp:
+      return encodeArmMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case ArmColumn::setpoint_cp:
+      return encodeArmSetpointCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case ArmColumn::operating_state:
+      return encodeArmOperatingStateColumn(slotIn<OperatingStateSlot>(memory), out);
+    case ArmColumn::configuration_js:
+      return encodeArmConfigurationJsColumn(slotIn<JointConfigurationSlot>(memory), out);
+    case ArmColumn::period_statistics:
+      return encodeArmPeriodStatisticsColumn(slotIn<IntervalStatisticsSlot>(memory), out);
+    case ArmColumn::goal_js: return encodeArmGoalJsColumn(slotIn<JointStateSlot>(memory), out);
+    case ArmColumn::goal_cp: return encodeArmGoalCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case ArmColumn::local_measured_cp:
+      return encodeArmLocalMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case ArmColumn::local_setpoint_cp:
+      return encodeArmLocalSetpointCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case ArmColumn::measured_cv: return encodeArmMeasuredCvColumn(slotIn<TwistSlot>(memory), out);
+    case ArmColumn::setpoint_cv: return encodeArmSetpointCvColumn(slotIn<TwistSlot>(memory), out);
+    case ArmColumn::body_measured_cf:
+      return encodeArmBodyMeasuredCfColumn(slotIn<WrenchSlot>(memory), out);
+    case ArmColumn::spatial_measured_cf:
+      return encodeArmSpatialMeasuredCfColumn(slotIn<WrenchSlot>(memory), out);
+    case ArmColumn::measured_cs:
+      return encodeArmMeasuredCsColumn(slotIn<CartesianStateSlot>(memory), out);
+    case ArmColumn::body_jacobian:
+      return encodeArmBodyJacobianColumn(slotIn<JacobianSlot>(memory), out);
+    case ArmColumn::spatial_jacobian:
+      return encodeArmSpatialJacobianColumn(slotIn<JacobianSlot>(memory), out);
+    case ArmColumn::base_frame:
+      return encodeArmBaseFrameColumn(slotIn<TransformStampedSlot>(memory), out);
+    case ArmColumn::trajectory_j_ratio:
+      return encodeArmTrajectoryJRatioColumn(slotIn<double>(memory), out);
+    case ArmColumn::trajectory_j_ratio_v:
+      return encodeArmTrajectoryJRatioVColumn(slotIn<double>(memory), out);
+    case ArmColumn::trajectory_j_ratio_a:
+      return encodeArmTrajectoryJRatioAColumn(slotIn<double>(memory), out);
   }
 }
 Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
                      suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<JointStateSlot>(memory);
-      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<JointStateSlot>(memory);
-      return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : Errc::Invalid;
-    }
-    case 2: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
-    }
-    case 3: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, shift) : Errc::Invalid;
-    }
-    case 4: {
-      auto& slot = newSlot<OperatingStateSlot>(memory);
-      return in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, shift) : Errc::Invalid;
-    }
-    case 5: {
-      auto& slot = newSlot<JointConfigurationSlot>(memory);
-      return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
-          : Errc::Invalid;
-    }
-    case 6: {
-      auto& slot = newSlot<IntervalStatisticsSlot>(memory);
-      return in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, shift)
-          : Errc::Invalid;
-    }
-    case 7: {
-      auto& slot = newSlot<JointStateSlot>(memory);
-      return in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, shift) : Errc::Invalid;
-    }
-    case 8: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, shift) : Errc::Invalid;
-    }
-    case 9: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, shift)
-          : Errc::Invalid;
-    }
-    case 10: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, shift)
-          : Errc::Invalid;
-    }
-    case 11: {
-      auto& slot = newSlot<TwistSlot>(memory);
-      return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : Errc::Invalid;
-    }
-    case 12: {
-      auto& slot = newSlot<TwistSlot>(memory);
-      return in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, shift) : Errc::Invalid;
-    }
-    case 13: {
-      auto& slot = newSlot<WrenchSlot>(memory);
-      return in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, shift) : Errc::Invalid;
-    }
-    case 14: {
-      auto& slot = newSlot<WrenchSlot>(memory);
-      return in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, shift)
-          : Errc::Invalid;
-    }
-    case 15: {
-      auto& slot = newSlot<CartesianStateSlot>(memory);
-      return in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, shift) : Errc::Invalid;
-    }
-    case 16: {
-      auto& slot = newSlot<JacobianSlot>(memory);
-      return in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, shift) : Errc::Invalid;
-    }
-    case 17: {
-      auto& slot = newSlot<JacobianSlot>(memory);
-      return in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, shift)
-          : Errc::Invalid;
-    }
-    case 18: {
-      auto& slot = newSlot<TransformStampedSlot>(memory);
-      return in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, shift) : Errc::Invalid;
-    }
-    case 19: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getTrajectoryJRatio();
-      return Errc{};
-    }
-    case 20: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getTrajectoryJRatioV();
-      return Errc{};
-    }
-    case 21: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getTrajectoryJRatioA();
-      return Errc{};
-    }
+  switch (static_cast<ArmColumn>(column)) {
+    case ArmColumn::measured_js:
+      return decodeArmMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+    case ArmColumn::setpoint_js:
+      return decodeArmSetpointJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+    case ArmColumn::measured_cp:
+      return decodeArmMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case ArmColumn::setpoint_cp:
+      return decodeArmSetpointCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case ArmColumn::operating_state:
+      return decodeArmOperatingStateColumn(in, newSlot<OperatingStateSlot>(memory), shift);
+    case ArmColumn::configuration_js:
+      return decodeArmConfigurationJsColumn(in, newSlot<JointConfigurationSlot>(memory), shift);
+    case ArmColumn::period_statistics:
+      return decodeArmPeriodStatisticsColumn(in, newSlot<IntervalStatisticsSlot>(memory), shift);
+    case ArmColumn::goal_js:
+      return decodeArmGoalJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+    case ArmColumn::goal_cp:
+      return decodeArmGoalCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case ArmColumn::local_measured_cp:
+      return decodeArmLocalMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case ArmColumn::local_setpoint_cp:
+      return decodeArmLocalSetpointCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case ArmColumn::measured_cv:
+      return decodeArmMeasuredCvColumn(in, newSlot<TwistSlot>(memory), shift);
+    case ArmColumn::setpoint_cv:
+      return decodeArmSetpointCvColumn(in, newSlot<TwistSlot>(memory), shift);
+    case ArmColumn::body_measured_cf:
+      return decodeArmBodyMeasuredCfColumn(in, newSlot<WrenchSlot>(memory), shift);
+    case ArmColumn::spatial_measured_cf:
+      return decodeArmSpatialMeasuredCfColumn(in, newSlot<WrenchSlot>(memory), shift);
+    case ArmColumn::measured_cs:
+      return decodeArmMeasuredCsColumn(in, newSlot<CartesianStateSlot>(memory), shift);
+    case ArmColumn::body_jacobian:
+      return decodeArmBodyJacobianColumn(in, newSlot<JacobianSlot>(memory), shift);
+    case ArmColumn::spatial_jacobian:
+      return decodeArmSpatialJacobianColumn(in, newSlot<JacobianSlot>(memory), shift);
+    case ArmColumn::base_frame:
+      return decodeArmBaseFrameColumn(in, newSlot<TransformStampedSlot>(memory), shift);
+    case ArmColumn::trajectory_j_ratio:
+      return decodeArmTrajectoryJRatioColumn(in, newSlot<double>(memory), shift);
+    case ArmColumn::trajectory_j_ratio_v:
+      return decodeArmTrajectoryJRatioVColumn(in, newSlot<double>(memory), shift);
+    case ArmColumn::trajectory_j_ratio_a:
+      return decodeArmTrajectoryJRatioAColumn(in, newSlot<double>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -1545,35 +1603,35 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(ArmColumn::measured_js),
      .acceptsResult = checkSlot<JointStateSlot, isValid>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(ArmColumn::setpoint_js),
      .acceptsResult = checkSlot<JointStateSlot, isValid>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 2,
+     .column = static_cast<int>(ArmColumn::measured_cp),
      .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "setpoint_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 3,
+     .column = static_cast<int>(ArmColumn::setpoint_cp),
      .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "operating_state",
      .kind = CommandKind::Read,
      .resultSize = slotSize<OperatingStateSlot>,
      .depth = 16,
-     .column = 4,
+     .column = static_cast<int>(ArmColumn::operating_state),
      .acceptsResult = checkSlot<OperatingStateSlot, isValid>,
      .shiftResult = shiftSlot<OperatingStateSlot>},
     {.name = "forward_kinematics",
@@ -1597,13 +1655,13 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointConfigurationSlot>,
      .depth = 16,
-     .column = 5,
+     .column = static_cast<int>(ArmColumn::configuration_js),
      .acceptsResult = checkSlot<JointConfigurationSlot, isValid>},
     {.name = "period_statistics",
      .kind = CommandKind::Read,
      .resultSize = slotSize<IntervalStatisticsSlot>,
      .depth = 16,
-     .column = 6,
+     .column = static_cast<int>(ArmColumn::period_statistics),
      .acceptsResult = checkSlot<IntervalStatisticsSlot, isValid>,
      .shiftResult = shiftSlot<IntervalStatisticsSlot>},
     {.name = "pause", .kind = CommandKind::Void, .depth = 16},
@@ -1617,70 +1675,70 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 7,
+     .column = static_cast<int>(ArmColumn::goal_js),
      .acceptsResult = checkSlot<JointStateSlot, isValid>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "goal_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 8,
+     .column = static_cast<int>(ArmColumn::goal_cp),
      .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "local_measured_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 9,
+     .column = static_cast<int>(ArmColumn::local_measured_cp),
      .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "local_setpoint_cp",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 10,
+     .column = static_cast<int>(ArmColumn::local_setpoint_cp),
      .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "measured_cv",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TwistSlot>,
      .depth = 16,
-     .column = 11,
+     .column = static_cast<int>(ArmColumn::measured_cv),
      .acceptsResult = checkSlot<TwistSlot, isValid>,
      .shiftResult = shiftSlot<TwistSlot>},
     {.name = "setpoint_cv",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TwistSlot>,
      .depth = 16,
-     .column = 12,
+     .column = static_cast<int>(ArmColumn::setpoint_cv),
      .acceptsResult = checkSlot<TwistSlot, isValid>,
      .shiftResult = shiftSlot<TwistSlot>},
     {.name = "body_measured_cf",
      .kind = CommandKind::Read,
      .resultSize = slotSize<WrenchSlot>,
      .depth = 16,
-     .column = 13,
+     .column = static_cast<int>(ArmColumn::body_measured_cf),
      .acceptsResult = checkSlot<WrenchSlot, isValid>,
      .shiftResult = shiftSlot<WrenchSlot>},
     {.name = "spatial_measured_cf",
      .kind = CommandKind::Read,
      .resultSize = slotSize<WrenchSlot>,
      .depth = 16,
-     .column = 14,
+     .column = static_cast<int>(ArmColumn::spatial_measured_cf),
      .acceptsResult = checkSlot<WrenchSlot, isValid>,
      .shiftResult = shiftSlot<WrenchSlot>},
     {.name = "measured_cs",
      .kind = CommandKind::Read,
      .resultSize = slotSize<CartesianStateSlot>,
      .depth = 16,
-     .column = 15,
+     .column = static_cast<int>(ArmColumn::measured_cs),
      .acceptsResult = checkSlot<CartesianStateSlot, isValid>,
      .shiftResult = shiftSlot<CartesianStateSlot>},
     {.name = "body_jacobian",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
-     .column = 16,
+     .column = static_cast<int>(ArmColumn::body_jacobian),
      .acceptsResult = checkSlot<JacobianSlot, isValid>,
      .shiftResult = shiftSlot<JacobianSlot>,
      .resultLevels = kArmBodyJacobianResultLevels},
@@ -1688,7 +1746,7 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<JacobianSlot>,
      .depth = 16,
-     .column = 17,
+     .column = static_cast<int>(ArmColumn::spatial_jacobian),
      .acceptsResult = checkSlot<JacobianSlot, isValid>,
      .shiftResult = shiftSlot<JacobianSlot>,
      .resultLevels = kArmSpatialJacobianResultLevels},
@@ -1696,7 +1754,7 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<TransformStampedSlot>,
      .depth = 16,
-     .column = 18,
+     .column = static_cast<int>(ArmColumn::base_frame),
      .acceptsResult = checkSlot<TransformStampedSlot, isValid>,
      .shiftResult = shiftSlot<TransformStampedSlot>},
     {.name = "set_base_frame",
@@ -1831,19 +1889,19 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 19,
+     .column = static_cast<int>(ArmColumn::trajectory_j_ratio),
      .acceptsResult = checkSlot<double, acceptsArmTrajectoryJRatioResult>},
     {.name = "trajectory_j_ratio_v",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 20,
+     .column = static_cast<int>(ArmColumn::trajectory_j_ratio_v),
      .acceptsResult = checkSlot<double, acceptsArmTrajectoryJRatioVResult>},
     {.name = "trajectory_j_ratio_a",
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 21,
+     .column = static_cast<int>(ArmColumn::trajectory_j_ratio_a),
      .acceptsResult = checkSlot<double, acceptsArmTrajectoryJRatioAResult>},
     {.name = "query_cp",
      .kind = CommandKind::QualifiedRead,
@@ -2529,295 +2587,477 @@ auto Provided<robots::Arm>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of robots::Arm, so that a stack in a debugger names it.
+struct Provided<robots::Arm>::Dispatch {
+  static Errc execute_enable(Contract& implementation) {
+    implementation.enable();
+    return Errc{};
+  }
+
+  static Errc execute_disable(Contract& implementation) {
+    implementation.disable();
+    return Errc{};
+  }
+
+  static Errc execute_home(Contract& implementation) {
+    implementation.home();
+    return Errc{};
+  }
+
+  static Errc execute_hold(Contract& implementation) {
+    implementation.hold();
+    return Errc{};
+  }
+
+  static Errc execute_servo_cp(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmServoCpArguments>(arguments);
+    load(slot.goal, scratch.servo_cp_goal);
+    implementation.servo_cp(scratch.servo_cp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_servo_jp(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmServoJpArguments>(arguments);
+    load(slot.goal, scratch.servo_jp_goal);
+    implementation.servo_jp(scratch.servo_jp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_move_jp(Contract& implementation, Scratch& scratch,
+                              const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmMoveJpArguments>(arguments);
+    load(slot.goal, scratch.move_jp_goal);
+    implementation.move_jp(scratch.move_jp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_measured_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointStateSlot>(result);
+    return store(implementation.measured_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_setpoint_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointStateSlot>(result);
+    return store(implementation.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_measured_cp(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_setpoint_cp(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_operating_state(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::OperatingStateSlot>(result);
+    return store(implementation.operating_state(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_forward_kinematics(Contract& implementation, Scratch& scratch,
+                                         const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<robots::ArmForwardKinematicsArguments>(arguments);
+    load(slot.q, scratch.forward_kinematics_q);
+    auto& answer = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.forward_kinematics(scratch.forward_kinematics_q), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_inverse_kinematics(Contract& implementation, Scratch& scratch,
+                                         const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<robots::ArmInverseKinematicsArguments>(arguments);
+    load(slot.goal, scratch.inverse_kinematics_goal);
+    auto& answer = newSlot<robots::JointSolutionSlot>(result);
+    return store(implementation.inverse_kinematics(scratch.inverse_kinematics_goal), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_configuration_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointConfigurationSlot>(result);
+    return store(implementation.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_period_statistics(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::IntervalStatisticsSlot>(result);
+    return store(implementation.period_statistics(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_pause(Contract& implementation) {
+    implementation.pause();
+    return Errc{};
+  }
+
+  static Errc execute_resume(Contract& implementation) {
+    implementation.resume();
+    return Errc{};
+  }
+
+  static Errc execute_unhome(Contract& implementation) {
+    implementation.unhome();
+    return Errc{};
+  }
+
+  static Errc execute_state_command(Contract& implementation, Scratch& scratch,
+                                    const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmStateCommandArguments>(arguments);
+    load(slot.name, scratch.state_command_name);
+    implementation.state_command(scratch.state_command_name);
+    return Errc{};
+  }
+
+  static Errc execute_goal_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointStateSlot>(result);
+    return store(implementation.goal_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_goal_cp(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.goal_cp(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_local_measured_cp(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.local_measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_local_setpoint_cp(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.local_setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_measured_cv(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::TwistSlot>(result);
+    return store(implementation.measured_cv(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_setpoint_cv(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::TwistSlot>(result);
+    return store(implementation.setpoint_cv(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_body_measured_cf(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::WrenchSlot>(result);
+    return store(implementation.body_measured_cf(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_spatial_measured_cf(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::WrenchSlot>(result);
+    return store(implementation.spatial_measured_cf(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_measured_cs(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::CartesianStateSlot>(result);
+    return store(implementation.measured_cs(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_body_jacobian(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JacobianSlot>(result);
+    return store(implementation.body_jacobian(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_spatial_jacobian(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JacobianSlot>(result);
+    return store(implementation.spatial_jacobian(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_base_frame(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::TransformStampedSlot>(result);
+    return store(implementation.base_frame(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_set_base_frame(Contract& implementation, Scratch& scratch,
+                                     const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmSetBaseFrameArguments>(arguments);
+    load(slot.base, scratch.set_base_frame_base);
+    implementation.set_base_frame(scratch.set_base_frame_base);
+    return Errc{};
+  }
+
+  static Errc execute_free(Contract& implementation) {
+    implementation.free();
+    return Errc{};
+  }
+
+  static Errc execute_use_gravity_compensation(Contract& implementation, Scratch& scratch,
+                                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmUseGravityCompensationArguments>(arguments);
+    load(slot.use, scratch.use_gravity_compensation_use);
+    implementation.use_gravity_compensation(scratch.use_gravity_compensation_use);
+    return Errc{};
+  }
+
+  static Errc execute_servo_jr(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmServoJrArguments>(arguments);
+    load(slot.step, scratch.servo_jr_step);
+    implementation.servo_jr(scratch.servo_jr_step);
+    return Errc{};
+  }
+
+  static Errc execute_servo_jv(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmServoJvArguments>(arguments);
+    load(slot.goal, scratch.servo_jv_goal);
+    implementation.servo_jv(scratch.servo_jv_goal);
+    return Errc{};
+  }
+
+  static Errc execute_servo_jf(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmServoJfArguments>(arguments);
+    load(slot.goal, scratch.servo_jf_goal);
+    implementation.servo_jf(scratch.servo_jf_goal);
+    return Errc{};
+  }
+
+  static Errc execute_servo_cr(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmServoCrArguments>(arguments);
+    load(slot.step, scratch.servo_cr_step);
+    implementation.servo_cr(scratch.servo_cr_step);
+    return Errc{};
+  }
+
+  static Errc execute_servo_cv(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmServoCvArguments>(arguments);
+    load(slot.goal, scratch.servo_cv_goal);
+    implementation.servo_cv(scratch.servo_cv_goal);
+    return Errc{};
+  }
+
+  static Errc execute_body_servo_cf(Contract& implementation, Scratch& scratch,
+                                    const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmBodyServoCfArguments>(arguments);
+    load(slot.goal, scratch.body_servo_cf_goal);
+    implementation.body_servo_cf(scratch.body_servo_cf_goal);
+    return Errc{};
+  }
+
+  static Errc execute_spatial_servo_cf(Contract& implementation, Scratch& scratch,
+                                       const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmSpatialServoCfArguments>(arguments);
+    load(slot.goal, scratch.spatial_servo_cf_goal);
+    implementation.spatial_servo_cf(scratch.spatial_servo_cf_goal);
+    return Errc{};
+  }
+
+  static Errc execute_interpolate_jp(Contract& implementation, Scratch& scratch,
+                                     const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmInterpolateJpArguments>(arguments);
+    load(slot.goal, scratch.interpolate_jp_goal);
+    implementation.interpolate_jp(scratch.interpolate_jp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_interpolate_jr(Contract& implementation, Scratch& scratch,
+                                     const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmInterpolateJrArguments>(arguments);
+    load(slot.step, scratch.interpolate_jr_step);
+    implementation.interpolate_jr(scratch.interpolate_jr_step);
+    return Errc{};
+  }
+
+  static Errc execute_interpolate_cp(Contract& implementation, Scratch& scratch,
+                                     const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmInterpolateCpArguments>(arguments);
+    load(slot.goal, scratch.interpolate_cp_goal);
+    implementation.interpolate_cp(scratch.interpolate_cp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_interpolate_cr(Contract& implementation, Scratch& scratch,
+                                     const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmInterpolateCrArguments>(arguments);
+    load(slot.step, scratch.interpolate_cr_step);
+    implementation.interpolate_cr(scratch.interpolate_cr_step);
+    return Errc{};
+  }
+
+  static Errc execute_move_jr(Contract& implementation, Scratch& scratch,
+                              const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmMoveJrArguments>(arguments);
+    load(slot.step, scratch.move_jr_step);
+    implementation.move_jr(scratch.move_jr_step);
+    return Errc{};
+  }
+
+  static Errc execute_move_cp(Contract& implementation, Scratch& scratch,
+                              const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmMoveCpArguments>(arguments);
+    load(slot.goal, scratch.move_cp_goal);
+    implementation.move_cp(scratch.move_cp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_move_cr(Contract& implementation, Scratch& scratch,
+                              const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmMoveCrArguments>(arguments);
+    load(slot.step, scratch.move_cr_step);
+    implementation.move_cr(scratch.move_cr_step);
+    return Errc{};
+  }
+
+  static Errc execute_trajectory_j_set_ratio(Contract& implementation, Scratch& scratch,
+                                             const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmTrajectoryJSetRatioArguments>(arguments);
+    load(slot.ratio, scratch.trajectory_j_set_ratio_ratio);
+    implementation.trajectory_j_set_ratio(scratch.trajectory_j_set_ratio_ratio);
+    return Errc{};
+  }
+
+  static Errc execute_trajectory_j_set_ratio_v(Contract& implementation, Scratch& scratch,
+                                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmTrajectoryJSetRatioVArguments>(arguments);
+    load(slot.ratio, scratch.trajectory_j_set_ratio_v_ratio);
+    implementation.trajectory_j_set_ratio_v(scratch.trajectory_j_set_ratio_v_ratio);
+    return Errc{};
+  }
+
+  static Errc execute_trajectory_j_set_ratio_a(Contract& implementation, Scratch& scratch,
+                                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmTrajectoryJSetRatioAArguments>(arguments);
+    load(slot.ratio, scratch.trajectory_j_set_ratio_a_ratio);
+    implementation.trajectory_j_set_ratio_a(scratch.trajectory_j_set_ratio_a_ratio);
+    return Errc{};
+  }
+
+  static Errc execute_trajectory_j_ratio(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.trajectory_j_ratio(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_trajectory_j_ratio_v(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.trajectory_j_ratio_v(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_trajectory_j_ratio_a(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.trajectory_j_ratio_a(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_query_cp(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<robots::ArmQueryCpArguments>(arguments);
+    load(slot.q, scratch.query_cp_q);
+    auto& answer = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.query_cp(scratch.query_cp_q), answer) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_local_query_cp(Contract& implementation, Scratch& scratch,
+                                     const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<robots::ArmLocalQueryCpArguments>(arguments);
+    load(slot.q, scratch.local_query_cp_q);
+    auto& answer = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.local_query_cp(scratch.local_query_cp_q), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* arguments,
                                     std::byte* result) {
   using ::robots::ArmCommand;
   switch (static_cast<ArmCommand>(command)) {
-    case ArmCommand::enable: {
-      implementation_.enable();
-      return Errc{};
-    }
-    case ArmCommand::disable: {
-      implementation_.disable();
-      return Errc{};
-    }
-    case ArmCommand::home: {
-      implementation_.home();
-      return Errc{};
-    }
-    case ArmCommand::hold: {
-      implementation_.hold();
-      return Errc{};
-    }
-    case ArmCommand::servo_cp: {
-      const auto& slot = slotIn<robots::ArmServoCpArguments>(arguments);
-      load(slot.goal, scratch_.servo_cp_goal);
-      implementation_.servo_cp(scratch_.servo_cp_goal);
-      return Errc{};
-    }
-    case ArmCommand::servo_jp: {
-      const auto& slot = slotIn<robots::ArmServoJpArguments>(arguments);
-      load(slot.goal, scratch_.servo_jp_goal);
-      implementation_.servo_jp(scratch_.servo_jp_goal);
-      return Errc{};
-    }
-    case ArmCommand::move_jp: {
-      const auto& slot = slotIn<robots::ArmMoveJpArguments>(arguments);
-      load(slot.goal, scratch_.move_jp_goal);
-      implementation_.move_jp(scratch_.move_jp_goal);
-      return Errc{};
-    }
-    case ArmCommand::measured_js: {
-      auto& slot = newSlot<robots::JointStateSlot>(result);
-      return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::setpoint_js: {
-      auto& slot = newSlot<robots::JointStateSlot>(result);
-      return store(implementation_.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::measured_cp: {
-      auto& slot = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::setpoint_cp: {
-      auto& slot = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::operating_state: {
-      auto& slot = newSlot<robots::OperatingStateSlot>(result);
-      return store(implementation_.operating_state(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::forward_kinematics: {
-      const auto& slot = slotIn<robots::ArmForwardKinematicsArguments>(arguments);
-      load(slot.q, scratch_.forward_kinematics_q);
-      auto& answer = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.forward_kinematics(scratch_.forward_kinematics_q), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::inverse_kinematics: {
-      const auto& slot = slotIn<robots::ArmInverseKinematicsArguments>(arguments);
-      load(slot.goal, scratch_.inverse_kinematics_goal);
-      auto& answer = newSlot<robots::JointSolutionSlot>(result);
-      return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_goal), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::configuration_js: {
-      auto& slot = newSlot<robots::JointConfigurationSlot>(result);
-      return store(implementation_.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::period_statistics: {
-      auto& slot = newSlot<robots::IntervalStatisticsSlot>(result);
-      return store(implementation_.period_statistics(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::pause: {
-      implementation_.pause();
-      return Errc{};
-    }
-    case ArmCommand::resume: {
-      implementation_.resume();
-      return Errc{};
-    }
-    case ArmCommand::unhome: {
-      implementation_.unhome();
-      return Errc{};
-    }
-    case ArmCommand::state_command: {
-      const auto& slot = slotIn<robots::ArmStateCommandArguments>(arguments);
-      load(slot.name, scratch_.state_command_name);
-      implementation_.state_command(scratch_.state_command_name);
-      return Errc{};
-    }
-    case ArmCommand::goal_js: {
-      auto& slot = newSlot<robots::JointStateSlot>(result);
-      return store(implementation_.goal_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::goal_cp: {
-      auto& slot = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.goal_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::local_measured_cp: {
-      auto& slot = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.local_measured_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::local_setpoint_cp: {
-      auto& slot = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.local_setpoint_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::measured_cv: {
-      auto& slot = newSlot<robots::TwistSlot>(result);
-      return store(implementation_.measured_cv(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::setpoint_cv: {
-      auto& slot = newSlot<robots::TwistSlot>(result);
-      return store(implementation_.setpoint_cv(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::body_measured_cf: {
-      auto& slot = newSlot<robots::WrenchSlot>(result);
-      return store(implementation_.body_measured_cf(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::spatial_measured_cf: {
-      auto& slot = newSlot<robots::WrenchSlot>(result);
-      return store(implementation_.spatial_measured_cf(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::measured_cs: {
-      auto& slot = newSlot<robots::CartesianStateSlot>(result);
-      return store(implementation_.measured_cs(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::body_jacobian: {
-      auto& slot = newSlot<robots::JacobianSlot>(result);
-      return store(implementation_.body_jacobian(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::spatial_jacobian: {
-      auto& slot = newSlot<robots::JacobianSlot>(result);
-      return store(implementation_.spatial_jacobian(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::base_frame: {
-      auto& slot = newSlot<robots::TransformStampedSlot>(result);
-      return store(implementation_.base_frame(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::set_base_frame: {
-      const auto& slot = slotIn<robots::ArmSetBaseFrameArguments>(arguments);
-      load(slot.base, scratch_.set_base_frame_base);
-      implementation_.set_base_frame(scratch_.set_base_frame_base);
-      return Errc{};
-    }
-    case ArmCommand::free: {
-      implementation_.free();
-      return Errc{};
-    }
-    case ArmCommand::use_gravity_compensation: {
-      const auto& slot = slotIn<robots::ArmUseGravityCompensationArguments>(arguments);
-      load(slot.use, scratch_.use_gravity_compensation_use);
-      implementation_.use_gravity_compensation(scratch_.use_gravity_compensation_use);
-      return Errc{};
-    }
-    case ArmCommand::servo_jr: {
-      const auto& slot = slotIn<robots::ArmServoJrArguments>(arguments);
-      load(slot.step, scratch_.servo_jr_step);
-      implementation_.servo_jr(scratch_.servo_jr_step);
-      return Errc{};
-    }
-    case ArmCommand::servo_jv: {
-      const auto& slot = slotIn<robots::ArmServoJvArguments>(arguments);
-      load(slot.goal, scratch_.servo_jv_goal);
-      implementation_.servo_jv(scratch_.servo_jv_goal);
-      return Errc{};
-    }
-    case ArmCommand::servo_jf: {
-      const auto& slot = slotIn<robots::ArmServoJfArguments>(arguments);
-      load(slot.goal, scratch_.servo_jf_goal);
-      implementation_.servo_jf(scratch_.servo_jf_goal);
-      return Errc{};
-    }
-    case ArmCommand::servo_cr: {
-      const auto& slot = slotIn<robots::ArmServoCrArguments>(arguments);
-      load(slot.step, scratch_.servo_cr_step);
-      implementation_.servo_cr(scratch_.servo_cr_step);
-      return Errc{};
-    }
-    case ArmCommand::servo_cv: {
-      const auto& slot = slotIn<robots::ArmServoCvArguments>(arguments);
-      load(slot.goal, scratch_.servo_cv_goal);
-      implementation_.servo_cv(scratch_.servo_cv_goal);
-      return Errc{};
-    }
-    case ArmCommand::body_servo_cf: {
-      const auto& slot = slotIn<robots::ArmBodyServoCfArguments>(arguments);
-      load(slot.goal, scratch_.body_servo_cf_goal);
-      implementation_.body_servo_cf(scratch_.body_servo_cf_goal);
-      return Errc{};
-    }
-    case ArmCommand::spatial_servo_cf: {
-      const auto& slot = slotIn<robots::ArmSpatialServoCfArguments>(arguments);
-      load(slot.goal, scratch_.spatial_servo_cf_goal);
-      implementation_.spatial_servo_cf(scratch_.spatial_servo_cf_goal);
-      return Errc{};
-    }
-    case ArmCommand::interpolate_jp: {
-      const auto& slot = slotIn<robots::ArmInterpolateJpArguments>(arguments);
-      load(slot.goal, scratch_.interpolate_jp_goal);
-      implementation_.interpolate_jp(scratch_.interpolate_jp_goal);
-      return Errc{};
-    }
-    case ArmCommand::interpolate_jr: {
-      const auto& slot = slotIn<robots::ArmInterpolateJrArguments>(arguments);
-      load(slot.step, scratch_.interpolate_jr_step);
-      implementation_.interpolate_jr(scratch_.interpolate_jr_step);
-      return Errc{};
-    }
-    case ArmCommand::interpolate_cp: {
-      const auto& slot = slotIn<robots::ArmInterpolateCpArguments>(arguments);
-      load(slot.goal, scratch_.interpolate_cp_goal);
-      implementation_.interpolate_cp(scratch_.interpolate_cp_goal);
-      return Errc{};
-    }
-    case ArmCommand::interpolate_cr: {
-      const auto& slot = slotIn<robots::ArmInterpolateCrArguments>(arguments);
-      load(slot.step, scratch_.interpolate_cr_step);
-      implementation_.interpolate_cr(scratch_.interpolate_cr_step);
-      return Errc{};
-    }
-    case ArmCommand::move_jr: {
-      const auto& slot = slotIn<robots::ArmMoveJrArguments>(arguments);
-      load(slot.step, scratch_.move_jr_step);
-      implementation_.move_jr(scratch_.move_jr_step);
-      return Errc{};
-    }
-    case ArmCommand::move_cp: {
-      const auto& slot = slotIn<robots::ArmMoveCpArguments>(arguments);
-      load(slot.goal, scratch_.move_cp_goal);
-      implementation_.move_cp(scratch_.move_cp_goal);
-      return Errc{};
-    }
-    case ArmCommand::move_cr: {
-      const auto& slot = slotIn<robots::ArmMoveCrArguments>(arguments);
-      load(slot.step, scratch_.move_cr_step);
-      implementation_.move_cr(scratch_.move_cr_step);
-      return Errc{};
-    }
-    case ArmCommand::trajectory_j_set_ratio: {
-      const auto& slot = slotIn<robots::ArmTrajectoryJSetRatioArguments>(arguments);
-      load(slot.ratio, scratch_.trajectory_j_set_ratio_ratio);
-      implementation_.trajectory_j_set_ratio(scratch_.trajectory_j_set_ratio_ratio);
-      return Errc{};
-    }
-    case ArmCommand::trajectory_j_set_ratio_v: {
-      const auto& slot = slotIn<robots::ArmTrajectoryJSetRatioVArguments>(arguments);
-      load(slot.ratio, scratch_.trajectory_j_set_ratio_v_ratio);
-      implementation_.trajectory_j_set_ratio_v(scratch_.trajectory_j_set_ratio_v_ratio);
-      return Errc{};
-    }
-    case ArmCommand::trajectory_j_set_ratio_a: {
-      const auto& slot = slotIn<robots::ArmTrajectoryJSetRatioAArguments>(arguments);
-      load(slot.ratio, scratch_.trajectory_j_set_ratio_a_ratio);
-      implementation_.trajectory_j_set_ratio_a(scratch_.trajectory_j_set_ratio_a_ratio);
-      return Errc{};
-    }
-    case ArmCommand::trajectory_j_ratio: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.trajectory_j_ratio(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::trajectory_j_ratio_v: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.trajectory_j_ratio_v(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::trajectory_j_ratio_a: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.trajectory_j_ratio_a(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::query_cp: {
-      const auto& slot = slotIn<robots::ArmQueryCpArguments>(arguments);
-      load(slot.q, scratch_.query_cp_q);
-      auto& answer = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.query_cp(scratch_.query_cp_q), answer) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::local_query_cp: {
-      const auto& slot = slotIn<robots::ArmLocalQueryCpArguments>(arguments);
-      load(slot.q, scratch_.local_query_cp_q);
-      auto& answer = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.local_query_cp(scratch_.local_query_cp_q), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
+    case ArmCommand::enable: return Dispatch::execute_enable(implementation_);
+    case ArmCommand::disable: return Dispatch::execute_disable(implementation_);
+    case ArmCommand::home: return Dispatch::execute_home(implementation_);
+    case ArmCommand::hold: return Dispatch::execute_hold(implementation_);
+    case ArmCommand::servo_cp:
+      return Dispatch::execute_servo_cp(implementation_, scratch_, arguments);
+    case ArmCommand::servo_jp:
+      return Dispatch::execute_servo_jp(implementation_, scratch_, arguments);
+    case ArmCommand::move_jp:
+      return Dispatch::execute_move_jp(implementation_, scratch_, arguments);
+    case ArmCommand::measured_js: return Dispatch::execute_measured_js(implementation_, result);
+    case ArmCommand::setpoint_js: return Dispatch::execute_setpoint_js(implementation_, result);
+    case ArmCommand::measured_cp: return Dispatch::execute_measured_cp(implementation_, result);
+    case ArmCommand::setpoint_cp: return Dispatch::execute_setpoint_cp(implementation_, result);
+    case ArmCommand::operating_state:
+      return Dispatch::execute_operating_state(implementation_, result);
+    case ArmCommand::forward_kinematics:
+      return Dispatch::execute_forward_kinematics(implementation_, scratch_, arguments, result);
+    case ArmCommand::inverse_kinematics:
+      return Dispatch::execute_inverse_kinematics(implementation_, scratch_, arguments, result);
+    case ArmCommand::configuration_js:
+      return Dispatch::execute_configuration_js(implementation_, result);
+    case ArmCommand::period_statistics:
+      return Dispatch::execute_period_statistics(implementation_, result);
+    case ArmCommand::pause: return Dispatch::execute_pause(implementation_);
+    case ArmCommand::resume: return Dispatch::execute_resume(implementation_);
+    case ArmCommand::unhome: return Dispatch::execute_unhome(implementation_);
+    case ArmCommand::state_command:
+      return Dispatch::execute_state_command(implementation_, scratch_, arguments);
+    case ArmCommand::goal_js: return Dispatch::execute_goal_js(implementation_, result);
+    case ArmCommand::goal_cp: return Dispatch::execute_goal_cp(implementation_, result);
+    case ArmCommand::local_measured_cp:
+      return Dispatch::execute_local_measured_cp(implementation_, result);
+    case ArmCommand::local_setpoint_cp:
+      return Dispatch::execute_local_setpoint_cp(implementation_, result);
+    case ArmCommand::measured_cv: return Dispatch::execute_measured_cv(implementation_, result);
+    case ArmCommand::setpoint_cv: return Dispatch::execute_setpoint_cv(implementation_, result);
+    case ArmCommand::body_measured_cf:
+      return Dispatch::execute_body_measured_cf(implementation_, result);
+    case ArmCommand::spatial_measured_cf:
+      return Dispatch::execute_spatial_measured_cf(implementation_, result);
+    case ArmCommand::measured_cs: return Dispatch::execute_measured_cs(implementation_, result);
+    case ArmCommand::body_jacobian: return Dispatch::execute_body_jacobian(implementation_, result);
+    case ArmCommand::spatial_jacobian:
+      return Dispatch::execute_spatial_jacobian(implementation_, result);
+    case ArmCommand::base_frame: return Dispatch::execute_base_frame(implementation_, result);
+    case ArmCommand::set_base_frame:
+      return Dispatch::execute_set_base_frame(implementation_, scratch_, arguments);
+    case ArmCommand::free: return Dispatch::execute_free(implementation_);
+    case ArmCommand::use_gravity_compensation:
+      return Dispatch::execute_use_gravity_compensation(implementation_, scratch_, arguments);
+    case ArmCommand::servo_jr:
+      return Dispatch::execute_servo_jr(implementation_, scratch_, arguments);
+    case ArmCommand::servo_jv:
+      return Dispatch::execute_servo_jv(implementation_, scratch_, arguments);
+    case ArmCommand::servo_jf:
+      return Dispatch::execute_servo_jf(implementation_, scratch_, arguments);
+    case ArmCommand::servo_cr:
+      return Dispatch::execute_servo_cr(implementation_, scratch_, arguments);
+    case ArmCommand::servo_cv:
+      return Dispatch::execute_servo_cv(implementation_, scratch_, arguments);
+    case ArmCommand::body_servo_cf:
+      return Dispatch::execute_body_servo_cf(implementation_, scratch_, arguments);
+    case ArmCommand::spatial_servo_cf:
+      return Dispatch::execute_spatial_servo_cf(implementation_, scratch_, arguments);
+    case ArmCommand::interpolate_jp:
+      return Dispatch::execute_interpolate_jp(implementation_, scratch_, arguments);
+    case ArmCommand::interpolate_jr:
+      return Dispatch::execute_interpolate_jr(implementation_, scratch_, arguments);
+    case ArmCommand::interpolate_cp:
+      return Dispatch::execute_interpolate_cp(implementation_, scratch_, arguments);
+    case ArmCommand::interpolate_cr:
+      return Dispatch::execute_interpolate_cr(implementation_, scratch_, arguments);
+    case ArmCommand::move_jr:
+      return Dispatch::execute_move_jr(implementation_, scratch_, arguments);
+    case ArmCommand::move_cp:
+      return Dispatch::execute_move_cp(implementation_, scratch_, arguments);
+    case ArmCommand::move_cr:
+      return Dispatch::execute_move_cr(implementation_, scratch_, arguments);
+    case ArmCommand::trajectory_j_set_ratio:
+      return Dispatch::execute_trajectory_j_set_ratio(implementation_, scratch_, arguments);
+    case ArmCommand::trajectory_j_set_ratio_v:
+      return Dispatch::execute_trajectory_j_set_ratio_v(implementation_, scratch_, arguments);
+    case ArmCommand::trajectory_j_set_ratio_a:
+      return Dispatch::execute_trajectory_j_set_ratio_a(implementation_, scratch_, arguments);
+    case ArmCommand::trajectory_j_ratio:
+      return Dispatch::execute_trajectory_j_ratio(implementation_, result);
+    case ArmCommand::trajectory_j_ratio_v:
+      return Dispatch::execute_trajectory_j_ratio_v(implementation_, result);
+    case ArmCommand::trajectory_j_ratio_a:
+      return Dispatch::execute_trajectory_j_ratio_a(implementation_, result);
+    case ArmCommand::query_cp:
+      return Dispatch::execute_query_cp(implementation_, scratch_, arguments, result);
+    case ArmCommand::local_query_cp:
+      return Dispatch::execute_local_query_cp(implementation_, scratch_, arguments, result);
   }
   return Provided<suture::Messages>::execute(command, arguments, result);
 }

@@ -276,6 +276,32 @@ enum class ArmEvent : std::uint16_t {
   trajectory_j_ratio_a,
 };
 
+/// Names where a row of the state has each read of Arm.
+enum class ArmColumn : std::uint16_t {
+  measured_js,
+  setpoint_js,
+  measured_cp,
+  setpoint_cp,
+  operating_state,
+  configuration_js,
+  period_statistics,
+  goal_js,
+  goal_cp,
+  local_measured_cp,
+  local_setpoint_cp,
+  measured_cv,
+  setpoint_cv,
+  body_measured_cf,
+  spatial_measured_cf,
+  measured_cs,
+  body_jacobian,
+  spatial_jacobian,
+  base_frame,
+  trajectory_j_ratio,
+  trajectory_j_ratio_v,
+  trajectory_j_ratio_a,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -546,6 +572,8 @@ class Provided<robots::Arm> : public Provided<suture::Messages> {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     robots::PoseStamped servo_cp_goal{};

@@ -75,34 +75,40 @@ Errc decodeGripperClosedEvent(wire::GripperEvents::ClosedParams::Reader in, std:
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeGripperConfigurationJsColumn(const JointConfigurationSlot& slot,
+                                        wire::GripperStateRow::Builder out) {
+  toWire(slot, out.initConfigurationJs());
+}
+Errc decodeGripperConfigurationJsColumn(wire::GripperStateRow::Reader in,
+                                        JointConfigurationSlot& slot, suture::Duration shift) {
+  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift) : Errc::Invalid;
+}
+
+void encodeGripperMeasuredJsColumn(const JointStateSlot& slot, wire::GripperStateRow::Builder out) {
+  toWire(slot, out.initMeasuredJs());
+}
+Errc decodeGripperMeasuredJsColumn(wire::GripperStateRow::Reader in, JointStateSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeGripperColumn(unsigned column, const std::byte* memory,
                          wire::GripperStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<JointConfigurationSlot>(memory);
-      toWire(slot, out.initConfigurationJs());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<JointStateSlot>(memory);
-      toWire(slot, out.initMeasuredJs());
-      break;
-    }
+  switch (static_cast<GripperColumn>(column)) {
+    case GripperColumn::configuration_js:
+      return encodeGripperConfigurationJsColumn(slotIn<JointConfigurationSlot>(memory), out);
+    case GripperColumn::measured_js:
+      return encodeGripperMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
   }
 }
 Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column, std::byte* memory,
                          suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<JointConfigurationSlot>(memory);
-      return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
-          : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<JointStateSlot>(memory);
-      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<GripperColumn>(column)) {
+    case GripperColumn::configuration_js:
+      return decodeGripperConfigurationJsColumn(in, newSlot<JointConfigurationSlot>(memory), shift);
+    case GripperColumn::measured_js:
+      return decodeGripperMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -147,13 +153,13 @@ constexpr CommandInfo kGripperCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointConfigurationSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(GripperColumn::configuration_js),
      .acceptsResult = checkSlot<JointConfigurationSlot, isValid>},
     {.name = "measured_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(GripperColumn::measured_js),
      .acceptsResult = checkSlot<JointStateSlot, isValid>,
      .shiftResult = shiftSlot<JointStateSlot>},
 };
@@ -260,18 +266,26 @@ const InterfaceInfo& interfaceInfo<robots::Gripper>() {
   return kInfo;
 }
 
+// A function for each command of robots::Gripper, so that a stack in a debugger names it.
+struct Provided<robots::Gripper>::Dispatch {
+  static Errc execute_configuration_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointConfigurationSlot>(result);
+    return store(implementation.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_measured_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointStateSlot>(result);
+    return store(implementation.measured_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::Gripper>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                         std::byte* result) {
   using ::robots::GripperCommand;
   switch (static_cast<GripperCommand>(command)) {
-    case GripperCommand::configuration_js: {
-      auto& slot = newSlot<robots::JointConfigurationSlot>(result);
-      return store(implementation_.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GripperCommand::measured_js: {
-      auto& slot = newSlot<robots::JointStateSlot>(result);
-      return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case GripperCommand::configuration_js:
+      return Dispatch::execute_configuration_js(implementation_, result);
+    case GripperCommand::measured_js: return Dispatch::execute_measured_js(implementation_, result);
   }
   return Errc::Invalid;
 }

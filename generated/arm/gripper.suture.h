@@ -24,6 +24,12 @@ enum class GripperEvent : std::uint16_t {
   closed,
 };
 
+/// Names where a row of the state has each read of Gripper.
+enum class GripperColumn : std::uint16_t {
+  configuration_js,
+  measured_js,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -100,6 +106,8 @@ class Provided<robots::Gripper> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
   Events events_{*this};
 };

@@ -179,42 +179,51 @@ Errc decodeJawGoalReachedEvent(wire::JawEvents::GoalReachedParams::Reader in, st
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeJawConfigurationJsColumn(const JointConfigurationSlot& slot,
+                                    wire::JawStateRow::Builder out) {
+  toWire(slot, out.initConfigurationJs());
+}
+Errc decodeJawConfigurationJsColumn(wire::JawStateRow::Reader in, JointConfigurationSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift) : Errc::Invalid;
+}
+
+void encodeJawMeasuredJsColumn(const JointStateSlot& slot, wire::JawStateRow::Builder out) {
+  toWire(slot, out.initMeasuredJs());
+}
+Errc decodeJawMeasuredJsColumn(wire::JawStateRow::Reader in, JointStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+}
+
+void encodeJawSetpointJsColumn(const JointStateSlot& slot, wire::JawStateRow::Builder out) {
+  toWire(slot, out.initSetpointJs());
+}
+Errc decodeJawSetpointJsColumn(wire::JawStateRow::Reader in, JointStateSlot& slot,
+                               suture::Duration shift) {
+  return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeJawColumn(unsigned column, const std::byte* memory, wire::JawStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<JointConfigurationSlot>(memory);
-      toWire(slot, out.initConfigurationJs());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<JointStateSlot>(memory);
-      toWire(slot, out.initMeasuredJs());
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<JointStateSlot>(memory);
-      toWire(slot, out.initSetpointJs());
-      break;
-    }
+  switch (static_cast<JawColumn>(column)) {
+    case JawColumn::configuration_js:
+      return encodeJawConfigurationJsColumn(slotIn<JointConfigurationSlot>(memory), out);
+    case JawColumn::measured_js:
+      return encodeJawMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
+    case JawColumn::setpoint_js:
+      return encodeJawSetpointJsColumn(slotIn<JointStateSlot>(memory), out);
   }
 }
 Errc decodeJawColumn(wire::JawStateRow::Reader in, unsigned column, std::byte* memory,
                      suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<JointConfigurationSlot>(memory);
-      return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
-          : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<JointStateSlot>(memory);
-      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
-    }
-    case 2: {
-      auto& slot = newSlot<JointStateSlot>(memory);
-      return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<JawColumn>(column)) {
+    case JawColumn::configuration_js:
+      return decodeJawConfigurationJsColumn(in, newSlot<JointConfigurationSlot>(memory), shift);
+    case JawColumn::measured_js:
+      return decodeJawMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+    case JawColumn::setpoint_js:
+      return decodeJawSetpointJsColumn(in, newSlot<JointStateSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -292,20 +301,20 @@ constexpr CommandInfo kJawCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointConfigurationSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(JawColumn::configuration_js),
      .acceptsResult = checkSlot<JointConfigurationSlot, isValid>},
     {.name = "measured_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(JawColumn::measured_js),
      .acceptsResult = checkSlot<JointStateSlot, isValid>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 2,
+     .column = static_cast<int>(JawColumn::setpoint_js),
      .acceptsResult = checkSlot<JointStateSlot, isValid>,
      .shiftResult = shiftSlot<JointStateSlot>},
     {.name = "servo_jp",
@@ -518,40 +527,62 @@ auto Provided<robots::Jaw>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of robots::Jaw, so that a stack in a debugger names it.
+struct Provided<robots::Jaw>::Dispatch {
+  static Errc execute_configuration_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointConfigurationSlot>(result);
+    return store(implementation.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_measured_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointStateSlot>(result);
+    return store(implementation.measured_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_setpoint_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::JointStateSlot>(result);
+    return store(implementation.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_servo_jp(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::JawServoJpArguments>(arguments);
+    load(slot.goal, scratch.servo_jp_goal);
+    implementation.servo_jp(scratch.servo_jp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_servo_jf(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::JawServoJfArguments>(arguments);
+    load(slot.goal, scratch.servo_jf_goal);
+    implementation.servo_jf(scratch.servo_jf_goal);
+    return Errc{};
+  }
+
+  static Errc execute_move_jp(Contract& implementation, Scratch& scratch,
+                              const std::byte* arguments) {
+    const auto& slot = slotIn<robots::JawMoveJpArguments>(arguments);
+    load(slot.goal, scratch.move_jp_goal);
+    implementation.move_jp(scratch.move_jp_goal);
+    return Errc{};
+  }
+};
+
 Errc Provided<robots::Jaw>::execute(std::uint16_t command, const std::byte* arguments,
                                     std::byte* result) {
   using ::robots::JawCommand;
   switch (static_cast<JawCommand>(command)) {
-    case JawCommand::configuration_js: {
-      auto& slot = newSlot<robots::JointConfigurationSlot>(result);
-      return store(implementation_.configuration_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case JawCommand::measured_js: {
-      auto& slot = newSlot<robots::JointStateSlot>(result);
-      return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case JawCommand::setpoint_js: {
-      auto& slot = newSlot<robots::JointStateSlot>(result);
-      return store(implementation_.setpoint_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case JawCommand::servo_jp: {
-      const auto& slot = slotIn<robots::JawServoJpArguments>(arguments);
-      load(slot.goal, scratch_.servo_jp_goal);
-      implementation_.servo_jp(scratch_.servo_jp_goal);
-      return Errc{};
-    }
-    case JawCommand::servo_jf: {
-      const auto& slot = slotIn<robots::JawServoJfArguments>(arguments);
-      load(slot.goal, scratch_.servo_jf_goal);
-      implementation_.servo_jf(scratch_.servo_jf_goal);
-      return Errc{};
-    }
-    case JawCommand::move_jp: {
-      const auto& slot = slotIn<robots::JawMoveJpArguments>(arguments);
-      load(slot.goal, scratch_.move_jp_goal);
-      implementation_.move_jp(scratch_.move_jp_goal);
-      return Errc{};
-    }
+    case JawCommand::configuration_js:
+      return Dispatch::execute_configuration_js(implementation_, result);
+    case JawCommand::measured_js: return Dispatch::execute_measured_js(implementation_, result);
+    case JawCommand::setpoint_js: return Dispatch::execute_setpoint_js(implementation_, result);
+    case JawCommand::servo_jp:
+      return Dispatch::execute_servo_jp(implementation_, scratch_, arguments);
+    case JawCommand::servo_jf:
+      return Dispatch::execute_servo_jf(implementation_, scratch_, arguments);
+    case JawCommand::move_jp:
+      return Dispatch::execute_move_jp(implementation_, scratch_, arguments);
   }
   return Provided<suture::Messages>::execute(command, arguments, result);
 }

@@ -52,6 +52,13 @@ enum class JawEvent : std::uint16_t {
   goal_reached = 3,
 };
 
+/// Names where a row of the state has each read of Jaw.
+enum class JawColumn : std::uint16_t {
+  configuration_js,
+  measured_js,
+  setpoint_js,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -144,6 +151,8 @@ class Provided<robots::Jaw> : public Provided<suture::Messages> {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     robots::JointGoal servo_jp_goal{};

@@ -338,30 +338,44 @@ auto Provided<bench::LargeBlocks>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of bench::SmallBlocks, so that a stack in a debugger names it.
+struct Provided<bench::SmallBlocks>::Dispatch {
+  static Errc execute_bounce(Contract& implementation, Scratch& scratch,
+                             const std::byte* arguments) {
+    const auto& slot = slotIn<bench::SmallBlocksBounceArguments>(arguments);
+    load(slot.block, scratch.bounce_block);
+    implementation.bounce(scratch.bounce_block);
+    return Errc{};
+  }
+};
+
 Errc Provided<bench::SmallBlocks>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* /*result*/) {
   using ::bench::SmallBlocksCommand;
   switch (static_cast<SmallBlocksCommand>(command)) {
-    case SmallBlocksCommand::bounce: {
-      const auto& slot = slotIn<bench::SmallBlocksBounceArguments>(arguments);
-      load(slot.block, scratch_.bounce_block);
-      implementation_.bounce(scratch_.bounce_block);
-      return Errc{};
-    }
+    case SmallBlocksCommand::bounce:
+      return Dispatch::execute_bounce(implementation_, scratch_, arguments);
   }
   return Errc::Invalid;
 }
+
+// A function for each command of bench::LargeBlocks, so that a stack in a debugger names it.
+struct Provided<bench::LargeBlocks>::Dispatch {
+  static Errc execute_bounce(Contract& implementation, Scratch& scratch,
+                             const std::byte* arguments) {
+    const auto& slot = slotIn<bench::LargeBlocksBounceArguments>(arguments);
+    load(slot.block, scratch.bounce_block);
+    implementation.bounce(scratch.bounce_block);
+    return Errc{};
+  }
+};
 
 Errc Provided<bench::LargeBlocks>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* /*result*/) {
   using ::bench::LargeBlocksCommand;
   switch (static_cast<LargeBlocksCommand>(command)) {
-    case LargeBlocksCommand::bounce: {
-      const auto& slot = slotIn<bench::LargeBlocksBounceArguments>(arguments);
-      load(slot.block, scratch_.bounce_block);
-      implementation_.bounce(scratch_.bounce_block);
-      return Errc{};
-    }
+    case LargeBlocksCommand::bounce:
+      return Dispatch::execute_bounce(implementation_, scratch_, arguments);
   }
   return Errc::Invalid;
 }

@@ -134,6 +134,8 @@ class Provided<bench::SmallBlocks> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     bench::SmallBlock bounce_block{};
@@ -211,6 +213,8 @@ class Provided<bench::LargeBlocks> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     bench::LargeBlock bounce_block{};

@@ -101,24 +101,28 @@ Errc decodeLoopServerEchoEvent(wire::LoopServerEvents::EchoParams::Reader in,
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeLoopServerValueColumn(const robots::PosePrmSlot& slot,
+                                 wire::LoopServerStateRow::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeLoopServerValueColumn(wire::LoopServerStateRow::Reader in, robots::PosePrmSlot& slot,
+                                 suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeLoopServerColumn(unsigned column, const std::byte* memory,
                             wire::LoopServerStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<robots::PosePrmSlot>(memory);
-      toWire(slot, out.initValue());
-      break;
-    }
+  switch (static_cast<LoopServerColumn>(column)) {
+    case LoopServerColumn::value:
+      return encodeLoopServerValueColumn(slotIn<robots::PosePrmSlot>(memory), out);
   }
 }
 Errc decodeLoopServerColumn(wire::LoopServerStateRow::Reader in, unsigned column, std::byte* memory,
                             suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<robots::PosePrmSlot>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<LoopServerColumn>(column)) {
+    case LoopServerColumn::value:
+      return decodeLoopServerValueColumn(in, newSlot<robots::PosePrmSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -179,7 +183,7 @@ constexpr CommandInfo kLoopServerCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(LoopServerColumn::value),
      .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
      .shiftResult = shiftSlot<robots::PosePrmSlot>},
 };
@@ -263,26 +267,37 @@ auto Provided<bench::LoopServer>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of bench::LoopServer, so that a stack in a debugger names it.
+struct Provided<bench::LoopServer>::Dispatch {
+  static Errc execute_put(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<bench::LoopServerPutArguments>(arguments);
+    load(slot.value, scratch.put_value);
+    implementation.put(scratch.put_value);
+    return Errc{};
+  }
+
+  static Errc execute_bounce(Contract& implementation, Scratch& scratch,
+                             const std::byte* arguments) {
+    const auto& slot = slotIn<bench::LoopServerBounceArguments>(arguments);
+    load(slot.value, scratch.bounce_value);
+    implementation.bounce(scratch.bounce_value);
+    return Errc{};
+  }
+
+  static Errc execute_value(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PosePrmSlot>(result);
+    return store(implementation.value(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<bench::LoopServer>::execute(std::uint16_t command, const std::byte* arguments,
                                           std::byte* result) {
   using ::bench::LoopServerCommand;
   switch (static_cast<LoopServerCommand>(command)) {
-    case LoopServerCommand::put: {
-      const auto& slot = slotIn<bench::LoopServerPutArguments>(arguments);
-      load(slot.value, scratch_.put_value);
-      implementation_.put(scratch_.put_value);
-      return Errc{};
-    }
-    case LoopServerCommand::bounce: {
-      const auto& slot = slotIn<bench::LoopServerBounceArguments>(arguments);
-      load(slot.value, scratch_.bounce_value);
-      implementation_.bounce(scratch_.bounce_value);
-      return Errc{};
-    }
-    case LoopServerCommand::value: {
-      auto& slot = newSlot<robots::PosePrmSlot>(result);
-      return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case LoopServerCommand::put: return Dispatch::execute_put(implementation_, scratch_, arguments);
+    case LoopServerCommand::bounce:
+      return Dispatch::execute_bounce(implementation_, scratch_, arguments);
+    case LoopServerCommand::value: return Dispatch::execute_value(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -40,6 +40,11 @@ enum class LoopServerEvent : std::uint16_t {
   echo,
 };
 
+/// Names where a row of the state has each read of LoopServer.
+enum class LoopServerColumn : std::uint16_t {
+  value,
+};
+
 }  // namespace bench
 
 namespace suture {
@@ -117,6 +122,8 @@ class Provided<bench::LoopServer> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     robots::PosePrm put_value{};

@@ -101,24 +101,28 @@ Errc decodeSampleServerEchoEvent(wire::SampleServerEvents::EchoParams::Reader in
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeSampleServerValueColumn(const robots::PoseSampleSlot& slot,
+                                   wire::SampleServerStateRow::Builder out) {
+  toWire(slot, out.initValue());
+}
+Errc decodeSampleServerValueColumn(wire::SampleServerStateRow::Reader in,
+                                   robots::PoseSampleSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeSampleServerColumn(unsigned column, const std::byte* memory,
                               wire::SampleServerStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<robots::PoseSampleSlot>(memory);
-      toWire(slot, out.initValue());
-      break;
-    }
+  switch (static_cast<SampleServerColumn>(column)) {
+    case SampleServerColumn::value:
+      return encodeSampleServerValueColumn(slotIn<robots::PoseSampleSlot>(memory), out);
   }
 }
 Errc decodeSampleServerColumn(wire::SampleServerStateRow::Reader in, unsigned column,
                               std::byte* memory, suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<robots::PoseSampleSlot>(memory);
-      return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<SampleServerColumn>(column)) {
+    case SampleServerColumn::value:
+      return decodeSampleServerValueColumn(in, newSlot<robots::PoseSampleSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -179,7 +183,7 @@ constexpr CommandInfo kSampleServerCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PoseSampleSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(SampleServerColumn::value),
      .acceptsResult = checkSlot<robots::PoseSampleSlot, robots::isValid>,
      .shiftResult = shiftSlot<robots::PoseSampleSlot>},
 };
@@ -250,26 +254,38 @@ const InterfaceInfo& interfaceInfo<bench::SampleServer>() {
   return kInfo;
 }
 
+// A function for each command of bench::SampleServer, so that a stack in a debugger names it.
+struct Provided<bench::SampleServer>::Dispatch {
+  static Errc execute_put(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<bench::SampleServerPutArguments>(arguments);
+    load(slot.value, scratch.put_value);
+    implementation.put(scratch.put_value);
+    return Errc{};
+  }
+
+  static Errc execute_bounce(Contract& implementation, Scratch& scratch,
+                             const std::byte* arguments) {
+    const auto& slot = slotIn<bench::SampleServerBounceArguments>(arguments);
+    load(slot.value, scratch.bounce_value);
+    implementation.bounce(scratch.bounce_value);
+    return Errc{};
+  }
+
+  static Errc execute_value(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PoseSampleSlot>(result);
+    return store(implementation.value(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<bench::SampleServer>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* result) {
   using ::bench::SampleServerCommand;
   switch (static_cast<SampleServerCommand>(command)) {
-    case SampleServerCommand::put: {
-      const auto& slot = slotIn<bench::SampleServerPutArguments>(arguments);
-      load(slot.value, scratch_.put_value);
-      implementation_.put(scratch_.put_value);
-      return Errc{};
-    }
-    case SampleServerCommand::bounce: {
-      const auto& slot = slotIn<bench::SampleServerBounceArguments>(arguments);
-      load(slot.value, scratch_.bounce_value);
-      implementation_.bounce(scratch_.bounce_value);
-      return Errc{};
-    }
-    case SampleServerCommand::value: {
-      auto& slot = newSlot<robots::PoseSampleSlot>(result);
-      return store(implementation_.value(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case SampleServerCommand::put:
+      return Dispatch::execute_put(implementation_, scratch_, arguments);
+    case SampleServerCommand::bounce:
+      return Dispatch::execute_bounce(implementation_, scratch_, arguments);
+    case SampleServerCommand::value: return Dispatch::execute_value(implementation_, result);
   }
   return Errc::Invalid;
 }

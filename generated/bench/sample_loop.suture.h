@@ -40,6 +40,11 @@ enum class SampleServerEvent : std::uint16_t {
   echo,
 };
 
+/// Names where a row of the state has each read of SampleServer.
+enum class SampleServerColumn : std::uint16_t {
+  value,
+};
+
 }  // namespace bench
 
 namespace suture {
@@ -116,6 +121,8 @@ class Provided<bench::SampleServer> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     robots::PoseSample put_value{};

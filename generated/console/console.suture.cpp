@@ -148,24 +148,27 @@ Errc decodeConsoleConsoleStateEvent(wire::ConsoleEvents::ConsoleStateParams::Rea
   return fromWire(in.getValue(), slot);
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeConsoleConsoleStateColumn(const std::uint8_t& slot, wire::ConsoleStateRow::Builder out) {
+  out.setConsoleState(wireConsoleState(slot));
+}
+Errc decodeConsoleConsoleStateColumn(wire::ConsoleStateRow::Reader in, std::uint8_t& slot,
+                                     suture::Duration) {
+  return fromWire(in.getConsoleState(), slot);
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeConsoleColumn(unsigned column, const std::byte* memory,
                          wire::ConsoleStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<std::uint8_t>(memory);
-      out.setConsoleState(wireConsoleState(slot));
-      break;
-    }
+  switch (static_cast<ConsoleColumn>(column)) {
+    case ConsoleColumn::console_state:
+      return encodeConsoleConsoleStateColumn(slotIn<std::uint8_t>(memory), out);
   }
 }
 Errc decodeConsoleColumn(wire::ConsoleStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<std::uint8_t>(memory);
-      return fromWire(in.getConsoleState(), slot);
-    }
+                         suture::Duration shift) {
+  switch (static_cast<ConsoleColumn>(column)) {
+    case ConsoleColumn::console_state:
+      return decodeConsoleConsoleStateColumn(in, newSlot<std::uint8_t>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -224,7 +227,7 @@ constexpr CommandInfo kConsoleCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(ConsoleColumn::console_state),
      .acceptsResult = checkSlot<std::uint8_t, acceptsConsoleConsoleStateResult>},
 };
 
@@ -335,22 +338,32 @@ const InterfaceInfo& interfaceInfo<robots::Console>() {
   return kInfo;
 }
 
+// A function for each command of robots::Console, so that a stack in a debugger names it.
+struct Provided<robots::Console>::Dispatch {
+  static Errc execute_bring_up(Contract& implementation) {
+    implementation.bring_up();
+    return Errc{};
+  }
+
+  static Errc execute_bring_down(Contract& implementation) {
+    implementation.bring_down();
+    return Errc{};
+  }
+
+  static Errc execute_console_state(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.console_state(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::Console>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::robots::ConsoleCommand;
   switch (static_cast<ConsoleCommand>(command)) {
-    case ConsoleCommand::bring_up: {
-      implementation_.bring_up();
-      return Errc{};
-    }
-    case ConsoleCommand::bring_down: {
-      implementation_.bring_down();
-      return Errc{};
-    }
-    case ConsoleCommand::console_state: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.console_state(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case ConsoleCommand::bring_up: return Dispatch::execute_bring_up(implementation_);
+    case ConsoleCommand::bring_down: return Dispatch::execute_bring_down(implementation_);
+    case ConsoleCommand::console_state:
+      return Dispatch::execute_console_state(implementation_, result);
   }
   return Provided<suture::Messages>::execute(command, arguments, result);
 }

@@ -24,6 +24,11 @@ enum class ConsoleEvent : std::uint16_t {
   console_state = 3,
 };
 
+/// Names where a row of the state has each read of Console.
+enum class ConsoleColumn : std::uint16_t {
+  console_state,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -102,6 +107,8 @@ class Provided<robots::Console> : public Provided<suture::Messages> {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
   Events events_{*this};
 };

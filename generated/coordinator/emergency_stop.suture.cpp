@@ -125,24 +125,28 @@ Errc decodeEmergencyStopStopEvent(wire::EmergencyStopEvents::StopParams::Reader 
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeEmergencyStopPermitColumn(const PermitSlot& slot,
+                                     wire::EmergencyStopStateRow::Builder out) {
+  toWire(slot, out.initPermit());
+}
+Errc decodeEmergencyStopPermitColumn(wire::EmergencyStopStateRow::Reader in, PermitSlot& slot,
+                                     suture::Duration shift) {
+  return in.hasPermit() ? fromWire(in.getPermit(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeEmergencyStopColumn(unsigned column, const std::byte* memory,
                                wire::EmergencyStopStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<PermitSlot>(memory);
-      toWire(slot, out.initPermit());
-      break;
-    }
+  switch (static_cast<EmergencyStopColumn>(column)) {
+    case EmergencyStopColumn::permit:
+      return encodeEmergencyStopPermitColumn(slotIn<PermitSlot>(memory), out);
   }
 }
 Errc decodeEmergencyStopColumn(wire::EmergencyStopStateRow::Reader in, unsigned column,
                                std::byte* memory, suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<PermitSlot>(memory);
-      return in.hasPermit() ? fromWire(in.getPermit(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<EmergencyStopColumn>(column)) {
+    case EmergencyStopColumn::permit:
+      return decodeEmergencyStopPermitColumn(in, newSlot<PermitSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -189,7 +193,7 @@ constexpr CommandInfo kEmergencyStopCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PermitSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(EmergencyStopColumn::permit),
      .acceptsResult = checkSlot<PermitSlot, isValid>,
      .shiftResult = shiftSlot<PermitSlot>},
 };
@@ -261,22 +265,31 @@ const InterfaceInfo& interfaceInfo<robots::EmergencyStop>() {
   return kInfo;
 }
 
+// A function for each command of robots::EmergencyStop, so that a stack in a debugger names it.
+struct Provided<robots::EmergencyStop>::Dispatch {
+  static Errc execute_press(Contract& implementation) {
+    implementation.press();
+    return Errc{};
+  }
+
+  static Errc execute_release(Contract& implementation) {
+    implementation.release();
+    return Errc{};
+  }
+
+  static Errc execute_permit(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PermitSlot>(result);
+    return store(implementation.permit(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::EmergencyStop>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                               std::byte* result) {
   using ::robots::EmergencyStopCommand;
   switch (static_cast<EmergencyStopCommand>(command)) {
-    case EmergencyStopCommand::press: {
-      implementation_.press();
-      return Errc{};
-    }
-    case EmergencyStopCommand::release: {
-      implementation_.release();
-      return Errc{};
-    }
-    case EmergencyStopCommand::permit: {
-      auto& slot = newSlot<robots::PermitSlot>(result);
-      return store(implementation_.permit(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case EmergencyStopCommand::press: return Dispatch::execute_press(implementation_);
+    case EmergencyStopCommand::release: return Dispatch::execute_release(implementation_);
+    case EmergencyStopCommand::permit: return Dispatch::execute_permit(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -44,6 +44,11 @@ enum class EmergencyStopEvent : std::uint16_t {
   stop,
 };
 
+/// Names where a row of the state has each read of EmergencyStop.
+enum class EmergencyStopColumn : std::uint16_t {
+  permit,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -120,6 +125,8 @@ class Provided<robots::EmergencyStop> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
   Events events_{*this};
 };

@@ -238,24 +238,27 @@ Errc decodeDrivesPowerEvent(wire::DrivesEvents::PowerParams::Reader in, std::uin
   return fromWire(in.getValue(), slot);
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeDrivesFeedbackColumn(const DriveFeedbackSlot& slot, wire::DrivesStateRow::Builder out) {
+  toWire(slot, out.initFeedback());
+}
+Errc decodeDrivesFeedbackColumn(wire::DrivesStateRow::Reader in, DriveFeedbackSlot& slot,
+                                suture::Duration shift) {
+  return in.hasFeedback() ? fromWire(in.getFeedback(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeDrivesColumn(unsigned column, const std::byte* memory,
                         wire::DrivesStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<DriveFeedbackSlot>(memory);
-      toWire(slot, out.initFeedback());
-      break;
-    }
+  switch (static_cast<DrivesColumn>(column)) {
+    case DrivesColumn::feedback:
+      return encodeDrivesFeedbackColumn(slotIn<DriveFeedbackSlot>(memory), out);
   }
 }
 Errc decodeDrivesColumn(wire::DrivesStateRow::Reader in, unsigned column, std::byte* memory,
                         suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<DriveFeedbackSlot>(memory);
-      return in.hasFeedback() ? fromWire(in.getFeedback(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<DrivesColumn>(column)) {
+    case DrivesColumn::feedback:
+      return decodeDrivesFeedbackColumn(in, newSlot<DriveFeedbackSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -320,7 +323,7 @@ constexpr CommandInfo kDrivesCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<DriveFeedbackSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(DrivesColumn::feedback),
      .acceptsResult = checkSlot<DriveFeedbackSlot, isValid>,
      .shiftResult = shiftSlot<DriveFeedbackSlot>},
 };
@@ -425,30 +428,45 @@ const InterfaceInfo& interfaceInfo<robots::Drives>() {
   return kInfo;
 }
 
+// A function for each command of robots::Drives, so that a stack in a debugger names it.
+struct Provided<robots::Drives>::Dispatch {
+  static Errc execute_power_on(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::DrivesPowerOnArguments>(arguments);
+    load(slot.permitted, scratch.power_on_permitted);
+    implementation.power_on(scratch.power_on_permitted);
+    return Errc{};
+  }
+
+  static Errc execute_power_off(Contract& implementation) {
+    implementation.power_off();
+    return Errc{};
+  }
+
+  static Errc execute_servo_jp(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::DrivesServoJpArguments>(arguments);
+    load(slot.goal, scratch.servo_jp_goal);
+    implementation.servo_jp(scratch.servo_jp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_feedback(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::DriveFeedbackSlot>(result);
+    return store(implementation.feedback(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::Drives>::execute(std::uint16_t command, const std::byte* arguments,
                                        std::byte* result) {
   using ::robots::DrivesCommand;
   switch (static_cast<DrivesCommand>(command)) {
-    case DrivesCommand::power_on: {
-      const auto& slot = slotIn<robots::DrivesPowerOnArguments>(arguments);
-      load(slot.permitted, scratch_.power_on_permitted);
-      implementation_.power_on(scratch_.power_on_permitted);
-      return Errc{};
-    }
-    case DrivesCommand::power_off: {
-      implementation_.power_off();
-      return Errc{};
-    }
-    case DrivesCommand::servo_jp: {
-      const auto& slot = slotIn<robots::DrivesServoJpArguments>(arguments);
-      load(slot.goal, scratch_.servo_jp_goal);
-      implementation_.servo_jp(scratch_.servo_jp_goal);
-      return Errc{};
-    }
-    case DrivesCommand::feedback: {
-      auto& slot = newSlot<robots::DriveFeedbackSlot>(result);
-      return store(implementation_.feedback(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case DrivesCommand::power_on:
+      return Dispatch::execute_power_on(implementation_, scratch_, arguments);
+    case DrivesCommand::power_off: return Dispatch::execute_power_off(implementation_);
+    case DrivesCommand::servo_jp:
+      return Dispatch::execute_servo_jp(implementation_, scratch_, arguments);
+    case DrivesCommand::feedback: return Dispatch::execute_feedback(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -67,6 +67,11 @@ enum class DrivesEvent : std::uint16_t {
   power,
 };
 
+/// Names where a row of the state has each read of Drives.
+enum class DrivesColumn : std::uint16_t {
+  feedback,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -147,6 +152,8 @@ class Provided<robots::Drives> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     std::chrono::steady_clock::time_point power_on_permitted{};

@@ -115,16 +115,23 @@ const InterfaceInfo& interfaceInfo<robots::GripperHand>() {
   return kInfo;
 }
 
+// A function for each command of robots::GripperHand, so that a stack in a debugger names it.
+struct Provided<robots::GripperHand>::Dispatch {
+  static Errc execute_squeeze(Contract& implementation, Scratch& scratch,
+                              const std::byte* arguments) {
+    const auto& slot = slotIn<robots::GripperHandSqueezeArguments>(arguments);
+    load(slot.angle, scratch.squeeze_angle);
+    implementation.squeeze(scratch.squeeze_angle);
+    return Errc{};
+  }
+};
+
 Errc Provided<robots::GripperHand>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* /*result*/) {
   using ::robots::GripperHandCommand;
   switch (static_cast<GripperHandCommand>(command)) {
-    case GripperHandCommand::squeeze: {
-      const auto& slot = slotIn<robots::GripperHandSqueezeArguments>(arguments);
-      load(slot.angle, scratch_.squeeze_angle);
-      implementation_.squeeze(scratch_.squeeze_angle);
-      return Errc{};
-    }
+    case GripperHandCommand::squeeze:
+      return Dispatch::execute_squeeze(implementation_, scratch_, arguments);
   }
   return Errc::Invalid;
 }

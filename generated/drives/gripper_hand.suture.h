@@ -71,6 +71,8 @@ class Provided<robots::GripperHand> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     double squeeze_angle{};

@@ -178,33 +178,41 @@ Errc decodeGuidanceGuidanceStateEvent(wire::GuidanceEvents::GuidanceStateParams:
   return fromWire(in.getValue(), slot);
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeGuidanceGuidanceStateColumn(const std::uint8_t& slot,
+                                       wire::GuidanceStateRow::Builder out) {
+  out.setGuidanceState(wireGuidanceState(slot));
+}
+Errc decodeGuidanceGuidanceStateColumn(wire::GuidanceStateRow::Reader in, std::uint8_t& slot,
+                                       suture::Duration) {
+  return fromWire(in.getGuidanceState(), slot);
+}
+
+void encodeGuidanceProgressColumn(const GuidanceProgressSlot& slot,
+                                  wire::GuidanceStateRow::Builder out) {
+  toWire(slot, out.initProgress());
+}
+Errc decodeGuidanceProgressColumn(wire::GuidanceStateRow::Reader in, GuidanceProgressSlot& slot,
+                                  suture::Duration shift) {
+  return in.hasProgress() ? fromWire(in.getProgress(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeGuidanceColumn(unsigned column, const std::byte* memory,
                           wire::GuidanceStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<std::uint8_t>(memory);
-      out.setGuidanceState(wireGuidanceState(slot));
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<GuidanceProgressSlot>(memory);
-      toWire(slot, out.initProgress());
-      break;
-    }
+  switch (static_cast<GuidanceColumn>(column)) {
+    case GuidanceColumn::guidance_state:
+      return encodeGuidanceGuidanceStateColumn(slotIn<std::uint8_t>(memory), out);
+    case GuidanceColumn::progress:
+      return encodeGuidanceProgressColumn(slotIn<GuidanceProgressSlot>(memory), out);
   }
 }
 Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned column, std::byte* memory,
                           suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<std::uint8_t>(memory);
-      return fromWire(in.getGuidanceState(), slot);
-    }
-    case 1: {
-      auto& slot = newSlot<GuidanceProgressSlot>(memory);
-      return in.hasProgress() ? fromWire(in.getProgress(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<GuidanceColumn>(column)) {
+    case GuidanceColumn::guidance_state:
+      return decodeGuidanceGuidanceStateColumn(in, newSlot<std::uint8_t>(memory), shift);
+    case GuidanceColumn::progress:
+      return decodeGuidanceProgressColumn(in, newSlot<GuidanceProgressSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -255,13 +263,13 @@ constexpr CommandInfo kGuidanceCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(GuidanceColumn::guidance_state),
      .acceptsResult = checkSlot<std::uint8_t, acceptsGuidanceGuidanceStateResult>},
     {.name = "progress",
      .kind = CommandKind::Read,
      .resultSize = slotSize<GuidanceProgressSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(GuidanceColumn::progress),
      .acceptsResult = checkSlot<GuidanceProgressSlot, isValid>,
      .shiftResult = shiftSlot<GuidanceProgressSlot>},
     {.name = "enable", .kind = CommandKind::Void, .depth = 16},
@@ -357,26 +365,38 @@ const InterfaceInfo& interfaceInfo<robots::Guidance>() {
   return kInfo;
 }
 
+// A function for each command of robots::Guidance, so that a stack in a debugger names it.
+struct Provided<robots::Guidance>::Dispatch {
+  static Errc execute_guidance_state(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.guidance_state(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_progress(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::GuidanceProgressSlot>(result);
+    return store(implementation.progress(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_enable(Contract& implementation) {
+    implementation.enable();
+    return Errc{};
+  }
+
+  static Errc execute_disable(Contract& implementation) {
+    implementation.disable();
+    return Errc{};
+  }
+};
+
 Errc Provided<robots::Guidance>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                          std::byte* result) {
   using ::robots::GuidanceCommand;
   switch (static_cast<GuidanceCommand>(command)) {
-    case GuidanceCommand::guidance_state: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.guidance_state(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GuidanceCommand::progress: {
-      auto& slot = newSlot<robots::GuidanceProgressSlot>(result);
-      return store(implementation_.progress(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GuidanceCommand::enable: {
-      implementation_.enable();
-      return Errc{};
-    }
-    case GuidanceCommand::disable: {
-      implementation_.disable();
-      return Errc{};
-    }
+    case GuidanceCommand::guidance_state:
+      return Dispatch::execute_guidance_state(implementation_, result);
+    case GuidanceCommand::progress: return Dispatch::execute_progress(implementation_, result);
+    case GuidanceCommand::enable: return Dispatch::execute_enable(implementation_);
+    case GuidanceCommand::disable: return Dispatch::execute_disable(implementation_);
   }
   return Errc::Invalid;
 }

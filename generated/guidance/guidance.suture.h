@@ -36,6 +36,12 @@ enum class GuidanceEvent : std::uint16_t {
   guidance_state,
 };
 
+/// Names where a row of the state has each read of Guidance.
+enum class GuidanceColumn : std::uint16_t {
+  guidance_state,
+  progress,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -114,6 +120,8 @@ class Provided<robots::Guidance> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
   Events events_{*this};
 };

@@ -57,25 +57,27 @@ Errc decodeTurntableAngleResult(wire::Turntable::AngleResults::Reader in, double
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeTurntableAngleColumn(const double& slot, wire::TurntableStateRow::Builder out) {
+  out.setAngle(slot);
+}
+Errc decodeTurntableAngleColumn(wire::TurntableStateRow::Reader in, double& slot,
+                                suture::Duration) {
+  slot = in.getAngle();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeTurntableColumn(unsigned column, const std::byte* memory,
                            wire::TurntableStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<double>(memory);
-      out.setAngle(slot);
-      break;
-    }
+  switch (static_cast<TurntableColumn>(column)) {
+    case TurntableColumn::angle: return encodeTurntableAngleColumn(slotIn<double>(memory), out);
   }
 }
 Errc decodeTurntableColumn(wire::TurntableStateRow::Reader in, unsigned column, std::byte* memory,
-                           suture::Duration) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getAngle();
-      return Errc{};
-    }
+                           suture::Duration shift) {
+  switch (static_cast<TurntableColumn>(column)) {
+    case TurntableColumn::angle:
+      return decodeTurntableAngleColumn(in, newSlot<double>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -117,7 +119,7 @@ constexpr CommandInfo kTurntableCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(TurntableColumn::angle),
      .acceptsResult = checkSlot<double, acceptsTurntableAngleResult>},
 };
 
@@ -159,20 +161,28 @@ const InterfaceInfo& interfaceInfo<loadable::Turntable>() {
   return kInfo;
 }
 
+// A function for each command of loadable::Turntable, so that a stack in a debugger names it.
+struct Provided<loadable::Turntable>::Dispatch {
+  static Errc execute_turn(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<loadable::TurntableTurnArguments>(arguments);
+    load(slot.angle, scratch.turn_angle);
+    implementation.turn(scratch.turn_angle);
+    return Errc{};
+  }
+
+  static Errc execute_angle(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.angle(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<loadable::Turntable>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* result) {
   using ::loadable::TurntableCommand;
   switch (static_cast<TurntableCommand>(command)) {
-    case TurntableCommand::turn: {
-      const auto& slot = slotIn<loadable::TurntableTurnArguments>(arguments);
-      load(slot.angle, scratch_.turn_angle);
-      implementation_.turn(scratch_.turn_angle);
-      return Errc{};
-    }
-    case TurntableCommand::angle: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.angle(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case TurntableCommand::turn:
+      return Dispatch::execute_turn(implementation_, scratch_, arguments);
+    case TurntableCommand::angle: return Dispatch::execute_angle(implementation_, result);
   }
   return Errc::Invalid;
 }

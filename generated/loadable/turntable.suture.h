@@ -25,6 +25,11 @@ enum class TurntableCommand : std::uint16_t {
   angle,
 };
 
+/// Names where a row of the state has each read of Turntable.
+enum class TurntableColumn : std::uint16_t {
+  angle,
+};
+
 }  // namespace loadable
 
 namespace suture {
@@ -71,6 +76,8 @@ class Provided<loadable::Turntable> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     double turn_angle{};

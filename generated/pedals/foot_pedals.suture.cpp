@@ -125,24 +125,28 @@ Errc decodeFootPedalsCoagulationEvent(wire::FootPedalsEvents::CoagulationParams:
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeFootPedalsPedalsColumn(const PedalStateSlot& slot,
+                                  wire::FootPedalsStateRow::Builder out) {
+  toWire(slot, out.initPedals());
+}
+Errc decodeFootPedalsPedalsColumn(wire::FootPedalsStateRow::Reader in, PedalStateSlot& slot,
+                                  suture::Duration shift) {
+  return in.hasPedals() ? fromWire(in.getPedals(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeFootPedalsColumn(unsigned column, const std::byte* memory,
                             wire::FootPedalsStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<PedalStateSlot>(memory);
-      toWire(slot, out.initPedals());
-      break;
-    }
+  switch (static_cast<FootPedalsColumn>(column)) {
+    case FootPedalsColumn::pedals:
+      return encodeFootPedalsPedalsColumn(slotIn<PedalStateSlot>(memory), out);
   }
 }
 Errc decodeFootPedalsColumn(wire::FootPedalsStateRow::Reader in, unsigned column, std::byte* memory,
                             suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<PedalStateSlot>(memory);
-      return in.hasPedals() ? fromWire(in.getPedals(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<FootPedalsColumn>(column)) {
+    case FootPedalsColumn::pedals:
+      return decodeFootPedalsPedalsColumn(in, newSlot<PedalStateSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -189,7 +193,7 @@ constexpr CommandInfo kFootPedalsCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PedalStateSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(FootPedalsColumn::pedals),
      .acceptsResult = checkSlot<PedalStateSlot, isValid>,
      .shiftResult = shiftSlot<PedalStateSlot>},
 };
@@ -256,14 +260,19 @@ const InterfaceInfo& interfaceInfo<robots::FootPedals>() {
   return kInfo;
 }
 
+// A function for each command of robots::FootPedals, so that a stack in a debugger names it.
+struct Provided<robots::FootPedals>::Dispatch {
+  static Errc execute_pedals(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PedalStateSlot>(result);
+    return store(implementation.pedals(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::FootPedals>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                            std::byte* result) {
   using ::robots::FootPedalsCommand;
   switch (static_cast<FootPedalsCommand>(command)) {
-    case FootPedalsCommand::pedals: {
-      auto& slot = newSlot<robots::PedalStateSlot>(result);
-      return store(implementation_.pedals(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case FootPedalsCommand::pedals: return Dispatch::execute_pedals(implementation_, result);
   }
   return Errc::Invalid;
 }

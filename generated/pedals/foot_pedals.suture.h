@@ -36,6 +36,11 @@ enum class FootPedalsEvent : std::uint16_t {
   coagulation,
 };
 
+/// Names where a row of the state has each read of FootPedals.
+enum class FootPedalsColumn : std::uint16_t {
+  pedals,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -114,6 +119,8 @@ class Provided<robots::FootPedals> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
   Events events_{*this};
 };

@@ -96,24 +96,28 @@ Errc decodeOperatorPresenceOperatorPresentEvent(
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeOperatorPresencePresenceColumn(const PresenceSlot& slot,
+                                          wire::OperatorPresenceStateRow::Builder out) {
+  toWire(slot, out.initPresence());
+}
+Errc decodeOperatorPresencePresenceColumn(wire::OperatorPresenceStateRow::Reader in,
+                                          PresenceSlot& slot, suture::Duration shift) {
+  return in.hasPresence() ? fromWire(in.getPresence(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeOperatorPresenceColumn(unsigned column, const std::byte* memory,
                                   wire::OperatorPresenceStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<PresenceSlot>(memory);
-      toWire(slot, out.initPresence());
-      break;
-    }
+  switch (static_cast<OperatorPresenceColumn>(column)) {
+    case OperatorPresenceColumn::presence:
+      return encodeOperatorPresencePresenceColumn(slotIn<PresenceSlot>(memory), out);
   }
 }
 Errc decodeOperatorPresenceColumn(wire::OperatorPresenceStateRow::Reader in, unsigned column,
                                   std::byte* memory, suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<PresenceSlot>(memory);
-      return in.hasPresence() ? fromWire(in.getPresence(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<OperatorPresenceColumn>(column)) {
+    case OperatorPresenceColumn::presence:
+      return decodeOperatorPresencePresenceColumn(in, newSlot<PresenceSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -155,7 +159,7 @@ constexpr CommandInfo kOperatorPresenceCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PresenceSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(OperatorPresenceColumn::presence),
      .acceptsResult = checkSlot<PresenceSlot, isValid>,
      .shiftResult = shiftSlot<PresenceSlot>},
 };
@@ -212,15 +216,21 @@ const InterfaceInfo& interfaceInfo<robots::OperatorPresence>() {
   return kInfo;
 }
 
+// A function for each command of robots::OperatorPresence, so that a stack in a debugger names it.
+struct Provided<robots::OperatorPresence>::Dispatch {
+  static Errc execute_presence(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PresenceSlot>(result);
+    return store(implementation.presence(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::OperatorPresence>::execute(std::uint16_t command,
                                                  const std::byte* /*arguments*/,
                                                  std::byte* result) {
   using ::robots::OperatorPresenceCommand;
   switch (static_cast<OperatorPresenceCommand>(command)) {
-    case OperatorPresenceCommand::presence: {
-      auto& slot = newSlot<robots::PresenceSlot>(result);
-      return store(implementation_.presence(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case OperatorPresenceCommand::presence:
+      return Dispatch::execute_presence(implementation_, result);
   }
   return Errc::Invalid;
 }

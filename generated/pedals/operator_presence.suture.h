@@ -31,6 +31,11 @@ enum class OperatorPresenceEvent : std::uint16_t {
   operator_present,
 };
 
+/// Names where a row of the state has each read of OperatorPresence.
+enum class OperatorPresenceColumn : std::uint16_t {
+  presence,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -101,6 +106,8 @@ class Provided<robots::OperatorPresence> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
   Events events_{*this};
 };

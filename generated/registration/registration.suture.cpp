@@ -137,24 +137,28 @@ Errc decodeRegistrationSetCamera(wire::Registration::SetCameraParams::Reader in,
   return in.hasCamera() ? fromWire(in.getCamera(), slot.camera) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeRegistrationFramesColumn(const SceneFramesSlot& slot,
+                                    wire::RegistrationStateRow::Builder out) {
+  toWire(slot, out.initFrames());
+}
+Errc decodeRegistrationFramesColumn(wire::RegistrationStateRow::Reader in, SceneFramesSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasFrames() ? fromWire(in.getFrames(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeRegistrationColumn(unsigned column, const std::byte* memory,
                               wire::RegistrationStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<SceneFramesSlot>(memory);
-      toWire(slot, out.initFrames());
-      break;
-    }
+  switch (static_cast<RegistrationColumn>(column)) {
+    case RegistrationColumn::frames:
+      return encodeRegistrationFramesColumn(slotIn<SceneFramesSlot>(memory), out);
   }
 }
 Errc decodeRegistrationColumn(wire::RegistrationStateRow::Reader in, unsigned column,
                               std::byte* memory, suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<SceneFramesSlot>(memory);
-      return in.hasFrames() ? fromWire(in.getFrames(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<RegistrationColumn>(column)) {
+    case RegistrationColumn::frames:
+      return decodeRegistrationFramesColumn(in, newSlot<SceneFramesSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -191,7 +195,7 @@ constexpr CommandInfo kRegistrationCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<SceneFramesSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(RegistrationColumn::frames),
      .acceptsResult = checkSlot<SceneFramesSlot, isValid>},
     {.name = "set_camera",
      .kind = CommandKind::Write,
@@ -264,20 +268,29 @@ const InterfaceInfo& interfaceInfo<robots::Registration>() {
   return kInfo;
 }
 
+// A function for each command of robots::Registration, so that a stack in a debugger names it.
+struct Provided<robots::Registration>::Dispatch {
+  static Errc execute_frames(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::SceneFramesSlot>(result);
+    return store(implementation.frames(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_set_camera(Contract& implementation, Scratch& scratch,
+                                 const std::byte* arguments) {
+    const auto& slot = slotIn<robots::RegistrationSetCameraArguments>(arguments);
+    load(slot.camera, scratch.set_camera_camera);
+    implementation.set_camera(scratch.set_camera_camera);
+    return Errc{};
+  }
+};
+
 Errc Provided<robots::Registration>::execute(std::uint16_t command, const std::byte* arguments,
                                              std::byte* result) {
   using ::robots::RegistrationCommand;
   switch (static_cast<RegistrationCommand>(command)) {
-    case RegistrationCommand::frames: {
-      auto& slot = newSlot<robots::SceneFramesSlot>(result);
-      return store(implementation_.frames(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case RegistrationCommand::set_camera: {
-      const auto& slot = slotIn<robots::RegistrationSetCameraArguments>(arguments);
-      load(slot.camera, scratch_.set_camera_camera);
-      implementation_.set_camera(scratch_.set_camera_camera);
-      return Errc{};
-    }
+    case RegistrationCommand::frames: return Dispatch::execute_frames(implementation_, result);
+    case RegistrationCommand::set_camera:
+      return Dispatch::execute_set_camera(implementation_, scratch_, arguments);
   }
   return Errc::Invalid;
 }

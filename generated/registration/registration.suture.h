@@ -40,6 +40,11 @@ enum class RegistrationCommand : std::uint16_t {
   set_camera,
 };
 
+/// Names where a row of the state has each read of Registration.
+enum class RegistrationColumn : std::uint16_t {
+  frames,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -90,6 +95,8 @@ class Provided<robots::Registration> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     Eigen::Isometry3d set_camera_camera{};

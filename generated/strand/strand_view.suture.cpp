@@ -108,24 +108,28 @@ Errc decodeStrandViewStrandResult(wire::StrandView::StrandResults::Reader in, St
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeStrandViewStrandColumn(const StrandStateSlot& slot,
+                                  wire::StrandViewStateRow::Builder out) {
+  toWire(slot, out.initStrand());
+}
+Errc decodeStrandViewStrandColumn(wire::StrandViewStateRow::Reader in, StrandStateSlot& slot,
+                                  suture::Duration shift) {
+  return in.hasStrand() ? fromWire(in.getStrand(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeStrandViewColumn(unsigned column, const std::byte* memory,
                             wire::StrandViewStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<StrandStateSlot>(memory);
-      toWire(slot, out.initStrand());
-      break;
-    }
+  switch (static_cast<StrandViewColumn>(column)) {
+    case StrandViewColumn::strand:
+      return encodeStrandViewStrandColumn(slotIn<StrandStateSlot>(memory), out);
   }
 }
 Errc decodeStrandViewColumn(wire::StrandViewStateRow::Reader in, unsigned column, std::byte* memory,
                             suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<StrandStateSlot>(memory);
-      return in.hasStrand() ? fromWire(in.getStrand(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<StrandViewColumn>(column)) {
+    case StrandViewColumn::strand:
+      return decodeStrandViewStrandColumn(in, newSlot<StrandStateSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -157,7 +161,7 @@ constexpr CommandInfo kStrandViewCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<StrandStateSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(StrandViewColumn::strand),
      .acceptsResult = checkSlot<StrandStateSlot, isValid>,
      .shiftResult = shiftSlot<StrandStateSlot>},
 };
@@ -214,14 +218,19 @@ const InterfaceInfo& interfaceInfo<robots::StrandView>() {
   return kInfo;
 }
 
+// A function for each command of robots::StrandView, so that a stack in a debugger names it.
+struct Provided<robots::StrandView>::Dispatch {
+  static Errc execute_strand(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::StrandStateSlot>(result);
+    return store(implementation.strand(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::StrandView>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                            std::byte* result) {
   using ::robots::StrandViewCommand;
   switch (static_cast<StrandViewCommand>(command)) {
-    case StrandViewCommand::strand: {
-      auto& slot = newSlot<robots::StrandStateSlot>(result);
-      return store(implementation_.strand(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case StrandViewCommand::strand: return Dispatch::execute_strand(implementation_, result);
   }
   return Errc::Invalid;
 }

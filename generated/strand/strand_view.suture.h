@@ -29,6 +29,11 @@ enum class StrandViewCommand : std::uint16_t {
   strand,
 };
 
+/// Names where a row of the state has each read of StrandView.
+enum class StrandViewColumn : std::uint16_t {
+  strand,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -75,6 +80,8 @@ class Provided<robots::StrandView> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
 };
 

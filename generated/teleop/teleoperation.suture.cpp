@@ -308,42 +308,54 @@ Errc decodeTeleoperationSettingsEvent(wire::TeleoperationEvents::SettingsParams:
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeTeleoperationTeleopStateColumn(const std::uint8_t& slot,
+                                          wire::TeleoperationStateRow::Builder out) {
+  out.setTeleopState(wireTeleopState(slot));
+}
+Errc decodeTeleoperationTeleopStateColumn(wire::TeleoperationStateRow::Reader in,
+                                          std::uint8_t& slot, suture::Duration) {
+  return fromWire(in.getTeleopState(), slot);
+}
+
+void encodeTeleoperationAnchorsColumn(const FollowAnchorsSlot& slot,
+                                      wire::TeleoperationStateRow::Builder out) {
+  toWire(slot, out.initAnchors());
+}
+Errc decodeTeleoperationAnchorsColumn(wire::TeleoperationStateRow::Reader in,
+                                      FollowAnchorsSlot& slot, suture::Duration shift) {
+  return in.hasAnchors() ? fromWire(in.getAnchors(), slot, shift) : Errc::Invalid;
+}
+
+void encodeTeleoperationSettingsColumn(const TeleopSettingsSlot& slot,
+                                       wire::TeleoperationStateRow::Builder out) {
+  toWire(slot, out.initSettings());
+}
+Errc decodeTeleoperationSettingsColumn(wire::TeleoperationStateRow::Reader in,
+                                       TeleopSettingsSlot& slot, suture::Duration shift) {
+  return in.hasSettings() ? fromWire(in.getSettings(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeTeleoperationColumn(unsigned column, const std::byte* memory,
                                wire::TeleoperationStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<std::uint8_t>(memory);
-      out.setTeleopState(wireTeleopState(slot));
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<FollowAnchorsSlot>(memory);
-      toWire(slot, out.initAnchors());
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<TeleopSettingsSlot>(memory);
-      toWire(slot, out.initSettings());
-      break;
-    }
+  switch (static_cast<TeleoperationColumn>(column)) {
+    case TeleoperationColumn::teleop_state:
+      return encodeTeleoperationTeleopStateColumn(slotIn<std::uint8_t>(memory), out);
+    case TeleoperationColumn::anchors:
+      return encodeTeleoperationAnchorsColumn(slotIn<FollowAnchorsSlot>(memory), out);
+    case TeleoperationColumn::settings:
+      return encodeTeleoperationSettingsColumn(slotIn<TeleopSettingsSlot>(memory), out);
   }
 }
 Errc decodeTeleoperationColumn(wire::TeleoperationStateRow::Reader in, unsigned column,
                                std::byte* memory, suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<std::uint8_t>(memory);
-      return fromWire(in.getTeleopState(), slot);
-    }
-    case 1: {
-      auto& slot = newSlot<FollowAnchorsSlot>(memory);
-      return in.hasAnchors() ? fromWire(in.getAnchors(), slot, shift) : Errc::Invalid;
-    }
-    case 2: {
-      auto& slot = newSlot<TeleopSettingsSlot>(memory);
-      return in.hasSettings() ? fromWire(in.getSettings(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<TeleoperationColumn>(column)) {
+    case TeleoperationColumn::teleop_state:
+      return decodeTeleoperationTeleopStateColumn(in, newSlot<std::uint8_t>(memory), shift);
+    case TeleoperationColumn::anchors:
+      return decodeTeleoperationAnchorsColumn(in, newSlot<FollowAnchorsSlot>(memory), shift);
+    case TeleoperationColumn::settings:
+      return decodeTeleoperationSettingsColumn(in, newSlot<TeleopSettingsSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -430,13 +442,13 @@ constexpr CommandInfo kTeleoperationCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(TeleoperationColumn::teleop_state),
      .acceptsResult = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateResult>},
     {.name = "anchors",
      .kind = CommandKind::Read,
      .resultSize = slotSize<FollowAnchorsSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(TeleoperationColumn::anchors),
      .acceptsResult = checkSlot<FollowAnchorsSlot, isValid>,
      .shiftResult = shiftSlot<FollowAnchorsSlot>},
     {.name = "set_scale",
@@ -456,7 +468,7 @@ constexpr CommandInfo kTeleoperationCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<TeleopSettingsSlot>,
      .depth = 16,
-     .column = 2,
+     .column = static_cast<int>(TeleoperationColumn::settings),
      .acceptsResult = checkSlot<TeleopSettingsSlot, isValid>},
 };
 
@@ -600,48 +612,74 @@ const InterfaceInfo& interfaceInfo<robots::Teleoperation>() {
   return kInfo;
 }
 
+// A function for each command of robots::Teleoperation, so that a stack in a debugger names it.
+struct Provided<robots::Teleoperation>::Dispatch {
+  static Errc execute_enable(Contract& implementation) {
+    implementation.enable();
+    return Errc{};
+  }
+
+  static Errc execute_disable(Contract& implementation) {
+    implementation.disable();
+    return Errc{};
+  }
+
+  static Errc execute_teleop_state(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.teleop_state(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_anchors(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::FollowAnchorsSlot>(result);
+    return store(implementation.anchors(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_set_scale(Contract& implementation, Scratch& scratch,
+                                const std::byte* arguments) {
+    const auto& slot = slotIn<robots::TeleoperationSetScaleArguments>(arguments);
+    load(slot.scale, scratch.set_scale_scale);
+    implementation.set_scale(scratch.set_scale_scale);
+    return Errc{};
+  }
+
+  static Errc execute_lock_rotation(Contract& implementation, Scratch& scratch,
+                                    const std::byte* arguments) {
+    const auto& slot = slotIn<robots::TeleoperationLockRotationArguments>(arguments);
+    load(slot.lock, scratch.lock_rotation_lock);
+    implementation.lock_rotation(scratch.lock_rotation_lock);
+    return Errc{};
+  }
+
+  static Errc execute_lock_translation(Contract& implementation, Scratch& scratch,
+                                       const std::byte* arguments) {
+    const auto& slot = slotIn<robots::TeleoperationLockTranslationArguments>(arguments);
+    load(slot.lock, scratch.lock_translation_lock);
+    implementation.lock_translation(scratch.lock_translation_lock);
+    return Errc{};
+  }
+
+  static Errc execute_settings(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::TeleopSettingsSlot>(result);
+    return store(implementation.settings(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::Teleoperation>::execute(std::uint16_t command, const std::byte* arguments,
                                               std::byte* result) {
   using ::robots::TeleoperationCommand;
   switch (static_cast<TeleoperationCommand>(command)) {
-    case TeleoperationCommand::enable: {
-      implementation_.enable();
-      return Errc{};
-    }
-    case TeleoperationCommand::disable: {
-      implementation_.disable();
-      return Errc{};
-    }
-    case TeleoperationCommand::teleop_state: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.teleop_state(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case TeleoperationCommand::anchors: {
-      auto& slot = newSlot<robots::FollowAnchorsSlot>(result);
-      return store(implementation_.anchors(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case TeleoperationCommand::set_scale: {
-      const auto& slot = slotIn<robots::TeleoperationSetScaleArguments>(arguments);
-      load(slot.scale, scratch_.set_scale_scale);
-      implementation_.set_scale(scratch_.set_scale_scale);
-      return Errc{};
-    }
-    case TeleoperationCommand::lock_rotation: {
-      const auto& slot = slotIn<robots::TeleoperationLockRotationArguments>(arguments);
-      load(slot.lock, scratch_.lock_rotation_lock);
-      implementation_.lock_rotation(scratch_.lock_rotation_lock);
-      return Errc{};
-    }
-    case TeleoperationCommand::lock_translation: {
-      const auto& slot = slotIn<robots::TeleoperationLockTranslationArguments>(arguments);
-      load(slot.lock, scratch_.lock_translation_lock);
-      implementation_.lock_translation(scratch_.lock_translation_lock);
-      return Errc{};
-    }
-    case TeleoperationCommand::settings: {
-      auto& slot = newSlot<robots::TeleopSettingsSlot>(result);
-      return store(implementation_.settings(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case TeleoperationCommand::enable: return Dispatch::execute_enable(implementation_);
+    case TeleoperationCommand::disable: return Dispatch::execute_disable(implementation_);
+    case TeleoperationCommand::teleop_state:
+      return Dispatch::execute_teleop_state(implementation_, result);
+    case TeleoperationCommand::anchors: return Dispatch::execute_anchors(implementation_, result);
+    case TeleoperationCommand::set_scale:
+      return Dispatch::execute_set_scale(implementation_, scratch_, arguments);
+    case TeleoperationCommand::lock_rotation:
+      return Dispatch::execute_lock_rotation(implementation_, scratch_, arguments);
+    case TeleoperationCommand::lock_translation:
+      return Dispatch::execute_lock_translation(implementation_, scratch_, arguments);
+    case TeleoperationCommand::settings: return Dispatch::execute_settings(implementation_, result);
   }
   return Errc::Invalid;
 }

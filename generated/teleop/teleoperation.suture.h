@@ -77,6 +77,13 @@ enum class TeleoperationEvent : std::uint16_t {
   settings,
 };
 
+/// Names where a row of the state has each read of Teleoperation.
+enum class TeleoperationColumn : std::uint16_t {
+  teleop_state,
+  anchors,
+  settings,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -176,6 +183,8 @@ class Provided<robots::Teleoperation> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     double set_scale_scale{};

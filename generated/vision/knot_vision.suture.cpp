@@ -109,24 +109,28 @@ Errc decodeKnotVisionSightingResult(wire::KnotVision::SightingResults::Reader in
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeKnotVisionSightingColumn(const KnotSightingSlot& slot,
+                                    wire::KnotVisionStateRow::Builder out) {
+  toWire(slot, out.initSighting());
+}
+Errc decodeKnotVisionSightingColumn(wire::KnotVisionStateRow::Reader in, KnotSightingSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasSighting() ? fromWire(in.getSighting(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeKnotVisionColumn(unsigned column, const std::byte* memory,
                             wire::KnotVisionStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<KnotSightingSlot>(memory);
-      toWire(slot, out.initSighting());
-      break;
-    }
+  switch (static_cast<KnotVisionColumn>(column)) {
+    case KnotVisionColumn::sighting:
+      return encodeKnotVisionSightingColumn(slotIn<KnotSightingSlot>(memory), out);
   }
 }
 Errc decodeKnotVisionColumn(wire::KnotVisionStateRow::Reader in, unsigned column, std::byte* memory,
                             suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<KnotSightingSlot>(memory);
-      return in.hasSighting() ? fromWire(in.getSighting(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<KnotVisionColumn>(column)) {
+    case KnotVisionColumn::sighting:
+      return decodeKnotVisionSightingColumn(in, newSlot<KnotSightingSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -158,7 +162,7 @@ constexpr CommandInfo kKnotVisionCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<KnotSightingSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(KnotVisionColumn::sighting),
      .acceptsResult = checkSlot<KnotSightingSlot, isValid>,
      .shiftResult = shiftSlot<KnotSightingSlot>},
 };
@@ -213,14 +217,19 @@ const InterfaceInfo& interfaceInfo<robots::KnotVision>() {
   return kInfo;
 }
 
+// A function for each command of robots::KnotVision, so that a stack in a debugger names it.
+struct Provided<robots::KnotVision>::Dispatch {
+  static Errc execute_sighting(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::KnotSightingSlot>(result);
+    return store(implementation.sighting(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::KnotVision>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                            std::byte* result) {
   using ::robots::KnotVisionCommand;
   switch (static_cast<KnotVisionCommand>(command)) {
-    case KnotVisionCommand::sighting: {
-      auto& slot = newSlot<robots::KnotSightingSlot>(result);
-      return store(implementation_.sighting(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case KnotVisionCommand::sighting: return Dispatch::execute_sighting(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -29,6 +29,11 @@ enum class KnotVisionCommand : std::uint16_t {
   sighting,
 };
 
+/// Names where a row of the state has each read of KnotVision.
+enum class KnotVisionColumn : std::uint16_t {
+  sighting,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -75,6 +80,8 @@ class Provided<robots::KnotVision> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
 };
 

@@ -114,34 +114,42 @@ Errc decodeStereoImagesExposedResult(wire::StereoImages::ExposedResults::Reader 
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeStereoImagesImagesColumn(const StereoPairSlot& slot,
+                                    wire::StereoImagesStateRow::Builder out) {
+  toWire(slot, out.initImages());
+}
+Errc decodeStereoImagesImagesColumn(wire::StereoImagesStateRow::Reader in, StereoPairSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasImages() ? fromWire(in.getImages(), slot, shift) : Errc::Invalid;
+}
+
+void encodeStereoImagesExposedColumn(const std::int64_t& slot,
+                                     wire::StereoImagesStateRow::Builder out) {
+  out.setExposed(slot);
+}
+Errc decodeStereoImagesExposedColumn(wire::StereoImagesStateRow::Reader in, std::int64_t& slot,
+                                     suture::Duration shift) {
+  slot = suture::rpc::shifted(in.getExposed(), shift);
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeStereoImagesColumn(unsigned column, const std::byte* memory,
                               wire::StereoImagesStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<StereoPairSlot>(memory);
-      toWire(slot, out.initImages());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<std::int64_t>(memory);
-      out.setExposed(slot);
-      break;
-    }
+  switch (static_cast<StereoImagesColumn>(column)) {
+    case StereoImagesColumn::images:
+      return encodeStereoImagesImagesColumn(slotIn<StereoPairSlot>(memory), out);
+    case StereoImagesColumn::exposed:
+      return encodeStereoImagesExposedColumn(slotIn<std::int64_t>(memory), out);
   }
 }
 Errc decodeStereoImagesColumn(wire::StereoImagesStateRow::Reader in, unsigned column,
                               std::byte* memory, suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<StereoPairSlot>(memory);
-      return in.hasImages() ? fromWire(in.getImages(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<std::int64_t>(memory);
-      slot = suture::rpc::shifted(in.getExposed(), shift);
-      return Errc{};
-    }
+  switch (static_cast<StereoImagesColumn>(column)) {
+    case StereoImagesColumn::images:
+      return decodeStereoImagesImagesColumn(in, newSlot<StereoPairSlot>(memory), shift);
+    case StereoImagesColumn::exposed:
+      return decodeStereoImagesExposedColumn(in, newSlot<std::int64_t>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -188,7 +196,7 @@ constexpr CommandInfo kStereoImagesCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<StereoPairSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(StereoImagesColumn::images),
      .acceptsResult = checkSlot<StereoPairSlot, isValid>,
      .shiftResult = shiftSlot<StereoPairSlot>,
      .resultLevels = kStereoImagesImagesResultLevels},
@@ -196,7 +204,7 @@ constexpr CommandInfo kStereoImagesCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::int64_t>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(StereoImagesColumn::exposed),
      .shiftResult = shiftSlot<std::int64_t, shiftStereoImagesExposedResult>},
 };
 
@@ -259,18 +267,25 @@ const InterfaceInfo& interfaceInfo<robots::StereoImages>() {
   return kInfo;
 }
 
+// A function for each command of robots::StereoImages, so that a stack in a debugger names it.
+struct Provided<robots::StereoImages>::Dispatch {
+  static Errc execute_images(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::StereoPairSlot>(result);
+    return store(implementation.images(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_exposed(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::int64_t>(result);
+    return store(implementation.exposed(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::StereoImages>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                              std::byte* result) {
   using ::robots::StereoImagesCommand;
   switch (static_cast<StereoImagesCommand>(command)) {
-    case StereoImagesCommand::images: {
-      auto& slot = newSlot<robots::StereoPairSlot>(result);
-      return store(implementation_.images(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case StereoImagesCommand::exposed: {
-      auto& slot = newSlot<std::int64_t>(result);
-      return store(implementation_.exposed(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case StereoImagesCommand::images: return Dispatch::execute_images(implementation_, result);
+    case StereoImagesCommand::exposed: return Dispatch::execute_exposed(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -29,6 +29,12 @@ enum class StereoImagesCommand : std::uint16_t {
   exposed,
 };
 
+/// Names where a row of the state has each read of StereoImages.
+enum class StereoImagesColumn : std::uint16_t {
+  images,
+  exposed,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -79,6 +85,8 @@ class Provided<robots::StereoImages> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
 };
 

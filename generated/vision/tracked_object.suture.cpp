@@ -62,33 +62,41 @@ Errc decodeTrackedObjectMeasuredCvResult(wire::TrackedObject::MeasuredCvResults:
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeTrackedObjectMeasuredCpColumn(const PoseStampedSlot& slot,
+                                         wire::TrackedObjectStateRow::Builder out) {
+  toWire(slot, out.initMeasuredCp());
+}
+Errc decodeTrackedObjectMeasuredCpColumn(wire::TrackedObjectStateRow::Reader in,
+                                         PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeTrackedObjectMeasuredCvColumn(const TwistSlot& slot,
+                                         wire::TrackedObjectStateRow::Builder out) {
+  toWire(slot, out.initMeasuredCv());
+}
+Errc decodeTrackedObjectMeasuredCvColumn(wire::TrackedObjectStateRow::Reader in, TwistSlot& slot,
+                                         suture::Duration shift) {
+  return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeTrackedObjectColumn(unsigned column, const std::byte* memory,
                                wire::TrackedObjectStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initMeasuredCp());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<TwistSlot>(memory);
-      toWire(slot, out.initMeasuredCv());
-      break;
-    }
+  switch (static_cast<TrackedObjectColumn>(column)) {
+    case TrackedObjectColumn::measured_cp:
+      return encodeTrackedObjectMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case TrackedObjectColumn::measured_cv:
+      return encodeTrackedObjectMeasuredCvColumn(slotIn<TwistSlot>(memory), out);
   }
 }
 Errc decodeTrackedObjectColumn(wire::TrackedObjectStateRow::Reader in, unsigned column,
                                std::byte* memory, suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<TwistSlot>(memory);
-      return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<TrackedObjectColumn>(column)) {
+    case TrackedObjectColumn::measured_cp:
+      return decodeTrackedObjectMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case TrackedObjectColumn::measured_cv:
+      return decodeTrackedObjectMeasuredCvColumn(in, newSlot<TwistSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -126,14 +134,14 @@ constexpr CommandInfo kTrackedObjectCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(TrackedObjectColumn::measured_cp),
      .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "measured_cv",
      .kind = CommandKind::Read,
      .resultSize = slotSize<TwistSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(TrackedObjectColumn::measured_cv),
      .acceptsResult = checkSlot<TwistSlot, isValid>,
      .shiftResult = shiftSlot<TwistSlot>},
 };
@@ -205,18 +213,27 @@ const InterfaceInfo& interfaceInfo<robots::TrackedObject>() {
   return kInfo;
 }
 
+// A function for each command of robots::TrackedObject, so that a stack in a debugger names it.
+struct Provided<robots::TrackedObject>::Dispatch {
+  static Errc execute_measured_cp(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_measured_cv(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::TwistSlot>(result);
+    return store(implementation.measured_cv(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::TrackedObject>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                               std::byte* result) {
   using ::robots::TrackedObjectCommand;
   switch (static_cast<TrackedObjectCommand>(command)) {
-    case TrackedObjectCommand::measured_cp: {
-      auto& slot = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case TrackedObjectCommand::measured_cv: {
-      auto& slot = newSlot<robots::TwistSlot>(result);
-      return store(implementation_.measured_cv(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case TrackedObjectCommand::measured_cp:
+      return Dispatch::execute_measured_cp(implementation_, result);
+    case TrackedObjectCommand::measured_cv:
+      return Dispatch::execute_measured_cv(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -19,6 +19,12 @@ enum class TrackedObjectCommand : std::uint16_t {
   measured_cv,
 };
 
+/// Names where a row of the state has each read of TrackedObject.
+enum class TrackedObjectColumn : std::uint16_t {
+  measured_cp,
+  measured_cv,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -70,6 +76,8 @@ class Provided<robots::TrackedObject> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
 };
 

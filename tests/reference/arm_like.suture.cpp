@@ -258,33 +258,40 @@ Errc decodeArmLikeMovedEvent(wire::ArmLikeEvents::MovedParams::Reader in, ArmLik
   return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeArmLikeMeasuredCpColumn(const PoseStampedSlot& slot,
+                                   wire::ArmLikeStateRow::Builder out) {
+  toWire(slot, out.initMeasuredCp());
+}
+Errc decodeArmLikeMeasuredCpColumn(wire::ArmLikeStateRow::Reader in, PoseStampedSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLikeMeasuredJsColumn(const JointStateSlot& slot, wire::ArmLikeStateRow::Builder out) {
+  toWire(slot, out.initMeasuredJs());
+}
+Errc decodeArmLikeMeasuredJsColumn(wire::ArmLikeStateRow::Reader in, JointStateSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeArmLikeColumn(unsigned column, const std::byte* memory,
                          wire::ArmLikeStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initMeasuredCp());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<JointStateSlot>(memory);
-      toWire(slot, out.initMeasuredJs());
-      break;
-    }
+  switch (static_cast<ArmLikeColumn>(column)) {
+    case ArmLikeColumn::measured_cp:
+      return encodeArmLikeMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case ArmLikeColumn::measured_js:
+      return encodeArmLikeMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
   }
 }
 Errc decodeArmLikeColumn(wire::ArmLikeStateRow::Reader in, unsigned column, std::byte* memory,
                          suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<JointStateSlot>(memory);
-      return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<ArmLikeColumn>(column)) {
+    case ArmLikeColumn::measured_cp:
+      return decodeArmLikeMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case ArmLikeColumn::measured_js:
+      return decodeArmLikeMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -403,14 +410,14 @@ constexpr CommandInfo kArmLikeCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(ArmLikeColumn::measured_cp),
      .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "measured_js",
      .kind = CommandKind::Read,
      .resultSize = slotSize<JointStateSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(ArmLikeColumn::measured_js),
      .acceptsResult = checkSlot<JointStateSlot, isValid>},
     {.name = "distance",
      .kind = CommandKind::QualifiedRead,
@@ -460,7 +467,95 @@ constexpr EventInfo kArmLikeEvents[] = {
 };
 
 // The self-description, as in reference/arm_like.suture.json.
-constexpr char kArmLikeDescription[] = R"json({"name": "reference::ArmLike"})json";
+constexpr char kArmLikeDescription[] = R"json(
+{"name": "reference::ArmLike", "hash": "968897e2572bbf86158430dd4ed899ee",
+"core": "ade49bdab2d2ca197c01302850714adb", "commands": [{"name": "servo_cp", "kind": "write",
+"ordinal": 1, "wire": "servoCp", "doc": "Follows a stream of poses.", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "reference::PoseStamped"}}], "queue": 16,
+"latest": true, "ttl": 0.5}, {"name": "servo_jp", "kind": "write", "ordinal": 2, "wire": "servoJp",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "reference::JointState"}}],
+"queue": 16, "latest": true}, {"name": "hold", "kind": "void", "ordinal": 3, "queue": 4}, {
+"name": "set_mode", "kind": "write", "ordinal": 4, "wire": "setMode", "parameters": [{
+"name": "mode", "type": {"kind": "enum", "name": "reference::Mode"}}], "queue": 16}, {
+"name": "measured_cp", "kind": "read", "ordinal": 5, "wire": "measuredCp", "result": {"type": {
+"kind": "struct", "name": "reference::PoseStamped"}}, "queue": 16}, {"name": "measured_js",
+"kind": "read", "ordinal": 6, "wire": "measuredJs", "result": {"type": {"kind": "struct",
+"name": "reference::JointState"}}, "queue": 16}, {"name": "distance", "kind": "qualified read",
+"ordinal": 7, "parameters": [{"name": "to", "type": {"kind": "struct",
+"name": "reference::PoseStamped"}}], "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"name": "move", "kind": "write with return", "ordinal": 8,
+"doc": "Moves along a line; answers whether it can.", "parameters": [{"name": "goal", "type": {
+"kind": "struct", "name": "reference::PoseStamped"}}, {"name": "speed", "type": {"kind": "Float64"
+}, "range": [0.0, 1.0]}, {"name": "reason", "type": {"kind": "text", "capacity": 15}}], "result": {
+"type": {"kind": "Bool"}}, "queue": 16, "deadline": 0.2}, {"name": "reset",
+"kind": "void with return", "ordinal": 9,
+"doc": "Forgets what it was told; answers how much that was.", "result": {"type": {"kind": "UInt32"
+}}, "queue": 16}, {"name": "limit", "kind": "write", "ordinal": 10, "parameters": [{
+"name": "speed", "type": {"kind": "Float64"}}, {"name": "mode", "type": {"kind": "enum",
+"name": "reference::Mode"}}], "queue": 2}, {"name": "park", "kind": "void", "ordinal": 11,
+"doc": "Folds the arm.", "queue": 16, "optional": true}], "events": [{"name": "mode",
+"kind": "write", "ordinal": 1, "payload": {"type": {"kind": "enum", "name": "reference::Mode"}},
+"queue": 16, "latched": true}, {"name": "arrived", "kind": "write", "ordinal": 2, "payload": {
+"type": {"kind": "struct", "name": "reference::PoseStamped"}}, "queue": 4}, {"name": "stopped",
+"kind": "void", "ordinal": 3, "queue": 16}, {"name": "moved", "kind": "write", "ordinal": 4,
+"doc": "Where it is and how fast.", "payload": [{"name": "value", "type": {"kind": "struct",
+"name": "reference::PoseStamped"}}, {"name": "value2", "type": {"kind": "Float64"}}], "queue": 16}
+], "enums": [{"name": "reference::Mode", "underlying": "UInt8", "enumerators": [{
+"name": "Disabled", "value": 0, "wire": "disabled"}, {"name": "Enabled", "value": 1,
+"wire": "enabled"}]}], "structs": [{"name": "reference::PoseStamped",
+"doc": "A pose with its time.", "fields": [{"name": "pose", "doc": "tip in base", "type": {
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "reference::JointState", "fields": [{"name": "name", "type": {"kind": "list", "element": {
+"kind": "text", "capacity": 15}, "capacity": 8}}, {"name": "position", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}]}], "wire": [{
+"id": "@0xeba4d683d0a91822", "kind": "interface", "name": "ArmLike", "cxx": "reference::ArmLike",
+"members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0, "name": "events",
+"is": "@0xdb1787086decafde"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2,
+"name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "servoCp", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0x9e5a942c3e52a9b7"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "servoJp", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "goal", "is": "@0xe82fac248b31c66b"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "hold", "is": "kind \"void\"", "parameters": [
+{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "setMode",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "mode", "is": "@0x89daa6df134ae03e"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 5, "name": "measuredCp",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "@0x9e5a942c3e52a9b7"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 6, "name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xe82fac248b31c66b"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 7,
+"name": "distance", "is": "kind \"qualifiedRead\"", "parameters": [{"at": 0, "name": "to",
+"is": "@0x9e5a942c3e52a9b7"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "Float64"}]}, {"at": 8, "name": "move",
+"is": "kind \"writeReturn\"", "parameters": [{"at": 0, "name": "goal", "is": "@0x9e5a942c3e52a9b7"
+}, {"at": 1, "name": "speed", "is": "Float64"}, {"at": 2, "name": "reason", "is": "Text"}, {
+"at": 3, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "Bool"}]}, {"at": 9, "name": "reset", "is": "kind \"voidReturn\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "UInt32"}]}, {"at": 10, "name": "limit", "is": "kind \"write\"", "parameters": [{"at": 0,
+"name": "speed", "is": "Float64"}, {"at": 1, "name": "mode", "is": "@0x89daa6df134ae03e"}, {
+"at": 2, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 11, "name": "park",
+"is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}]
+}, {"id": "@0xdb1787086decafde", "kind": "interface", "name": "ArmLikeEvents", "members": [{
+"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xd6b993de04cbfb08"}]}, {
+"at": 1, "name": "mode", "parameters": [{"at": 0, "name": "value", "is": "@0x89daa6df134ae03e"}, {
+"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "arrived", "parameters": [{"at": 0,
+"name": "value", "is": "@0x9e5a942c3e52a9b7"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
+"at": 3, "name": "stopped", "parameters": [{"at": 0, "name": "stamp", "is": "Int64"}]}, {"at": 4,
+"name": "moved", "parameters": [{"at": 0, "name": "value", "is": "@0x9e5a942c3e52a9b7"}, {"at": 1,
+"name": "value2", "is": "Float64"}, {"at": 2, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xd6b993de04cbfb08", "kind": "struct", "name": "ArmLikeStateRow", "members": [{"at": 0,
+"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
+"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "measuredCp", "is": "@0x9e5a942c3e52a9b7"}, {
+"at": 4, "name": "measuredJs", "is": "@0xe82fac248b31c66b"}]}, {"id": "@0x9e5a942c3e52a9b7",
+"kind": "struct", "name": "PoseStamped", "members": [{"at": 0, "name": "pose",
+"is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "stamp",
+"is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}]}, {
+"id": "@0xe82fac248b31c66b", "kind": "struct", "name": "JointState", "members": [{"at": 0,
+"name": "name", "is": "List(Text)"}, {"at": 1, "name": "position",
+"is": "List(Float64) unit \"rad\""}]}, {"id": "@0x89daa6df134ae03e", "kind": "enum", "name": "Mode",
+"members": [{"at": 0, "name": "disabled"}, {"at": 1, "name": "enabled"}]}]})json";
 
 }  // namespace
 }  // namespace reference
@@ -471,7 +566,7 @@ template <>
 const InterfaceInfo& interfaceInfo<reference::ArmLike>() {
   static constexpr InterfaceInfo kInfo{
       .name = "reference::ArmLike",
-      .hash = "reference",
+      .hash = "968897e2572bbf86158430dd4ed899ee",
       .description = reference::kArmLikeDescription,
       .commands = reference::kArmLikeCommands,
       .events = reference::kArmLikeEvents,
@@ -487,71 +582,107 @@ auto Provided<reference::ArmLike>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of reference::ArmLike, so that a stack in a debugger names it.
+struct Provided<reference::ArmLike>::Dispatch {
+  static Errc execute_servo_cp(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<reference::ArmLikeServoCpArguments>(arguments);
+    load(slot.goal, scratch.servo_cp_goal);
+    implementation.servo_cp(scratch.servo_cp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_servo_jp(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<reference::ArmLikeServoJpArguments>(arguments);
+    load(slot.goal, scratch.servo_jp_goal);
+    implementation.servo_jp(scratch.servo_jp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_hold(Contract& implementation) {
+    implementation.hold();
+    return Errc{};
+  }
+
+  static Errc execute_set_mode(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<reference::ArmLikeSetModeArguments>(arguments);
+    load(slot.mode, scratch.set_mode_mode);
+    implementation.set_mode(scratch.set_mode_mode);
+    return Errc{};
+  }
+
+  static Errc execute_measured_cp(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<reference::PoseStampedSlot>(result);
+    return store(implementation.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_measured_js(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<reference::JointStateSlot>(result);
+    return store(implementation.measured_js(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_distance(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<reference::ArmLikeDistanceArguments>(arguments);
+    load(slot.to, scratch.distance_to);
+    auto& answer = newSlot<double>(result);
+    return store(implementation.distance(scratch.distance_to), answer) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_move(Contract& implementation, Scratch& scratch, const std::byte* arguments,
+                           std::byte* result) {
+    const auto& slot = slotIn<reference::ArmLikeMoveArguments>(arguments);
+    load(slot.goal, scratch.move_goal);
+    load(slot.speed, scratch.move_speed);
+    load(slot.reason, scratch.move_reason);
+    auto& answer = newSlot<std::uint8_t>(result);
+    return store(implementation.move(scratch.move_goal, scratch.move_speed, scratch.move_reason),
+                 answer) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_reset(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint32_t>(result);
+    return store(implementation.reset(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_limit(Contract& implementation, Scratch& scratch,
+                            const std::byte* arguments) {
+    const auto& slot = slotIn<reference::ArmLikeLimitArguments>(arguments);
+    load(slot.speed, scratch.limit_speed);
+    load(slot.mode, scratch.limit_mode);
+    implementation.limit(scratch.limit_speed, scratch.limit_mode);
+    return Errc{};
+  }
+
+  static Errc execute_park(Contract& implementation) {
+    implementation.park();
+    return Errc{};
+  }
+};
+
 Errc Provided<reference::ArmLike>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* result) {
   using ::reference::ArmLikeCommand;
   switch (static_cast<ArmLikeCommand>(command)) {
-    case ArmLikeCommand::servo_cp: {
-      const auto& slot = slotIn<reference::ArmLikeServoCpArguments>(arguments);
-      load(slot.goal, scratch_.servo_cp_goal);
-      implementation_.servo_cp(scratch_.servo_cp_goal);
-      return Errc{};
-    }
-    case ArmLikeCommand::servo_jp: {
-      const auto& slot = slotIn<reference::ArmLikeServoJpArguments>(arguments);
-      load(slot.goal, scratch_.servo_jp_goal);
-      implementation_.servo_jp(scratch_.servo_jp_goal);
-      return Errc{};
-    }
-    case ArmLikeCommand::hold: {
-      implementation_.hold();
-      return Errc{};
-    }
-    case ArmLikeCommand::set_mode: {
-      const auto& slot = slotIn<reference::ArmLikeSetModeArguments>(arguments);
-      load(slot.mode, scratch_.set_mode_mode);
-      implementation_.set_mode(scratch_.set_mode_mode);
-      return Errc{};
-    }
-    case ArmLikeCommand::measured_cp: {
-      auto& slot = newSlot<reference::PoseStampedSlot>(result);
-      return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmLikeCommand::measured_js: {
-      auto& slot = newSlot<reference::JointStateSlot>(result);
-      return store(implementation_.measured_js(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmLikeCommand::distance: {
-      const auto& slot = slotIn<reference::ArmLikeDistanceArguments>(arguments);
-      load(slot.to, scratch_.distance_to);
-      auto& answer = newSlot<double>(result);
-      return store(implementation_.distance(scratch_.distance_to), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case ArmLikeCommand::move: {
-      const auto& slot = slotIn<reference::ArmLikeMoveArguments>(arguments);
-      load(slot.goal, scratch_.move_goal);
-      load(slot.speed, scratch_.move_speed);
-      load(slot.reason, scratch_.move_reason);
-      auto& answer = newSlot<std::uint8_t>(result);
-      return store(implementation_.move(scratch_.move_goal, scratch_.move_speed,
-                                        scratch_.move_reason), answer) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmLikeCommand::reset: {
-      auto& slot = newSlot<std::uint32_t>(result);
-      return store(implementation_.reset(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmLikeCommand::limit: {
-      const auto& slot = slotIn<reference::ArmLikeLimitArguments>(arguments);
-      load(slot.speed, scratch_.limit_speed);
-      load(slot.mode, scratch_.limit_mode);
-      implementation_.limit(scratch_.limit_speed, scratch_.limit_mode);
-      return Errc{};
-    }
-    case ArmLikeCommand::park: {
-      implementation_.park();
-      return Errc{};
-    }
+    case ArmLikeCommand::servo_cp:
+      return Dispatch::execute_servo_cp(implementation_, scratch_, arguments);
+    case ArmLikeCommand::servo_jp:
+      return Dispatch::execute_servo_jp(implementation_, scratch_, arguments);
+    case ArmLikeCommand::hold: return Dispatch::execute_hold(implementation_);
+    case ArmLikeCommand::set_mode:
+      return Dispatch::execute_set_mode(implementation_, scratch_, arguments);
+    case ArmLikeCommand::measured_cp: return Dispatch::execute_measured_cp(implementation_, result);
+    case ArmLikeCommand::measured_js: return Dispatch::execute_measured_js(implementation_, result);
+    case ArmLikeCommand::distance:
+      return Dispatch::execute_distance(implementation_, scratch_, arguments, result);
+    case ArmLikeCommand::move:
+      return Dispatch::execute_move(implementation_, scratch_, arguments, result);
+    case ArmLikeCommand::reset: return Dispatch::execute_reset(implementation_, result);
+    case ArmLikeCommand::limit:
+      return Dispatch::execute_limit(implementation_, scratch_, arguments);
+    case ArmLikeCommand::park: return Dispatch::execute_park(implementation_);
   }
   return Errc::Invalid;
 }

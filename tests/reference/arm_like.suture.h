@@ -91,6 +91,12 @@ enum class ArmLikeEvent : std::uint16_t {
   moved,
 };
 
+/// Names where a row of the state has each read of ArmLike.
+enum class ArmLikeColumn : std::uint16_t {
+  measured_cp,
+  measured_js,
+};
+
 }  // namespace reference
 
 namespace suture {
@@ -195,6 +201,8 @@ class Provided<reference::ArmLike> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     reference::PoseStamped servo_cp_goal{};

@@ -40,6 +40,13 @@ enum class GripperArmEvent : std::uint16_t {
   gripped = 4,
 };
 
+/// Names where a row of the state has each read of GripperArm.
+enum class GripperArmColumn : std::uint16_t {
+  measured_cp,
+  measured_js,
+  opening,
+};
+
 }  // namespace reference
 
 namespace suture {
@@ -116,6 +123,8 @@ class Provided<reference::GripperArm> : public Provided<reference::ArmLike> {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     double close_width{};

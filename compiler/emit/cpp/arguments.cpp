@@ -145,18 +145,22 @@ void forEachPayload(const model::Interface& interface, const Emit& emit) {
   }
 }
 
+/// Emits an enum of what the contract declares itself, numbered behind what it inherits.
 template <class Declarations>
-void emitNumbers(Code& code, const std::string& contract, const char* kind, const char* plural,
-                 const Declarations& own, std::size_t all) {
+void emitNumbers(Code& code, const std::string& contract, const char* kind, const std::string& doc,
+                 const Declarations& own, std::size_t inherited) {
   if (own.empty()) return;
-  std::size_t inherited = all - own.size();
-  const char* const whose = inherited == 0 ? "" : "own ";
-  code.line("/// Names the numbers of ", contract, "'s ", whose, plural, ".");
+  code.line("/// Names ", doc, ".");
   code.open("enum class ", contract, kind, " : std::uint16_t {");
   for (const auto* const declaration : own) {
     code.line(declaration->name, startOf(std::exchange(inherited, 0)), ",");
   }
   code.close("};").blank();
+}
+
+/// "the numbers of Arm's own events".
+std::string numbersOf(const std::string& contract, const char* plural, std::size_t inherited) {
+  return "the numbers of " + contract + (inherited == 0 ? "'s " : "'s own ") + plural;
 }
 
 }  // namespace
@@ -179,9 +183,17 @@ void emitArguments(Code& code, const Context& context, const model::Interface& i
     titled();
     declarePayload(code, context, interface, event);
   });
-  emitNumbers(code, contract, "Command", "commands in every table and record",
-              ownCommands(interface), interface.commands.size());
-  emitNumbers(code, contract, "Event", "events", ownEvents(interface), interface.events.size());
+  const auto commands = ownCommands(interface);
+  const std::size_t otherCommands = interface.commands.size() - commands.size();
+  emitNumbers(code, contract, "Command",
+              numbersOf(contract, "commands in every table and record", otherCommands), commands,
+              otherCommands);
+  const auto events = ownEvents(interface);
+  const std::size_t otherEvents = interface.events.size() - events.size();
+  emitNumbers(code, contract, "Event", numbersOf(contract, "events", otherEvents), events,
+              otherEvents);
+  emitNumbers(code, contract, "Column", "where a row of the state has each read of " + contract,
+              readsOf(interface), 0);
 }
 
 void emitArgumentConversions(Code& code, const Context& context,

@@ -1,27 +1,48 @@
+#include <utility>
+
 #include "compiler/emit/text/contract.h"
 #include "compiler/emit/text/parts.h"
 
 namespace suture::compiler::emit {
 namespace {
 
-/// "implementation_.servo_cp(scratch_.servo_cp_goal)".
+/// "implementation.servo_cp(scratch.servo_cp_goal)".
 std::string call(const model::Command& command) {
   std::string arguments;
   for (const model::Parameter& parameter : command.parameters) {
     if (!arguments.empty()) arguments += std::string(", ") + kBreak;
-    arguments += "scratch_." + scratchName(command, parameter);
+    arguments += "scratch." + scratchName(command, parameter);
   }
-  return "implementation_." + command.name + "(" + arguments + ")";
+  return "implementation." + command.name + "(" + arguments + ")";
 }
 
-void emitCase(Code& code, const Context& context, const model::Interface& interface,
-              const model::Command& command) {
-  code.open("case ", prefixOf(interface, context), "Command::", command.name, ": {");
+/// What a command's function needs, in the words of its declaration or of its call.
+struct Needs {
+  std::string implementation, scratch, arguments, result;
+};
+
+std::string listed(const model::Command& command, const Needs& needs) {
+  std::string text = needs.implementation;
+  if (!command.parameters.empty()) {
+    text += ", " + (kBreak + needs.scratch) + ", " + (kBreak + needs.arguments);
+  }
+  if (command.result) text += ", " + (kBreak + needs.result);
+  return text;
+}
+
+/// Emits the function that runs one command, so that a stack names it.
+void emitFunction(Code& code, const Context& context, const model::Interface& interface,
+                  const model::Command& command) {
+  code.open("static Errc execute_", command.name, "(", kBreakText,
+            listed(command, {"Contract& implementation", "Scratch& scratch",
+                             "const std::byte* arguments", "std::byte* result"}),
+            ") {");
   if (!command.parameters.empty()) {
     code.line("const auto& slot = ", kBreakText, "slotIn<",
               argumentsStruct(interface, command, context), ">(arguments);");
     for (const model::Parameter& parameter : command.parameters) {
-      code.line("load(slot.", parameter.name, ", scratch_.", scratchName(command, parameter), ");");
+      code.line("load(slot.", parameter.name, ", ", kBreakText, "scratch.",
+                scratchName(command, parameter), ");");
     }
   }
   if (command.result) {
@@ -34,6 +55,25 @@ void emitCase(Code& code, const Context& context, const model::Interface& interf
     code.line(call(command), ";").line("return Errc{};");
   }
   code.close("}");
+}
+
+void emitFunctions(Code& code, const Context& context, const model::Interface& interface) {
+  code.line("// A function for each command of ", interface.name,
+            ", so that a stack in a debugger names it.");
+  code.open("struct Provided<", interface.name, ">::Dispatch {");
+  bool first = true;
+  for (const model::Command* const command : ownCommands(interface)) {
+    if (!std::exchange(first, false)) code.blank();
+    emitFunction(code, context, interface, *command);
+  }
+  code.close("};").blank();
+}
+
+void emitCase(Code& code, const Context& context, const model::Interface& interface,
+              const model::Command& command) {
+  const std::string needs = listed(command, {"implementation_", "scratch_", "arguments", "result"});
+  code.choice("case " + prefixOf(interface, context) + "Command::" + command.name + ":",
+              "return Dispatch::execute_" + command.name + "(" + kBreak + needs + ");");
 }
 
 }  // namespace
@@ -55,6 +95,7 @@ void emitExecute(Code& code, const Context& context, const model::Interface& int
   const std::vector<const model::Command*> own = ownCommands(interface);
   const bool derives = !interface.base.empty();
   if (derives && own.empty()) return;  // then the base's is right
+  if (!own.empty()) emitFunctions(code, context, interface);
   const bool any = !own.empty();
   bool takes = derives;
   bool answers = derives;

@@ -71,6 +71,7 @@ void emitProvided(Code& code, const Context& context, const model::Interface& in
     code.blank();
   }
   code.label("private:");
+  if (commands) code.line("struct Dispatch;  // has a function for each command").blank();
   if (scratch) emitScratch(code, interface, reserves);
   if (commands) code.line("Contract& implementation_;");
   if (events) code.line("Events events_{*this};");

@@ -55,7 +55,7 @@ void addMember(std::vector<std::string>& members, const char* name, const std::s
 
 /// Emits the command's row of the table; what that row needs goes to `before`.
 void emitCommand(Code& table, Code& before, const Context& context,
-                 const model::Interface& interface, const model::Command& command, int column) {
+                 const model::Interface& interface, const model::Command& command) {
   const std::string& home = context.header.cxxNamespace;
   std::vector<std::string> members = {
       ".name = \"" + command.name + "\"",
@@ -70,7 +70,10 @@ void emitCommand(Code& table, Code& before, const Context& context,
   members.push_back(".depth = " + std::to_string(command.queue));
   if (command.latest) members.push_back(".latest = true");
   if (command.ttlNanoseconds) members.push_back(duration(".ttl", *command.ttlNanoseconds));
-  if (column >= 0) members.push_back(".column = " + std::to_string(column));
+  if (command.kind == model::CommandKind::Read) {
+    members.push_back(".column = static_cast<int>(" + columnName(interface, command, context) +
+                      ")");
+  }
   if (command.deadlineNanoseconds) {
     members.push_back(duration(".deadline", *command.deadlineNanoseconds));
   }
@@ -109,12 +112,8 @@ void emitCommand(Code& table, Code& before, const Context& context,
 void emitCommands(Code& code, const Context& context, const model::Interface& interface) {
   if (ownCommands(interface).empty()) return;
   Code table;
-  int columns = 0;
-  for (const model::Command& command : interface.commands) {
-    const int column = command.kind == model::CommandKind::Read ? columns++ : -1;
-    if (command.inheritedFrom.empty()) {
-      emitCommand(table, code, context, interface, command, column);
-    }
+  for (const model::Command* const command : ownCommands(interface)) {
+    emitCommand(table, code, context, interface, *command);
   }
   code.line("constexpr CommandInfo k", prefixOf(interface, context), "Commands[] = {");
   code.verbatim(table.text()).line("};").blank();

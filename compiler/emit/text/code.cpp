@@ -77,6 +77,14 @@ Code& Code::function(const std::string& signature, const std::string& statement)
   return open(signature, " {").line(statement).close("}");
 }
 
+Code& Code::choice(const std::string& label, const std::string& statement) {
+  const std::string whole = label + " " + statement;
+  if (depth_ * kStep + onOneLine(whole).size() <= kColumns) return line(whole);
+  open(label).line(statement);
+  --depth_;
+  return *this;
+}
+
 Code& Code::write(std::string_view text) {
   const std::size_t own = std::min(text.find_first_not_of(' '), text.size());
   write(text.substr(own), depth_ * kStep + own);

@@ -46,6 +46,8 @@ class Code {
   Code& close(std::string_view text);
   /// A function of one statement: one line if that is enough.
   Code& function(const std::string& signature, const std::string& statement);
+  /// A label of a switch and its one statement: one line if that is enough.
+  Code& choice(const std::string& label, const std::string& statement);
   /// A label such as "public:" or "case x:", half a step out in a class.
   Code& label(std::string_view text);
 

@@ -102,6 +102,11 @@ std::vector<const model::Command*> readsOf(const model::Interface& interface) {
   return reads;
 }
 
+std::string columnName(const model::Interface& interface, const model::Command& read,
+                       const Context& context) {
+  return prefixOf(interface, context) + "Column::" + read.name;
+}
+
 std::string number(double value) {
   char text[64];
   char* end = std::to_chars(text, text + sizeof text, value).ptr;

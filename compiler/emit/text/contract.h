@@ -47,6 +47,10 @@ void emitEntry(Code& code, const std::vector<std::string>& members);
 /// The read commands, in the order of their columns.
 std::vector<const model::Command*> readsOf(const model::Interface& interface);
 
+/// "ArmColumn::measured_cp": the place of a read's value in a row.
+std::string columnName(const model::Interface& interface, const model::Command& read,
+                       const Context& context);
+
 /// The shortest spelling of a number that reads back as the same.
 std::string number(double value);
 /// The same as C++ spells it.

@@ -87,46 +87,50 @@ void emitMessage(Code& code, const Context& context, const Message& message) {
 
 // --- rows
 
+/// The column of a read's value, in a row.
+Message columnOf(const Context& context, const model::Interface& interface,
+                 const model::Command& read) {
+  return {prefixOf(interface, context) + model::titleCase(read.wireName) + "Column",
+          slotType(*read.result, context, home(context)),
+          wireRow(interface),
+          {needed(*read.result, read.wireName)}};
+}
+
 void emitEncodeColumns(Code& code, const Context& context, const model::Interface& interface) {
-  const std::vector<const model::Command*> reads = readsOf(interface);
   code.open("void encode", prefixOf(interface, context), "Column(", kBreakText, "unsigned column, ",
             kBreakText, "const std::byte* memory, ", kBreakText, wireRow(interface),
             "::Builder out) {");
-  code.open("switch (column) {");
-  for (std::size_t i = 0; i < reads.size(); ++i) {
-    code.open("case ", std::to_string(i), ": {");
-    code.line("const auto& slot = ", kBreakText, "slotIn<",
-              slotType(*reads[i]->result, context, home(context)), ">(memory);");
-    code.line(encode(needed(*reads[i]->result, reads[i]->wireName), "out", context), ";");
-    code.line("break;").close("}");
+  code.open("switch (static_cast<", prefixOf(interface, context), "Column>(column)) {");
+  for (const model::Command* const read : readsOf(interface)) {
+    const Message column = columnOf(context, interface, *read);
+    code.choice("case " + columnName(interface, *read, context) + ":",
+                "return encode" + column.name + "(" + kBreak + "slotIn<" + column.slot +
+                    ">(memory), " + kBreak + "out);");
   }
   code.close("}").close("}");
 }
 
 void emitDecodeColumns(Code& code, const Context& context, const model::Interface& interface) {
-  const std::vector<const model::Command*> reads = readsOf(interface);
-  const bool shifts = std::any_of(reads.begin(), reads.end(), [](const model::Command* read) {
-    return usesShift(*read->result);
-  });
   code.open("Errc decode", prefixOf(interface, context), "Column(", kBreakText, wireRow(interface),
             "::Reader in, ", kBreakText, "unsigned column, ", kBreakText, "std::byte* memory, ",
-            kBreakText, "suture::Duration", shifts ? " shift) {" : ") {");
-  code.open("switch (column) {");
-  for (std::size_t i = 0; i < reads.size(); ++i) {
-    code.open("case ", std::to_string(i), ": {");
-    code.line("auto& slot = ", kBreakText, "newSlot<",
-              slotType(*reads[i]->result, context, home(context)), ">(memory);");
-    emitDecodeAndReturn(code, {needed(*reads[i]->result, reads[i]->wireName)}, "in", "shift",
-                        context);
-    code.close("}");
+            kBreakText, "suture::Duration shift) {");
+  code.open("switch (static_cast<", prefixOf(interface, context), "Column>(column)) {");
+  for (const model::Command* const read : readsOf(interface)) {
+    const Message column = columnOf(context, interface, *read);
+    code.choice("case " + columnName(interface, *read, context) + ":",
+                "return decode" + column.name + "(" + kBreak + "in, " + kBreak + "newSlot<" +
+                    column.slot + ">(memory), " + kBreak + "shift);");
   }
   code.close("}").line("return Errc::Invalid;").close("}").blank();
 }
 
 void emitRow(Code& code, const Context& context, const model::Interface& interface) {
   if (readsOf(interface).empty()) return;
+  for (const model::Command* const read : readsOf(interface)) {
+    emitMessage(code, context, columnOf(context, interface, *read));
+  }
   code.line(
-      "// A row of the state has a member for each column, so one function each way converts them "
+      "// A row of the state has a member for each column, so one function each way finds them "
       "all.");
   emitEncodeColumns(code, context, interface);
   emitDecodeColumns(code, context, interface);

@@ -464,52 +464,65 @@ Errc decodeAllKindsTextSetEvent(wire::AllKindsEvents::TextSetParams::Reader in,
   return fromWire(in.getValue(), slot);
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeAllKindsScalarColumn(const double& slot, wire::AllKindsStateRow::Builder out) {
+  out.setScalar(slot);
+}
+Errc decodeAllKindsScalarColumn(wire::AllKindsStateRow::Reader in, double& slot, suture::Duration) {
+  slot = in.getScalar();
+  return Errc{};
+}
+
+void encodeAllKindsVectorColumn(const std::array<double, 3>& slot,
+                                wire::AllKindsStateRow::Builder out) {
+  toWire(slot, out.initVector());
+}
+Errc decodeAllKindsVectorColumn(wire::AllKindsStateRow::Reader in, std::array<double, 3>& slot,
+                                suture::Duration) {
+  return in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
+}
+
+void encodeAllKindsRecordColumn(const robots::PosePrmSlot& slot,
+                                wire::AllKindsStateRow::Builder out) {
+  toWire(slot, out.initRecord());
+}
+Errc decodeAllKindsRecordColumn(wire::AllKindsStateRow::Reader in, robots::PosePrmSlot& slot,
+                                suture::Duration shift) {
+  return in.hasRecord() ? fromWire(in.getRecord(), slot, shift) : Errc::Invalid;
+}
+
+void encodeAllKindsTextColumn(const suture::BoundedText<31>& slot,
+                              wire::AllKindsStateRow::Builder out) {
+  toWire(slot, out.initText(sizeOf(slot)));
+}
+Errc decodeAllKindsTextColumn(wire::AllKindsStateRow::Reader in, suture::BoundedText<31>& slot,
+                              suture::Duration) {
+  return fromWire(in.getText(), slot);
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeAllKindsColumn(unsigned column, const std::byte* memory,
                           wire::AllKindsStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<double>(memory);
-      out.setScalar(slot);
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<std::array<double, 3>>(memory);
-      toWire(slot, out.initVector());
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<robots::PosePrmSlot>(memory);
-      toWire(slot, out.initRecord());
-      break;
-    }
-    case 3: {
-      const auto& slot = slotIn<suture::BoundedText<31>>(memory);
-      toWire(slot, out.initText(sizeOf(slot)));
-      break;
-    }
+  switch (static_cast<AllKindsColumn>(column)) {
+    case AllKindsColumn::scalar: return encodeAllKindsScalarColumn(slotIn<double>(memory), out);
+    case AllKindsColumn::vector:
+      return encodeAllKindsVectorColumn(slotIn<std::array<double, 3>>(memory), out);
+    case AllKindsColumn::record:
+      return encodeAllKindsRecordColumn(slotIn<robots::PosePrmSlot>(memory), out);
+    case AllKindsColumn::text:
+      return encodeAllKindsTextColumn(slotIn<suture::BoundedText<31>>(memory), out);
   }
 }
 Errc decodeAllKindsColumn(wire::AllKindsStateRow::Reader in, unsigned column, std::byte* memory,
                           suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getScalar();
-      return Errc{};
-    }
-    case 1: {
-      auto& slot = newSlot<std::array<double, 3>>(memory);
-      return in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
-    }
-    case 2: {
-      auto& slot = newSlot<robots::PosePrmSlot>(memory);
-      return in.hasRecord() ? fromWire(in.getRecord(), slot, shift) : Errc::Invalid;
-    }
-    case 3: {
-      auto& slot = newSlot<suture::BoundedText<31>>(memory);
-      return fromWire(in.getText(), slot);
-    }
+  switch (static_cast<AllKindsColumn>(column)) {
+    case AllKindsColumn::scalar:
+      return decodeAllKindsScalarColumn(in, newSlot<double>(memory), shift);
+    case AllKindsColumn::vector:
+      return decodeAllKindsVectorColumn(in, newSlot<std::array<double, 3>>(memory), shift);
+    case AllKindsColumn::record:
+      return decodeAllKindsRecordColumn(in, newSlot<robots::PosePrmSlot>(memory), shift);
+    case AllKindsColumn::text:
+      return decodeAllKindsTextColumn(in, newSlot<suture::BoundedText<31>>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -699,26 +712,26 @@ constexpr CommandInfo kAllKindsCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(AllKindsColumn::scalar),
      .acceptsResult = checkSlot<double, acceptsAllKindsScalarResult>},
     {.name = "vector",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::array<double, 3>>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(AllKindsColumn::vector),
      .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsVectorResult>},
     {.name = "record",
      .kind = CommandKind::Read,
      .resultSize = slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .column = 2,
+     .column = static_cast<int>(AllKindsColumn::record),
      .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
      .shiftResult = shiftSlot<robots::PosePrmSlot>},
     {.name = "text",
      .kind = CommandKind::Read,
      .resultSize = slotSize<suture::BoundedText<31>>,
      .depth = 16,
-     .column = 3},
+     .column = static_cast<int>(AllKindsColumn::text)},
     {.name = "twice_scalar",
      .kind = CommandKind::QualifiedRead,
      .argumentsSize = slotSize<AllKindsTwiceScalarArguments>,
@@ -984,126 +997,198 @@ auto Provided<scenarios::AllKinds>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of scenarios::AllKinds, so that a stack in a debugger names it.
+struct Provided<scenarios::AllKinds>::Dispatch {
+  static Errc execute_clear(Contract& implementation) {
+    implementation.clear();
+    return Errc{};
+  }
+
+  static Errc execute_set_scalar(Contract& implementation, Scratch& scratch,
+                                 const std::byte* arguments) {
+    const auto& slot = slotIn<scenarios::AllKindsSetScalarArguments>(arguments);
+    load(slot.value, scratch.set_scalar_value);
+    implementation.set_scalar(scratch.set_scalar_value);
+    return Errc{};
+  }
+
+  static Errc execute_set_vector(Contract& implementation, Scratch& scratch,
+                                 const std::byte* arguments) {
+    const auto& slot = slotIn<scenarios::AllKindsSetVectorArguments>(arguments);
+    load(slot.value, scratch.set_vector_value);
+    implementation.set_vector(scratch.set_vector_value);
+    return Errc{};
+  }
+
+  static Errc execute_set_record(Contract& implementation, Scratch& scratch,
+                                 const std::byte* arguments) {
+    const auto& slot = slotIn<scenarios::AllKindsSetRecordArguments>(arguments);
+    load(slot.value, scratch.set_record_value);
+    implementation.set_record(scratch.set_record_value);
+    return Errc{};
+  }
+
+  static Errc execute_set_text(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<scenarios::AllKindsSetTextArguments>(arguments);
+    load(slot.value, scratch.set_text_value);
+    implementation.set_text(scratch.set_text_value);
+    return Errc{};
+  }
+
+  static Errc execute_scalar(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.scalar(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_vector(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::array<double, 3>>(result);
+    return store(implementation.vector(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_record(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PosePrmSlot>(result);
+    return store(implementation.record(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_text(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<suture::BoundedText<31>>(result);
+    return store(implementation.text(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_twice_scalar(Contract& implementation, Scratch& scratch,
+                                   const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<scenarios::AllKindsTwiceScalarArguments>(arguments);
+    load(slot.value, scratch.twice_scalar_value);
+    auto& answer = newSlot<double>(result);
+    return store(implementation.twice_scalar(scratch.twice_scalar_value), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_twice_vector(Contract& implementation, Scratch& scratch,
+                                   const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<scenarios::AllKindsTwiceVectorArguments>(arguments);
+    load(slot.value, scratch.twice_vector_value);
+    auto& answer = newSlot<std::array<double, 3>>(result);
+    return store(implementation.twice_vector(scratch.twice_vector_value), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_twice_record(Contract& implementation, Scratch& scratch,
+                                   const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<scenarios::AllKindsTwiceRecordArguments>(arguments);
+    load(slot.value, scratch.twice_record_value);
+    auto& answer = newSlot<robots::PosePrmSlot>(result);
+    return store(implementation.twice_record(scratch.twice_record_value), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_twice_text(Contract& implementation, Scratch& scratch,
+                                 const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<scenarios::AllKindsTwiceTextArguments>(arguments);
+    load(slot.value, scratch.twice_text_value);
+    auto& answer = newSlot<suture::BoundedText<31>>(result);
+    return store(implementation.twice_text(scratch.twice_text_value), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_take_scalar(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.take_scalar(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_take_vector(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::array<double, 3>>(result);
+    return store(implementation.take_vector(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_take_record(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PosePrmSlot>(result);
+    return store(implementation.take_record(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_take_text(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<suture::BoundedText<31>>(result);
+    return store(implementation.take_text(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_swap_scalar(Contract& implementation, Scratch& scratch,
+                                  const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<scenarios::AllKindsSwapScalarArguments>(arguments);
+    load(slot.value, scratch.swap_scalar_value);
+    auto& answer = newSlot<double>(result);
+    return store(implementation.swap_scalar(scratch.swap_scalar_value), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_swap_vector(Contract& implementation, Scratch& scratch,
+                                  const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<scenarios::AllKindsSwapVectorArguments>(arguments);
+    load(slot.value, scratch.swap_vector_value);
+    auto& answer = newSlot<std::array<double, 3>>(result);
+    return store(implementation.swap_vector(scratch.swap_vector_value), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_swap_record(Contract& implementation, Scratch& scratch,
+                                  const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<scenarios::AllKindsSwapRecordArguments>(arguments);
+    load(slot.value, scratch.swap_record_value);
+    auto& answer = newSlot<robots::PosePrmSlot>(result);
+    return store(implementation.swap_record(scratch.swap_record_value), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_swap_text(Contract& implementation, Scratch& scratch,
+                                const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<scenarios::AllKindsSwapTextArguments>(arguments);
+    load(slot.value, scratch.swap_text_value);
+    auto& answer = newSlot<suture::BoundedText<31>>(result);
+    return store(implementation.swap_text(scratch.swap_text_value), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<scenarios::AllKinds>::execute(std::uint16_t command, const std::byte* arguments,
                                             std::byte* result) {
   using ::scenarios::AllKindsCommand;
   switch (static_cast<AllKindsCommand>(command)) {
-    case AllKindsCommand::clear: {
-      implementation_.clear();
-      return Errc{};
-    }
-    case AllKindsCommand::set_scalar: {
-      const auto& slot = slotIn<scenarios::AllKindsSetScalarArguments>(arguments);
-      load(slot.value, scratch_.set_scalar_value);
-      implementation_.set_scalar(scratch_.set_scalar_value);
-      return Errc{};
-    }
-    case AllKindsCommand::set_vector: {
-      const auto& slot = slotIn<scenarios::AllKindsSetVectorArguments>(arguments);
-      load(slot.value, scratch_.set_vector_value);
-      implementation_.set_vector(scratch_.set_vector_value);
-      return Errc{};
-    }
-    case AllKindsCommand::set_record: {
-      const auto& slot = slotIn<scenarios::AllKindsSetRecordArguments>(arguments);
-      load(slot.value, scratch_.set_record_value);
-      implementation_.set_record(scratch_.set_record_value);
-      return Errc{};
-    }
-    case AllKindsCommand::set_text: {
-      const auto& slot = slotIn<scenarios::AllKindsSetTextArguments>(arguments);
-      load(slot.value, scratch_.set_text_value);
-      implementation_.set_text(scratch_.set_text_value);
-      return Errc{};
-    }
-    case AllKindsCommand::scalar: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.scalar(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::vector: {
-      auto& slot = newSlot<std::array<double, 3>>(result);
-      return store(implementation_.vector(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::record: {
-      auto& slot = newSlot<robots::PosePrmSlot>(result);
-      return store(implementation_.record(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::text: {
-      auto& slot = newSlot<suture::BoundedText<31>>(result);
-      return store(implementation_.text(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::twice_scalar: {
-      const auto& slot = slotIn<scenarios::AllKindsTwiceScalarArguments>(arguments);
-      load(slot.value, scratch_.twice_scalar_value);
-      auto& answer = newSlot<double>(result);
-      return store(implementation_.twice_scalar(scratch_.twice_scalar_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::twice_vector: {
-      const auto& slot = slotIn<scenarios::AllKindsTwiceVectorArguments>(arguments);
-      load(slot.value, scratch_.twice_vector_value);
-      auto& answer = newSlot<std::array<double, 3>>(result);
-      return store(implementation_.twice_vector(scratch_.twice_vector_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::twice_record: {
-      const auto& slot = slotIn<scenarios::AllKindsTwiceRecordArguments>(arguments);
-      load(slot.value, scratch_.twice_record_value);
-      auto& answer = newSlot<robots::PosePrmSlot>(result);
-      return store(implementation_.twice_record(scratch_.twice_record_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::twice_text: {
-      const auto& slot = slotIn<scenarios::AllKindsTwiceTextArguments>(arguments);
-      load(slot.value, scratch_.twice_text_value);
-      auto& answer = newSlot<suture::BoundedText<31>>(result);
-      return store(implementation_.twice_text(scratch_.twice_text_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::take_scalar: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.take_scalar(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::take_vector: {
-      auto& slot = newSlot<std::array<double, 3>>(result);
-      return store(implementation_.take_vector(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::take_record: {
-      auto& slot = newSlot<robots::PosePrmSlot>(result);
-      return store(implementation_.take_record(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::take_text: {
-      auto& slot = newSlot<suture::BoundedText<31>>(result);
-      return store(implementation_.take_text(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::swap_scalar: {
-      const auto& slot = slotIn<scenarios::AllKindsSwapScalarArguments>(arguments);
-      load(slot.value, scratch_.swap_scalar_value);
-      auto& answer = newSlot<double>(result);
-      return store(implementation_.swap_scalar(scratch_.swap_scalar_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::swap_vector: {
-      const auto& slot = slotIn<scenarios::AllKindsSwapVectorArguments>(arguments);
-      load(slot.value, scratch_.swap_vector_value);
-      auto& answer = newSlot<std::array<double, 3>>(result);
-      return store(implementation_.swap_vector(scratch_.swap_vector_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::swap_record: {
-      const auto& slot = slotIn<scenarios::AllKindsSwapRecordArguments>(arguments);
-      load(slot.value, scratch_.swap_record_value);
-      auto& answer = newSlot<robots::PosePrmSlot>(result);
-      return store(implementation_.swap_record(scratch_.swap_record_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case AllKindsCommand::swap_text: {
-      const auto& slot = slotIn<scenarios::AllKindsSwapTextArguments>(arguments);
-      load(slot.value, scratch_.swap_text_value);
-      auto& answer = newSlot<suture::BoundedText<31>>(result);
-      return store(implementation_.swap_text(scratch_.swap_text_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
+    case AllKindsCommand::clear: return Dispatch::execute_clear(implementation_);
+    case AllKindsCommand::set_scalar:
+      return Dispatch::execute_set_scalar(implementation_, scratch_, arguments);
+    case AllKindsCommand::set_vector:
+      return Dispatch::execute_set_vector(implementation_, scratch_, arguments);
+    case AllKindsCommand::set_record:
+      return Dispatch::execute_set_record(implementation_, scratch_, arguments);
+    case AllKindsCommand::set_text:
+      return Dispatch::execute_set_text(implementation_, scratch_, arguments);
+    case AllKindsCommand::scalar: return Dispatch::execute_scalar(implementation_, result);
+    case AllKindsCommand::vector: return Dispatch::execute_vector(implementation_, result);
+    case AllKindsCommand::record: return Dispatch::execute_record(implementation_, result);
+    case AllKindsCommand::text: return Dispatch::execute_text(implementation_, result);
+    case AllKindsCommand::twice_scalar:
+      return Dispatch::execute_twice_scalar(implementation_, scratch_, arguments, result);
+    case AllKindsCommand::twice_vector:
+      return Dispatch::execute_twice_vector(implementation_, scratch_, arguments, result);
+    case AllKindsCommand::twice_record:
+      return Dispatch::execute_twice_record(implementation_, scratch_, arguments, result);
+    case AllKindsCommand::twice_text:
+      return Dispatch::execute_twice_text(implementation_, scratch_, arguments, result);
+    case AllKindsCommand::take_scalar:
+      return Dispatch::execute_take_scalar(implementation_, result);
+    case AllKindsCommand::take_vector:
+      return Dispatch::execute_take_vector(implementation_, result);
+    case AllKindsCommand::take_record:
+      return Dispatch::execute_take_record(implementation_, result);
+    case AllKindsCommand::take_text: return Dispatch::execute_take_text(implementation_, result);
+    case AllKindsCommand::swap_scalar:
+      return Dispatch::execute_swap_scalar(implementation_, scratch_, arguments, result);
+    case AllKindsCommand::swap_vector:
+      return Dispatch::execute_swap_vector(implementation_, scratch_, arguments, result);
+    case AllKindsCommand::swap_record:
+      return Dispatch::execute_swap_record(implementation_, scratch_, arguments, result);
+    case AllKindsCommand::swap_text:
+      return Dispatch::execute_swap_text(implementation_, scratch_, arguments, result);
   }
   return Errc::Invalid;
 }

@@ -123,6 +123,14 @@ enum class AllKindsEvent : std::uint16_t {
   text_set,
 };
 
+/// Names where a row of the state has each read of AllKinds.
+enum class AllKindsColumn : std::uint16_t {
+  scalar,
+  vector,
+  record,
+  text,
+};
+
 }  // namespace scenarios
 
 namespace suture {
@@ -261,6 +269,8 @@ class Provided<scenarios::AllKinds> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     double set_scalar_value{};

@@ -161,43 +161,55 @@ Errc decodeCollectingCountsResult(wire::Collecting::CountsResults::Reader in,
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeCollectingIntervalColumn(const CollectingIntervalSlot& slot,
+                                    wire::CollectingStateRow::Builder out) {
+  toWire(slot, out.initInterval());
+}
+Errc decodeCollectingIntervalColumn(wire::CollectingStateRow::Reader in,
+                                    CollectingIntervalSlot& slot, suture::Duration shift) {
+  return in.hasInterval() ? fromWire(in.getInterval(), slot, shift) : Errc::Invalid;
+}
+
+void encodeCollectingCollectingColumn(const std::uint8_t& slot,
+                                      wire::CollectingStateRow::Builder out) {
+  out.setCollecting(slot != 0);
+}
+Errc decodeCollectingCollectingColumn(wire::CollectingStateRow::Reader in, std::uint8_t& slot,
+                                      suture::Duration) {
+  slot = in.getCollecting();
+  return Errc{};
+}
+
+void encodeCollectingCountsColumn(const CollectedCountsSlot& slot,
+                                  wire::CollectingStateRow::Builder out) {
+  toWire(slot, out.initCounts());
+}
+Errc decodeCollectingCountsColumn(wire::CollectingStateRow::Reader in, CollectedCountsSlot& slot,
+                                  suture::Duration shift) {
+  return in.hasCounts() ? fromWire(in.getCounts(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeCollectingColumn(unsigned column, const std::byte* memory,
                             wire::CollectingStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<CollectingIntervalSlot>(memory);
-      toWire(slot, out.initInterval());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<std::uint8_t>(memory);
-      out.setCollecting(slot != 0);
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<CollectedCountsSlot>(memory);
-      toWire(slot, out.initCounts());
-      break;
-    }
+  switch (static_cast<CollectingColumn>(column)) {
+    case CollectingColumn::interval:
+      return encodeCollectingIntervalColumn(slotIn<CollectingIntervalSlot>(memory), out);
+    case CollectingColumn::collecting:
+      return encodeCollectingCollectingColumn(slotIn<std::uint8_t>(memory), out);
+    case CollectingColumn::counts:
+      return encodeCollectingCountsColumn(slotIn<CollectedCountsSlot>(memory), out);
   }
 }
 Errc decodeCollectingColumn(wire::CollectingStateRow::Reader in, unsigned column, std::byte* memory,
                             suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<CollectingIntervalSlot>(memory);
-      return in.hasInterval() ? fromWire(in.getInterval(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<std::uint8_t>(memory);
-      slot = in.getCollecting();
-      return Errc{};
-    }
-    case 2: {
-      auto& slot = newSlot<CollectedCountsSlot>(memory);
-      return in.hasCounts() ? fromWire(in.getCounts(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<CollectingColumn>(column)) {
+    case CollectingColumn::interval:
+      return decodeCollectingIntervalColumn(in, newSlot<CollectingIntervalSlot>(memory), shift);
+    case CollectingColumn::collecting:
+      return decodeCollectingCollectingColumn(in, newSlot<std::uint8_t>(memory), shift);
+    case CollectingColumn::counts:
+      return decodeCollectingCountsColumn(in, newSlot<CollectedCountsSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -262,18 +274,18 @@ constexpr CommandInfo kCollectingCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<CollectingIntervalSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(CollectingColumn::interval),
      .acceptsResult = checkSlot<CollectingIntervalSlot, isValid>},
     {.name = "collecting",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .column = 1},
+     .column = static_cast<int>(CollectingColumn::collecting)},
     {.name = "counts",
      .kind = CommandKind::Read,
      .resultSize = slotSize<CollectedCountsSlot>,
      .depth = 16,
-     .column = 2,
+     .column = static_cast<int>(CollectingColumn::counts),
      .acceptsResult = checkSlot<CollectedCountsSlot, isValid>},
 };
 
@@ -354,37 +366,57 @@ const InterfaceInfo& interfaceInfo<suture::Collecting>() {
   return kInfo;
 }
 
+// A function for each command of suture::Collecting, so that a stack in a debugger names it.
+struct Provided<suture::Collecting>::Dispatch {
+  static Errc execute_start_collecting(Contract& implementation) {
+    implementation.start_collecting();
+    return Errc{};
+  }
+
+  static Errc execute_stop_collecting(Contract& implementation) {
+    implementation.stop_collecting();
+    return Errc{};
+  }
+
+  static Errc execute_set_interval(Contract& implementation, Scratch& scratch,
+                                   const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<suture::CollectingSetIntervalArguments>(arguments);
+    load(slot.interval, scratch.set_interval_interval);
+    auto& answer = newSlot<std::uint8_t>(result);
+    return store(implementation.set_interval(scratch.set_interval_interval), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_interval(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<CollectingIntervalSlot>(result);
+    return store(implementation.interval(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_collecting(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.collecting(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_counts(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<CollectedCountsSlot>(result);
+    return store(implementation.counts(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<suture::Collecting>::execute(std::uint16_t command, const std::byte* arguments,
                                            std::byte* result) {
   using ::suture::CollectingCommand;
   switch (static_cast<CollectingCommand>(command)) {
-    case CollectingCommand::start_collecting: {
-      implementation_.start_collecting();
-      return Errc{};
-    }
-    case CollectingCommand::stop_collecting: {
-      implementation_.stop_collecting();
-      return Errc{};
-    }
-    case CollectingCommand::set_interval: {
-      const auto& slot = slotIn<suture::CollectingSetIntervalArguments>(arguments);
-      load(slot.interval, scratch_.set_interval_interval);
-      auto& answer = newSlot<std::uint8_t>(result);
-      return store(implementation_.set_interval(scratch_.set_interval_interval), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case CollectingCommand::interval: {
-      auto& slot = newSlot<CollectingIntervalSlot>(result);
-      return store(implementation_.interval(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case CollectingCommand::collecting: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.collecting(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case CollectingCommand::counts: {
-      auto& slot = newSlot<CollectedCountsSlot>(result);
-      return store(implementation_.counts(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case CollectingCommand::start_collecting:
+      return Dispatch::execute_start_collecting(implementation_);
+    case CollectingCommand::stop_collecting:
+      return Dispatch::execute_stop_collecting(implementation_);
+    case CollectingCommand::set_interval:
+      return Dispatch::execute_set_interval(implementation_, scratch_, arguments, result);
+    case CollectingCommand::interval: return Dispatch::execute_interval(implementation_, result);
+    case CollectingCommand::collecting:
+      return Dispatch::execute_collecting(implementation_, result);
+    case CollectingCommand::counts: return Dispatch::execute_counts(implementation_, result);
   }
   return Errc::Invalid;
 }

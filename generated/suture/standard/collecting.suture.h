@@ -49,6 +49,13 @@ enum class CollectingCommand : std::uint16_t {
   counts,
 };
 
+/// Names where a row of the state has each read of Collecting.
+enum class CollectingColumn : std::uint16_t {
+  interval,
+  collecting,
+  counts,
+};
+
 }  // namespace suture
 
 namespace suture {
@@ -108,6 +115,8 @@ class Provided<suture::Collecting> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     CollectingInterval set_interval_interval{};

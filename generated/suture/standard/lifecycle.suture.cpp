@@ -258,24 +258,28 @@ Errc decodeLifecycleStateChangedEvent(wire::LifecycleEvents::StateChangedParams:
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeLifecycleComponentStateColumn(const std::uint8_t& slot,
+                                         wire::LifecycleStateRow::Builder out) {
+  out.setComponentState(wireComponentState(slot));
+}
+Errc decodeLifecycleComponentStateColumn(wire::LifecycleStateRow::Reader in, std::uint8_t& slot,
+                                         suture::Duration) {
+  return fromWire(in.getComponentState(), slot);
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeLifecycleColumn(unsigned column, const std::byte* memory,
                            wire::LifecycleStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<std::uint8_t>(memory);
-      out.setComponentState(wireComponentState(slot));
-      break;
-    }
+  switch (static_cast<LifecycleColumn>(column)) {
+    case LifecycleColumn::component_state:
+      return encodeLifecycleComponentStateColumn(slotIn<std::uint8_t>(memory), out);
   }
 }
 Errc decodeLifecycleColumn(wire::LifecycleStateRow::Reader in, unsigned column, std::byte* memory,
-                           suture::Duration) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<std::uint8_t>(memory);
-      return fromWire(in.getComponentState(), slot);
-    }
+                           suture::Duration shift) {
+  switch (static_cast<LifecycleColumn>(column)) {
+    case LifecycleColumn::component_state:
+      return decodeLifecycleComponentStateColumn(in, newSlot<std::uint8_t>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -341,7 +345,7 @@ constexpr CommandInfo kLifecycleCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(LifecycleColumn::component_state),
      .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleComponentStateResult>},
     {.name = "resume_connection",
      .kind = CommandKind::WriteReturn,
@@ -462,29 +466,43 @@ auto Provided<suture::Lifecycle>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of suture::Lifecycle, so that a stack in a debugger names it.
+struct Provided<suture::Lifecycle>::Dispatch {
+  static Errc execute_suspend(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.suspend(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_resume(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.resume(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_component_state(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.component_state(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_resume_connection(Contract& implementation, Scratch& scratch,
+                                        const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<suture::LifecycleResumeConnectionArguments>(arguments);
+    load(slot.required, scratch.resume_connection_required);
+    auto& answer = newSlot<std::uint8_t>(result);
+    return store(implementation.resume_connection(scratch.resume_connection_required), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<suture::Lifecycle>::execute(std::uint16_t command, const std::byte* arguments,
                                           std::byte* result) {
   using ::suture::LifecycleCommand;
   switch (static_cast<LifecycleCommand>(command)) {
-    case LifecycleCommand::suspend: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.suspend(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case LifecycleCommand::resume: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.resume(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case LifecycleCommand::component_state: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.component_state(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case LifecycleCommand::resume_connection: {
-      const auto& slot = slotIn<suture::LifecycleResumeConnectionArguments>(arguments);
-      load(slot.required, scratch_.resume_connection_required);
-      auto& answer = newSlot<std::uint8_t>(result);
-      return store(implementation_.resume_connection(scratch_.resume_connection_required), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
+    case LifecycleCommand::suspend: return Dispatch::execute_suspend(implementation_, result);
+    case LifecycleCommand::resume: return Dispatch::execute_resume(implementation_, result);
+    case LifecycleCommand::component_state:
+      return Dispatch::execute_component_state(implementation_, result);
+    case LifecycleCommand::resume_connection:
+      return Dispatch::execute_resume_connection(implementation_, scratch_, arguments, result);
   }
   return Errc::Invalid;
 }

@@ -44,6 +44,11 @@ enum class LifecycleEvent : std::uint16_t {
   state_changed,
 };
 
+/// Names where a row of the state has each read of Lifecycle.
+enum class LifecycleColumn : std::uint16_t {
+  component_state,
+};
+
 }  // namespace suture
 
 namespace suture {
@@ -125,6 +130,8 @@ class Provided<suture::Lifecycle> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     std::string resume_connection_required{};

@@ -174,44 +174,56 @@ Errc decodeTaskTimingSkippedResult(wire::TaskTiming::SkippedResults::Reader in, 
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeTaskTimingWindowColumn(const TaskWindowSlot& slot,
+                                  wire::TaskTimingStateRow::Builder out) {
+  toWire(slot, out.initWindow());
+}
+Errc decodeTaskTimingWindowColumn(wire::TaskTimingStateRow::Reader in, TaskWindowSlot& slot,
+                                  suture::Duration shift) {
+  return in.hasWindow() ? fromWire(in.getWindow(), slot, shift) : Errc::Invalid;
+}
+
+void encodeTaskTimingCyclesColumn(const std::uint64_t& slot,
+                                  wire::TaskTimingStateRow::Builder out) {
+  out.setCycles(slot);
+}
+Errc decodeTaskTimingCyclesColumn(wire::TaskTimingStateRow::Reader in, std::uint64_t& slot,
+                                  suture::Duration) {
+  slot = in.getCycles();
+  return Errc{};
+}
+
+void encodeTaskTimingSkippedColumn(const std::uint64_t& slot,
+                                   wire::TaskTimingStateRow::Builder out) {
+  out.setSkipped(slot);
+}
+Errc decodeTaskTimingSkippedColumn(wire::TaskTimingStateRow::Reader in, std::uint64_t& slot,
+                                   suture::Duration) {
+  slot = in.getSkipped();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeTaskTimingColumn(unsigned column, const std::byte* memory,
                             wire::TaskTimingStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<TaskWindowSlot>(memory);
-      toWire(slot, out.initWindow());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<std::uint64_t>(memory);
-      out.setCycles(slot);
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<std::uint64_t>(memory);
-      out.setSkipped(slot);
-      break;
-    }
+  switch (static_cast<TaskTimingColumn>(column)) {
+    case TaskTimingColumn::window:
+      return encodeTaskTimingWindowColumn(slotIn<TaskWindowSlot>(memory), out);
+    case TaskTimingColumn::cycles:
+      return encodeTaskTimingCyclesColumn(slotIn<std::uint64_t>(memory), out);
+    case TaskTimingColumn::skipped:
+      return encodeTaskTimingSkippedColumn(slotIn<std::uint64_t>(memory), out);
   }
 }
 Errc decodeTaskTimingColumn(wire::TaskTimingStateRow::Reader in, unsigned column, std::byte* memory,
                             suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<TaskWindowSlot>(memory);
-      return in.hasWindow() ? fromWire(in.getWindow(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<std::uint64_t>(memory);
-      slot = in.getCycles();
-      return Errc{};
-    }
-    case 2: {
-      auto& slot = newSlot<std::uint64_t>(memory);
-      slot = in.getSkipped();
-      return Errc{};
-    }
+  switch (static_cast<TaskTimingColumn>(column)) {
+    case TaskTimingColumn::window:
+      return decodeTaskTimingWindowColumn(in, newSlot<TaskWindowSlot>(memory), shift);
+    case TaskTimingColumn::cycles:
+      return decodeTaskTimingCyclesColumn(in, newSlot<std::uint64_t>(memory), shift);
+    case TaskTimingColumn::skipped:
+      return decodeTaskTimingSkippedColumn(in, newSlot<std::uint64_t>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -255,19 +267,19 @@ constexpr CommandInfo kTaskTimingCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<TaskWindowSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(TaskTimingColumn::window),
      .acceptsResult = checkSlot<TaskWindowSlot, isValid>,
      .shiftResult = shiftSlot<TaskWindowSlot>},
     {.name = "cycles",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint64_t>,
      .depth = 16,
-     .column = 1},
+     .column = static_cast<int>(TaskTimingColumn::cycles)},
     {.name = "skipped",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint64_t>,
      .depth = 16,
-     .column = 2},
+     .column = static_cast<int>(TaskTimingColumn::skipped)},
 };
 
 // The self-description, as in suture/standard/task_timing.suture.json.
@@ -343,22 +355,31 @@ const InterfaceInfo& interfaceInfo<suture::TaskTiming>() {
   return kInfo;
 }
 
+// A function for each command of suture::TaskTiming, so that a stack in a debugger names it.
+struct Provided<suture::TaskTiming>::Dispatch {
+  static Errc execute_window(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<TaskWindowSlot>(result);
+    return store(implementation.window(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_cycles(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint64_t>(result);
+    return store(implementation.cycles(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_skipped(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint64_t>(result);
+    return store(implementation.skipped(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<suture::TaskTiming>::execute(std::uint16_t command, const std::byte* /*arguments*/,
                                            std::byte* result) {
   using ::suture::TaskTimingCommand;
   switch (static_cast<TaskTimingCommand>(command)) {
-    case TaskTimingCommand::window: {
-      auto& slot = newSlot<TaskWindowSlot>(result);
-      return store(implementation_.window(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case TaskTimingCommand::cycles: {
-      auto& slot = newSlot<std::uint64_t>(result);
-      return store(implementation_.cycles(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case TaskTimingCommand::skipped: {
-      auto& slot = newSlot<std::uint64_t>(result);
-      return store(implementation_.skipped(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case TaskTimingCommand::window: return Dispatch::execute_window(implementation_, result);
+    case TaskTimingCommand::cycles: return Dispatch::execute_cycles(implementation_, result);
+    case TaskTimingCommand::skipped: return Dispatch::execute_skipped(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -42,6 +42,13 @@ enum class TaskTimingCommand : std::uint16_t {
   skipped,
 };
 
+/// Names where a row of the state has each read of TaskTiming.
+enum class TaskTimingColumn : std::uint16_t {
+  window,
+  cycles,
+  skipped,
+};
+
 }  // namespace suture
 
 namespace suture {
@@ -94,6 +101,8 @@ class Provided<suture::TaskTiming> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   Contract& implementation_;
 };
 

@@ -82,24 +82,24 @@ Errc decodeLampErrorEvent(wire::LampEvents::ErrorParams::Reader in, suture::Mess
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeLampLitColumn(const std::uint8_t& slot, wire::LampStateRow::Builder out) {
+  out.setLit(slot != 0);
+}
+Errc decodeLampLitColumn(wire::LampStateRow::Reader in, std::uint8_t& slot, suture::Duration) {
+  slot = in.getLit();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeLampColumn(unsigned column, const std::byte* memory, wire::LampStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<std::uint8_t>(memory);
-      out.setLit(slot != 0);
-      break;
-    }
+  switch (static_cast<LampColumn>(column)) {
+    case LampColumn::lit: return encodeLampLitColumn(slotIn<std::uint8_t>(memory), out);
   }
 }
 Errc decodeLampColumn(wire::LampStateRow::Reader in, unsigned column, std::byte* memory,
-                      suture::Duration) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<std::uint8_t>(memory);
-      slot = in.getLit();
-      return Errc{};
-    }
+                      suture::Duration shift) {
+  switch (static_cast<LampColumn>(column)) {
+    case LampColumn::lit: return decodeLampLitColumn(in, newSlot<std::uint8_t>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -155,7 +155,7 @@ constexpr CommandInfo kLampCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::uint8_t>,
      .depth = 16,
-     .column = 0},
+     .column = static_cast<int>(LampColumn::lit)},
 };
 
 // The self-description, as in unit/contracts/lamp.suture.json.
@@ -233,20 +233,28 @@ const InterfaceInfo& interfaceInfo<contracts::Lamp>() {
   return kInfo;
 }
 
+// A function for each command of contracts::Lamp, so that a stack in a debugger names it.
+struct Provided<contracts::Lamp>::Dispatch {
+  static Errc execute_light(Contract& implementation, Scratch& scratch,
+                            const std::byte* arguments) {
+    const auto& slot = slotIn<contracts::LampLightArguments>(arguments);
+    load(slot.on, scratch.light_on);
+    implementation.light(scratch.light_on);
+    return Errc{};
+  }
+
+  static Errc execute_lit(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint8_t>(result);
+    return store(implementation.lit(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<contracts::Lamp>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::contracts::LampCommand;
   switch (static_cast<LampCommand>(command)) {
-    case LampCommand::light: {
-      const auto& slot = slotIn<contracts::LampLightArguments>(arguments);
-      load(slot.on, scratch_.light_on);
-      implementation_.light(scratch_.light_on);
-      return Errc{};
-    }
-    case LampCommand::lit: {
-      auto& slot = newSlot<std::uint8_t>(result);
-      return store(implementation_.lit(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case LampCommand::light: return Dispatch::execute_light(implementation_, scratch_, arguments);
+    case LampCommand::lit: return Dispatch::execute_lit(implementation_, result);
   }
   return Provided<suture::Messages>::execute(command, arguments, result);
 }

@@ -26,6 +26,11 @@ enum class LampCommand : std::uint16_t {
   lit,
 };
 
+/// Names where a row of the state has each read of Lamp.
+enum class LampColumn : std::uint16_t {
+  lit,
+};
+
 }  // namespace contracts
 
 namespace suture {
@@ -72,6 +77,8 @@ class Provided<contracts::Lamp> : public Provided<suture::Messages> {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     bool light_on{};

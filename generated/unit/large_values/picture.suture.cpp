@@ -138,33 +138,37 @@ Errc decodeGalleryHungEvent(wire::GalleryEvents::HungParams::Reader in, PictureS
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeGalleryNewestColumn(const PictureSlot& slot, wire::GalleryStateRow::Builder out) {
+  toWire(slot, out.initNewest());
+}
+Errc decodeGalleryNewestColumn(wire::GalleryStateRow::Reader in, PictureSlot& slot,
+                               suture::Duration shift) {
+  return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : Errc::Invalid;
+}
+
+void encodeGalleryOldestColumn(const PictureSlot& slot, wire::GalleryStateRow::Builder out) {
+  toWire(slot, out.initOldest());
+}
+Errc decodeGalleryOldestColumn(wire::GalleryStateRow::Reader in, PictureSlot& slot,
+                               suture::Duration shift) {
+  return in.hasOldest() ? fromWire(in.getOldest(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeGalleryColumn(unsigned column, const std::byte* memory,
                          wire::GalleryStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<PictureSlot>(memory);
-      toWire(slot, out.initNewest());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<PictureSlot>(memory);
-      toWire(slot, out.initOldest());
-      break;
-    }
+  switch (static_cast<GalleryColumn>(column)) {
+    case GalleryColumn::newest: return encodeGalleryNewestColumn(slotIn<PictureSlot>(memory), out);
+    case GalleryColumn::oldest: return encodeGalleryOldestColumn(slotIn<PictureSlot>(memory), out);
   }
 }
 Errc decodeGalleryColumn(wire::GalleryStateRow::Reader in, unsigned column, std::byte* memory,
                          suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<PictureSlot>(memory);
-      return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<PictureSlot>(memory);
-      return in.hasOldest() ? fromWire(in.getOldest(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<GalleryColumn>(column)) {
+    case GalleryColumn::newest:
+      return decodeGalleryNewestColumn(in, newSlot<PictureSlot>(memory), shift);
+    case GalleryColumn::oldest:
+      return decodeGalleryOldestColumn(in, newSlot<PictureSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -243,14 +247,14 @@ constexpr CommandInfo kGalleryCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PictureSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(GalleryColumn::newest),
      .acceptsResult = checkSlot<PictureSlot, isValid>,
      .resultLevels = kGalleryNewestResultLevels},
     {.name = "oldest",
      .kind = CommandKind::Read,
      .resultSize = slotSize<PictureSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(GalleryColumn::oldest),
      .acceptsResult = checkSlot<PictureSlot, isValid>,
      .resultLevels = kGalleryOldestResultLevels},
     {.name = "dimmed",
@@ -345,31 +349,43 @@ auto Provided<large_values::Gallery>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of large_values::Gallery, so that a stack in a debugger names it.
+struct Provided<large_values::Gallery>::Dispatch {
+  static Errc execute_newest(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<large_values::PictureSlot>(result);
+    return store(implementation.newest(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_oldest(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<large_values::PictureSlot>(result);
+    return store(implementation.oldest(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_dimmed(Contract& implementation, Scratch& scratch, const std::byte* arguments,
+                             std::byte* result) {
+    const auto& slot = slotIn<large_values::GalleryDimmedArguments>(arguments);
+    load(slot.picture, scratch.dimmed_picture);
+    auto& answer = newSlot<large_values::PictureSlot>(result);
+    return store(implementation.dimmed(scratch.dimmed_picture), answer) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_hang(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<large_values::GalleryHangArguments>(arguments);
+    load(slot.picture, scratch.hang_picture);
+    implementation.hang(scratch.hang_picture);
+    return Errc{};
+  }
+};
+
 Errc Provided<large_values::Gallery>::execute(std::uint16_t command, const std::byte* arguments,
                                               std::byte* result) {
   using ::large_values::GalleryCommand;
   switch (static_cast<GalleryCommand>(command)) {
-    case GalleryCommand::newest: {
-      auto& slot = newSlot<large_values::PictureSlot>(result);
-      return store(implementation_.newest(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GalleryCommand::oldest: {
-      auto& slot = newSlot<large_values::PictureSlot>(result);
-      return store(implementation_.oldest(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GalleryCommand::dimmed: {
-      const auto& slot = slotIn<large_values::GalleryDimmedArguments>(arguments);
-      load(slot.picture, scratch_.dimmed_picture);
-      auto& answer = newSlot<large_values::PictureSlot>(result);
-      return store(implementation_.dimmed(scratch_.dimmed_picture), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case GalleryCommand::hang: {
-      const auto& slot = slotIn<large_values::GalleryHangArguments>(arguments);
-      load(slot.picture, scratch_.hang_picture);
-      implementation_.hang(scratch_.hang_picture);
-      return Errc{};
-    }
+    case GalleryCommand::newest: return Dispatch::execute_newest(implementation_, result);
+    case GalleryCommand::oldest: return Dispatch::execute_oldest(implementation_, result);
+    case GalleryCommand::dimmed:
+      return Dispatch::execute_dimmed(implementation_, scratch_, arguments, result);
+    case GalleryCommand::hang: return Dispatch::execute_hang(implementation_, scratch_, arguments);
   }
   return Errc::Invalid;
 }

@@ -46,6 +46,12 @@ enum class GalleryEvent : std::uint16_t {
   hung,
 };
 
+/// Names where a row of the state has each read of Gallery.
+enum class GalleryColumn : std::uint16_t {
+  newest,
+  oldest,
+};
+
 }  // namespace large_values
 
 namespace suture {
@@ -121,6 +127,8 @@ class Provided<large_values::Gallery> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     large_values::Picture dimmed_picture{};

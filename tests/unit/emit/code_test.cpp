@@ -42,6 +42,17 @@ TEST(Code, LongLambdasGetLinesForTheirBodies) {
             "each(" + name + name + ", [](int element) {\n  return use(element);\n});\n");
 }
 
+TEST(Code, StatementOfAChoiceGoesBelowItWhenBothAreTooLong) {
+  Code code;
+  const std::string name(90, 'n');
+  code.open("switch (x) {")
+      .choice("case 1:", "return a;")
+      .choice("case " + name + ":", "return b;");
+  code.close("}");
+  EXPECT_EQ(code.text(),
+            "switch (x) {\n  case 1: return a;\n  case " + name + ":\n    return b;\n}\n");
+}
+
 TEST(Code, DocumentationKeepsItsParagraphs) {
   Code code;
   code.doc("One.\n\nTwo.").doc("");

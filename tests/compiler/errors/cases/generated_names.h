@@ -5,6 +5,7 @@ struct SUTURE_TYPE() Errc {
   int code = 0;
 };
 class ArmEvent {};
+class ArmColumn {};
 struct GoalSlot {};
 struct SUTURE_TYPE() Goal {
   double x = 0;

@@ -465,51 +465,57 @@ Errc decodeArmMovedEvent(wire::ArmEvents::MovedParams::Reader in, ArmMovedPayloa
   });
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeArmMeasuredCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initMeasuredCp());
+}
+Errc decodeArmMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                               suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmModeColumn(const std::int8_t& slot, wire::ArmStateRow::Builder out) {
+  out.setMode(wireMode(slot));
+}
+Errc decodeArmModeColumn(wire::ArmStateRow::Reader in, std::int8_t& slot, suture::Duration) {
+  return fromWire(in.getMode(), slot);
+}
+
+void encodeArmEverythingColumn(const EverythingSlot& slot, wire::ArmStateRow::Builder out) {
+  toWire(slot, out.initEverything());
+}
+Errc decodeArmEverythingColumn(wire::ArmStateRow::Reader in, EverythingSlot& slot,
+                               suture::Duration shift) {
+  return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : Errc::Invalid;
+}
+
+void encodeArmLoadColumn(const double& slot, wire::ArmStateRow::Builder out) {
+  out.setLoad(slot);
+}
+Errc decodeArmLoadColumn(wire::ArmStateRow::Reader in, double& slot, suture::Duration) {
+  slot = in.getLoad();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initMeasuredCp());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<std::int8_t>(memory);
-      out.setMode(wireMode(slot));
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<EverythingSlot>(memory);
-      toWire(slot, out.initEverything());
-      break;
-    }
-    case 3: {
-      const auto& slot = slotIn<double>(memory);
-      out.setLoad(slot);
-      break;
-    }
+  switch (static_cast<ArmColumn>(column)) {
+    case ArmColumn::measured_cp:
+      return encodeArmMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case ArmColumn::mode: return encodeArmModeColumn(slotIn<std::int8_t>(memory), out);
+    case ArmColumn::everything:
+      return encodeArmEverythingColumn(slotIn<EverythingSlot>(memory), out);
+    case ArmColumn::load: return encodeArmLoadColumn(slotIn<double>(memory), out);
   }
 }
 Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
                      suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<std::int8_t>(memory);
-      return fromWire(in.getMode(), slot);
-    }
-    case 2: {
-      auto& slot = newSlot<EverythingSlot>(memory);
-      return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : Errc::Invalid;
-    }
-    case 3: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getLoad();
-      return Errc{};
-    }
+  switch (static_cast<ArmColumn>(column)) {
+    case ArmColumn::measured_cp:
+      return decodeArmMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case ArmColumn::mode: return decodeArmModeColumn(in, newSlot<std::int8_t>(memory), shift);
+    case ArmColumn::everything:
+      return decodeArmEverythingColumn(in, newSlot<EverythingSlot>(memory), shift);
+    case ArmColumn::load: return decodeArmLoadColumn(in, newSlot<double>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -619,20 +625,20 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<PoseStampedSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(ArmColumn::measured_cp),
      .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
      .shiftResult = shiftSlot<PoseStampedSlot>},
     {.name = "mode",
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::int8_t>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(ArmColumn::mode),
      .acceptsResult = checkSlot<std::int8_t, acceptsArmModeResult>},
     {.name = "everything",
      .kind = CommandKind::Read,
      .resultSize = slotSize<EverythingSlot>,
      .depth = 16,
-     .column = 2,
+     .column = static_cast<int>(ArmColumn::everything),
      .acceptsResult = checkSlot<EverythingSlot, isValid>,
      .shiftResult = shiftSlot<EverythingSlot>},
     {.name = "inverse_kinematics",
@@ -660,7 +666,7 @@ constexpr CommandInfo kArmCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 3,
+     .column = static_cast<int>(ArmColumn::load),
      .acceptsResult = checkSlot<double, acceptsArmLoadResult>},
 };
 
@@ -834,67 +840,100 @@ const InterfaceInfo& interfaceInfo<robots::Arm>() {
   return kInfo;
 }
 
+// A function for each command of robots::Arm, so that a stack in a debugger names it.
+struct Provided<robots::Arm>::Dispatch {
+  static Errc execute_enable(Contract& implementation) {
+    implementation.enable();
+    return Errc{};
+  }
+
+  static Errc execute_servo_cp(Contract& implementation, Scratch& scratch,
+                               const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmServoCpArguments>(arguments);
+    load(slot.goal, scratch.servo_cp_goal);
+    implementation.servo_cp(scratch.servo_cp_goal);
+    return Errc{};
+  }
+
+  static Errc execute_set_speed(Contract& implementation, Scratch& scratch,
+                                const std::byte* arguments) {
+    const auto& slot = slotIn<robots::ArmSetSpeedArguments>(arguments);
+    load(slot.speed, scratch.set_speed_speed);
+    implementation.set_speed(scratch.set_speed_speed);
+    return Errc{};
+  }
+
+  static Errc execute_measured_cp(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::PoseStampedSlot>(result);
+    return store(implementation.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_mode(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::int8_t>(result);
+    return store(implementation.mode(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_everything(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<robots::EverythingSlot>(result);
+    return store(implementation.everything(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_inverse_kinematics(Contract& implementation, Scratch& scratch,
+                                         const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<robots::ArmInverseKinematicsArguments>(arguments);
+    load(slot.x, scratch.inverse_kinematics_x);
+    load(slot.tolerance, scratch.inverse_kinematics_tolerance);
+    auto& answer = newSlot<robots::EverythingSlot>(result);
+    return store(implementation.inverse_kinematics(scratch.inverse_kinematics_x,
+                                                   scratch.inverse_kinematics_tolerance), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_grasp(Contract& implementation, Scratch& scratch, const std::byte* arguments,
+                            std::byte* result) {
+    const auto& slot = slotIn<robots::ArmGraspArguments>(arguments);
+    load(slot.width, scratch.grasp_width);
+    load(slot.mode, scratch.grasp_mode);
+    auto& answer = newSlot<std::uint8_t>(result);
+    return store(implementation.grasp(scratch.grasp_width, scratch.grasp_mode), answer)
+        ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_next_token(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::uint32_t>(result);
+    return store(implementation.next_token(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_park(Contract& implementation) {
+    implementation.park();
+    return Errc{};
+  }
+
+  static Errc execute_load(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.load(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::Arm>::execute(std::uint16_t command, const std::byte* arguments,
                                     std::byte* result) {
   using ::robots::ArmCommand;
   switch (static_cast<ArmCommand>(command)) {
-    case ArmCommand::enable: {
-      implementation_.enable();
-      return Errc{};
-    }
-    case ArmCommand::servo_cp: {
-      const auto& slot = slotIn<robots::ArmServoCpArguments>(arguments);
-      load(slot.goal, scratch_.servo_cp_goal);
-      implementation_.servo_cp(scratch_.servo_cp_goal);
-      return Errc{};
-    }
-    case ArmCommand::set_speed: {
-      const auto& slot = slotIn<robots::ArmSetSpeedArguments>(arguments);
-      load(slot.speed, scratch_.set_speed_speed);
-      implementation_.set_speed(scratch_.set_speed_speed);
-      return Errc{};
-    }
-    case ArmCommand::measured_cp: {
-      auto& slot = newSlot<robots::PoseStampedSlot>(result);
-      return store(implementation_.measured_cp(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::mode: {
-      auto& slot = newSlot<std::int8_t>(result);
-      return store(implementation_.mode(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::everything: {
-      auto& slot = newSlot<robots::EverythingSlot>(result);
-      return store(implementation_.everything(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::inverse_kinematics: {
-      const auto& slot = slotIn<robots::ArmInverseKinematicsArguments>(arguments);
-      load(slot.x, scratch_.inverse_kinematics_x);
-      load(slot.tolerance, scratch_.inverse_kinematics_tolerance);
-      auto& answer = newSlot<robots::EverythingSlot>(result);
-      return store(implementation_.inverse_kinematics(scratch_.inverse_kinematics_x,
-                                                      scratch_.inverse_kinematics_tolerance),
-                   answer) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::grasp: {
-      const auto& slot = slotIn<robots::ArmGraspArguments>(arguments);
-      load(slot.width, scratch_.grasp_width);
-      load(slot.mode, scratch_.grasp_mode);
-      auto& answer = newSlot<std::uint8_t>(result);
-      return store(implementation_.grasp(scratch_.grasp_width, scratch_.grasp_mode), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::next_token: {
-      auto& slot = newSlot<std::uint32_t>(result);
-      return store(implementation_.next_token(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArmCommand::park: {
-      implementation_.park();
-      return Errc{};
-    }
-    case ArmCommand::load: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.load(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case ArmCommand::enable: return Dispatch::execute_enable(implementation_);
+    case ArmCommand::servo_cp:
+      return Dispatch::execute_servo_cp(implementation_, scratch_, arguments);
+    case ArmCommand::set_speed:
+      return Dispatch::execute_set_speed(implementation_, scratch_, arguments);
+    case ArmCommand::measured_cp: return Dispatch::execute_measured_cp(implementation_, result);
+    case ArmCommand::mode: return Dispatch::execute_mode(implementation_, result);
+    case ArmCommand::everything: return Dispatch::execute_everything(implementation_, result);
+    case ArmCommand::inverse_kinematics:
+      return Dispatch::execute_inverse_kinematics(implementation_, scratch_, arguments, result);
+    case ArmCommand::grasp:
+      return Dispatch::execute_grasp(implementation_, scratch_, arguments, result);
+    case ArmCommand::next_token: return Dispatch::execute_next_token(implementation_, result);
+    case ArmCommand::park: return Dispatch::execute_park(implementation_);
+    case ArmCommand::load: return Dispatch::execute_load(implementation_, result);
   }
   return Errc::Invalid;
 }

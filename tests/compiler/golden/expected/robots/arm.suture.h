@@ -110,6 +110,14 @@ enum class ArmEvent : std::uint16_t {
   moved,
 };
 
+/// Names where a row of the state has each read of Arm.
+enum class ArmColumn : std::uint16_t {
+  measured_cp,
+  mode,
+  everything,
+  load,
+};
+
 }  // namespace robots
 
 namespace suture {
@@ -215,6 +223,8 @@ class Provided<robots::Arm> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     robots::PoseStamped servo_cp_goal{};

@@ -169,62 +169,72 @@ Errc decodeGripperGrippedEvent(wire::GripperEvents::GrippedParams::Reader in,
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeGripperMeasuredCpColumn(const PoseStampedSlot& slot,
+                                   wire::GripperStateRow::Builder out) {
+  toWire(slot, out.initMeasuredCp());
+}
+Errc decodeGripperMeasuredCpColumn(wire::GripperStateRow::Reader in, PoseStampedSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+}
+
+void encodeGripperModeColumn(const std::int8_t& slot, wire::GripperStateRow::Builder out) {
+  out.setMode(wireMode(slot));
+}
+Errc decodeGripperModeColumn(wire::GripperStateRow::Reader in, std::int8_t& slot,
+                             suture::Duration) {
+  return fromWire(in.getMode(), slot);
+}
+
+void encodeGripperEverythingColumn(const EverythingSlot& slot, wire::GripperStateRow::Builder out) {
+  toWire(slot, out.initEverything());
+}
+Errc decodeGripperEverythingColumn(wire::GripperStateRow::Reader in, EverythingSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : Errc::Invalid;
+}
+
+void encodeGripperLoadColumn(const double& slot, wire::GripperStateRow::Builder out) {
+  out.setLoad(slot);
+}
+Errc decodeGripperLoadColumn(wire::GripperStateRow::Reader in, double& slot, suture::Duration) {
+  slot = in.getLoad();
+  return Errc{};
+}
+
+void encodeGripperOpeningColumn(const double& slot, wire::GripperStateRow::Builder out) {
+  out.setOpening(slot);
+}
+Errc decodeGripperOpeningColumn(wire::GripperStateRow::Reader in, double& slot, suture::Duration) {
+  slot = in.getOpening();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeGripperColumn(unsigned column, const std::byte* memory,
                          wire::GripperStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<PoseStampedSlot>(memory);
-      toWire(slot, out.initMeasuredCp());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<std::int8_t>(memory);
-      out.setMode(wireMode(slot));
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<EverythingSlot>(memory);
-      toWire(slot, out.initEverything());
-      break;
-    }
-    case 3: {
-      const auto& slot = slotIn<double>(memory);
-      out.setLoad(slot);
-      break;
-    }
-    case 4: {
-      const auto& slot = slotIn<double>(memory);
-      out.setOpening(slot);
-      break;
-    }
+  switch (static_cast<GripperColumn>(column)) {
+    case GripperColumn::measured_cp:
+      return encodeGripperMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+    case GripperColumn::mode: return encodeGripperModeColumn(slotIn<std::int8_t>(memory), out);
+    case GripperColumn::everything:
+      return encodeGripperEverythingColumn(slotIn<EverythingSlot>(memory), out);
+    case GripperColumn::load: return encodeGripperLoadColumn(slotIn<double>(memory), out);
+    case GripperColumn::opening: return encodeGripperOpeningColumn(slotIn<double>(memory), out);
   }
 }
 Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column, std::byte* memory,
                          suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<PoseStampedSlot>(memory);
-      return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<std::int8_t>(memory);
-      return fromWire(in.getMode(), slot);
-    }
-    case 2: {
-      auto& slot = newSlot<EverythingSlot>(memory);
-      return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : Errc::Invalid;
-    }
-    case 3: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getLoad();
-      return Errc{};
-    }
-    case 4: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getOpening();
-      return Errc{};
-    }
+  switch (static_cast<GripperColumn>(column)) {
+    case GripperColumn::measured_cp:
+      return decodeGripperMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+    case GripperColumn::mode:
+      return decodeGripperModeColumn(in, newSlot<std::int8_t>(memory), shift);
+    case GripperColumn::everything:
+      return decodeGripperEverythingColumn(in, newSlot<EverythingSlot>(memory), shift);
+    case GripperColumn::load: return decodeGripperLoadColumn(in, newSlot<double>(memory), shift);
+    case GripperColumn::opening:
+      return decodeGripperOpeningColumn(in, newSlot<double>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -295,7 +305,7 @@ constexpr CommandInfo kGripperCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 4,
+     .column = static_cast<int>(GripperColumn::opening),
      .acceptsResult = checkSlot<double, acceptsGripperOpeningResult>},
     {.name = "fits",
      .kind = CommandKind::QualifiedRead,
@@ -533,24 +543,24 @@ Errc decodeNamesLatchedEvent(wire::NamesEvents::LatchedParams::Reader in, double
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeNamesRangeColumn(const double& slot, wire::NamesStateRow::Builder out) {
+  out.setRange(slot);
+}
+Errc decodeNamesRangeColumn(wire::NamesStateRow::Reader in, double& slot, suture::Duration) {
+  slot = in.getRange();
+  return Errc{};
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeNamesColumn(unsigned column, const std::byte* memory, wire::NamesStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<double>(memory);
-      out.setRange(slot);
-      break;
-    }
+  switch (static_cast<NamesColumn>(column)) {
+    case NamesColumn::range: return encodeNamesRangeColumn(slotIn<double>(memory), out);
   }
 }
 Errc decodeNamesColumn(wire::NamesStateRow::Reader in, unsigned column, std::byte* memory,
-                       suture::Duration) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<double>(memory);
-      slot = in.getRange();
-      return Errc{};
-    }
+                       suture::Duration shift) {
+  switch (static_cast<NamesColumn>(column)) {
+    case NamesColumn::range: return decodeNamesRangeColumn(in, newSlot<double>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -611,7 +621,7 @@ constexpr CommandInfo kNamesCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<double>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(NamesColumn::range),
      .acceptsResult = checkSlot<double, acceptsNamesRangeResult>},
 };
 
@@ -690,53 +700,76 @@ const InterfaceInfo& interfaceInfo<robots::Names>() {
   return kInfo;
 }
 
+// A function for each command of robots::Gripper, so that a stack in a debugger names it.
+struct Provided<robots::Gripper>::Dispatch {
+  static Errc execute_open(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<robots::GripperOpenArguments>(arguments);
+    load(slot.width, scratch.open_width);
+    implementation.open(scratch.open_width);
+    return Errc{};
+  }
+
+  static Errc execute_opening(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.opening(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_fits(Contract& implementation, Scratch& scratch, const std::byte* arguments,
+                           std::byte* result) {
+    const auto& slot = slotIn<robots::GripperFitsArguments>(arguments);
+    load(slot.width, scratch.fits_width);
+    auto& answer = newSlot<std::uint8_t>(result);
+    return store(implementation.fits(scratch.fits_width), answer) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<robots::Gripper>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::robots::GripperCommand;
   switch (static_cast<GripperCommand>(command)) {
-    case GripperCommand::open: {
-      const auto& slot = slotIn<robots::GripperOpenArguments>(arguments);
-      load(slot.width, scratch_.open_width);
-      implementation_.open(scratch_.open_width);
-      return Errc{};
-    }
-    case GripperCommand::opening: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.opening(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case GripperCommand::fits: {
-      const auto& slot = slotIn<robots::GripperFitsArguments>(arguments);
-      load(slot.width, scratch_.fits_width);
-      auto& answer = newSlot<std::uint8_t>(result);
-      return store(implementation_.fits(scratch_.fits_width), answer) ? Errc{} : Errc::TooLarge;
-    }
+    case GripperCommand::open: return Dispatch::execute_open(implementation_, scratch_, arguments);
+    case GripperCommand::opening: return Dispatch::execute_opening(implementation_, result);
+    case GripperCommand::fits:
+      return Dispatch::execute_fits(implementation_, scratch_, arguments, result);
   }
   return Provided<robots::Arm>::execute(command, arguments, result);
 }
+
+// A function for each command of robots::Names, so that a stack in a debugger names it.
+struct Provided<robots::Names>::Dispatch {
+  static Errc execute_queue(Contract& implementation, Scratch& scratch,
+                            const std::byte* arguments) {
+    const auto& slot = slotIn<robots::NamesQueueArguments>(arguments);
+    load(slot.name, scratch.queue_name);
+    implementation.queue(scratch.queue_name);
+    return Errc{};
+  }
+
+  static Errc execute_name(Contract& implementation, Scratch& scratch, const std::byte* arguments,
+                           std::byte* result) {
+    const auto& slot = slotIn<robots::NamesNameArguments>(arguments);
+    load(slot.range, scratch.name_range);
+    load(slot.slot, scratch.name_slot);
+    load(slot.store, scratch.name_store);
+    auto& answer = newSlot<std::uint8_t>(result);
+    return store(implementation.name(scratch.name_range, scratch.name_slot, scratch.name_store),
+                 answer) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_range(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<double>(result);
+    return store(implementation.range(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
 
 Errc Provided<robots::Names>::execute(std::uint16_t command, const std::byte* arguments,
                                       std::byte* result) {
   using ::robots::NamesCommand;
   switch (static_cast<NamesCommand>(command)) {
-    case NamesCommand::queue: {
-      const auto& slot = slotIn<robots::NamesQueueArguments>(arguments);
-      load(slot.name, scratch_.queue_name);
-      implementation_.queue(scratch_.queue_name);
-      return Errc{};
-    }
-    case NamesCommand::name: {
-      const auto& slot = slotIn<robots::NamesNameArguments>(arguments);
-      load(slot.range, scratch_.name_range);
-      load(slot.slot, scratch_.name_slot);
-      load(slot.store, scratch_.name_store);
-      auto& answer = newSlot<std::uint8_t>(result);
-      return store(implementation_.name(scratch_.name_range, scratch_.name_slot,
-                                        scratch_.name_store), answer) ? Errc{} : Errc::TooLarge;
-    }
-    case NamesCommand::range: {
-      auto& slot = newSlot<double>(result);
-      return store(implementation_.range(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case NamesCommand::queue: return Dispatch::execute_queue(implementation_, scratch_, arguments);
+    case NamesCommand::name:
+      return Dispatch::execute_name(implementation_, scratch_, arguments, result);
+    case NamesCommand::range: return Dispatch::execute_range(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -49,6 +49,15 @@ enum class GripperEvent : std::uint16_t {
   gripped = 4,
 };
 
+/// Names where a row of the state has each read of Gripper.
+enum class GripperColumn : std::uint16_t {
+  measured_cp,
+  mode,
+  everything,
+  load,
+  opening,
+};
+
 // --- Names: the arguments of its commands ---
 
 struct NamesQueueArguments {
@@ -76,6 +85,11 @@ enum class NamesCommand : std::uint16_t {
 /// Names the numbers of Names's events.
 enum class NamesEvent : std::uint16_t {
   latched,
+};
+
+/// Names where a row of the state has each read of Names.
+enum class NamesColumn : std::uint16_t {
+  range,
 };
 
 }  // namespace robots
@@ -151,6 +165,8 @@ class Provided<robots::Gripper> : public Provided<robots::Arm> {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     double open_width{};
@@ -229,6 +245,8 @@ class Provided<robots::Names> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     std::int32_t queue_name{};

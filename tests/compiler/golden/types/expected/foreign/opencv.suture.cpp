@@ -174,24 +174,25 @@ Errc decodeCameraViewResult(wire::Camera::ViewResults::Reader in, ViewSlot& slot
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeCameraViewColumn(const ViewSlot& slot, wire::CameraStateRow::Builder out) {
+  toWire(slot, out.initView());
+}
+Errc decodeCameraViewColumn(wire::CameraStateRow::Reader in, ViewSlot& slot,
+                            suture::Duration shift) {
+  return in.hasView() ? fromWire(in.getView(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeCameraColumn(unsigned column, const std::byte* memory,
                         wire::CameraStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<ViewSlot>(memory);
-      toWire(slot, out.initView());
-      break;
-    }
+  switch (static_cast<CameraColumn>(column)) {
+    case CameraColumn::view: return encodeCameraViewColumn(slotIn<ViewSlot>(memory), out);
   }
 }
 Errc decodeCameraColumn(wire::CameraStateRow::Reader in, unsigned column, std::byte* memory,
                         suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<ViewSlot>(memory);
-      return in.hasView() ? fromWire(in.getView(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<CameraColumn>(column)) {
+    case CameraColumn::view: return decodeCameraViewColumn(in, newSlot<ViewSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -233,7 +234,7 @@ constexpr CommandInfo kCameraCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<ViewSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(CameraColumn::view),
      .acceptsResult = checkSlot<ViewSlot, isValid>},
 };
 
@@ -288,20 +289,27 @@ const InterfaceInfo& interfaceInfo<foreign::Camera>() {
   return kInfo;
 }
 
+// A function for each command of foreign::Camera, so that a stack in a debugger names it.
+struct Provided<foreign::Camera>::Dispatch {
+  static Errc execute_aim(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<foreign::CameraAimArguments>(arguments);
+    load(slot.at, scratch.aim_at);
+    implementation.aim(scratch.aim_at);
+    return Errc{};
+  }
+
+  static Errc execute_view(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<foreign::ViewSlot>(result);
+    return store(implementation.view(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<foreign::Camera>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::foreign::CameraCommand;
   switch (static_cast<CameraCommand>(command)) {
-    case CameraCommand::aim: {
-      const auto& slot = slotIn<foreign::CameraAimArguments>(arguments);
-      load(slot.at, scratch_.aim_at);
-      implementation_.aim(scratch_.aim_at);
-      return Errc{};
-    }
-    case CameraCommand::view: {
-      auto& slot = newSlot<foreign::ViewSlot>(result);
-      return store(implementation_.view(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case CameraCommand::aim: return Dispatch::execute_aim(implementation_, scratch_, arguments);
+    case CameraCommand::view: return Dispatch::execute_view(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -51,6 +51,11 @@ enum class CameraCommand : std::uint16_t {
   view,
 };
 
+/// Names where a row of the state has each read of Camera.
+enum class CameraColumn : std::uint16_t {
+  view,
+};
+
 }  // namespace foreign
 
 namespace suture {
@@ -97,6 +102,8 @@ class Provided<foreign::Camera> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     cv::Point3d aim_at{};

@@ -888,50 +888,63 @@ Errc decodeStoreChangedEvent(wire::StoreEvents::ChangedParams::Reader in,
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeStoreSequencesColumn(const SequencesSlot& slot, wire::StoreStateRow::Builder out) {
+  toWire(slot, out.initSequences());
+}
+Errc decodeStoreSequencesColumn(wire::StoreStateRow::Reader in, SequencesSlot& slot,
+                                suture::Duration shift) {
+  return in.hasSequences() ? fromWire(in.getSequences(), slot, shift) : Errc::Invalid;
+}
+
+void encodeStoreChoicesColumn(const ChoicesSlot& slot, wire::StoreStateRow::Builder out) {
+  toWire(slot, out.initChoices());
+}
+Errc decodeStoreChoicesColumn(wire::StoreStateRow::Reader in, ChoicesSlot& slot,
+                              suture::Duration shift) {
+  return in.hasChoices() ? fromWire(in.getChoices(), slot, shift) : Errc::Invalid;
+}
+
+void encodeStoreMatricesColumn(const MatricesSlot& slot, wire::StoreStateRow::Builder out) {
+  toWire(slot, out.initMatrices());
+}
+Errc decodeStoreMatricesColumn(wire::StoreStateRow::Reader in, MatricesSlot& slot,
+                               suture::Duration shift) {
+  return in.hasMatrices() ? fromWire(in.getMatrices(), slot, shift) : Errc::Invalid;
+}
+
+void encodeStoreReadingColumn(const suture::SlotTuple<double, std::int16_t>& slot,
+                              wire::StoreStateRow::Builder out) {
+  toWire(slot, out.initReading());
+}
+Errc decodeStoreReadingColumn(wire::StoreStateRow::Reader in,
+                              suture::SlotTuple<double, std::int16_t>& slot,
+                              suture::Duration shift) {
+  return in.hasReading() ? fromWire(in.getReading(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeStoreColumn(unsigned column, const std::byte* memory, wire::StoreStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<SequencesSlot>(memory);
-      toWire(slot, out.initSequences());
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<ChoicesSlot>(memory);
-      toWire(slot, out.initChoices());
-      break;
-    }
-    case 2: {
-      const auto& slot = slotIn<MatricesSlot>(memory);
-      toWire(slot, out.initMatrices());
-      break;
-    }
-    case 3: {
-      const auto& slot = slotIn<suture::SlotTuple<double, std::int16_t>>(memory);
-      toWire(slot, out.initReading());
-      break;
-    }
+  switch (static_cast<StoreColumn>(column)) {
+    case StoreColumn::sequences:
+      return encodeStoreSequencesColumn(slotIn<SequencesSlot>(memory), out);
+    case StoreColumn::choices: return encodeStoreChoicesColumn(slotIn<ChoicesSlot>(memory), out);
+    case StoreColumn::matrices: return encodeStoreMatricesColumn(slotIn<MatricesSlot>(memory), out);
+    case StoreColumn::reading:
+      return encodeStoreReadingColumn(slotIn<suture::SlotTuple<double, std::int16_t>>(memory), out);
   }
 }
 Errc decodeStoreColumn(wire::StoreStateRow::Reader in, unsigned column, std::byte* memory,
                        suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<SequencesSlot>(memory);
-      return in.hasSequences() ? fromWire(in.getSequences(), slot, shift) : Errc::Invalid;
-    }
-    case 1: {
-      auto& slot = newSlot<ChoicesSlot>(memory);
-      return in.hasChoices() ? fromWire(in.getChoices(), slot, shift) : Errc::Invalid;
-    }
-    case 2: {
-      auto& slot = newSlot<MatricesSlot>(memory);
-      return in.hasMatrices() ? fromWire(in.getMatrices(), slot, shift) : Errc::Invalid;
-    }
-    case 3: {
-      auto& slot = newSlot<suture::SlotTuple<double, std::int16_t>>(memory);
-      return in.hasReading() ? fromWire(in.getReading(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<StoreColumn>(column)) {
+    case StoreColumn::sequences:
+      return decodeStoreSequencesColumn(in, newSlot<SequencesSlot>(memory), shift);
+    case StoreColumn::choices:
+      return decodeStoreChoicesColumn(in, newSlot<ChoicesSlot>(memory), shift);
+    case StoreColumn::matrices:
+      return decodeStoreMatricesColumn(in, newSlot<MatricesSlot>(memory), shift);
+    case StoreColumn::reading:
+      return decodeStoreReadingColumn(in, newSlot<suture::SlotTuple<double, std::int16_t>>(memory),
+                                      shift);
   }
   return Errc::Invalid;
 }
@@ -1008,25 +1021,25 @@ constexpr CommandInfo kStoreCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<SequencesSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(StoreColumn::sequences),
      .acceptsResult = checkSlot<SequencesSlot, isValid>},
     {.name = "choices",
      .kind = CommandKind::Read,
      .resultSize = slotSize<ChoicesSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(StoreColumn::choices),
      .acceptsResult = checkSlot<ChoicesSlot, isValid>},
     {.name = "matrices",
      .kind = CommandKind::Read,
      .resultSize = slotSize<MatricesSlot>,
      .depth = 16,
-     .column = 2,
+     .column = static_cast<int>(StoreColumn::matrices),
      .acceptsResult = checkSlot<MatricesSlot, isValid>},
     {.name = "reading",
      .kind = CommandKind::Read,
      .resultSize = slotSize<suture::SlotTuple<double, std::int16_t>>,
      .depth = 16,
-     .column = 3,
+     .column = static_cast<int>(StoreColumn::reading),
      .acceptsResult = checkSlot<suture::SlotTuple<double, std::int16_t>, acceptsStoreReadingResult>},
 };
 
@@ -1244,38 +1257,55 @@ auto Provided<shapes::Store>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of shapes::Store, so that a stack in a debugger names it.
+struct Provided<shapes::Store>::Dispatch {
+  static Errc execute_put(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<shapes::StorePutArguments>(arguments);
+    load(slot.value, scratch.put_value);
+    implementation.put(scratch.put_value);
+    return Errc{};
+  }
+
+  static Errc execute_choose(Contract& implementation, Scratch& scratch,
+                             const std::byte* arguments) {
+    const auto& slot = slotIn<shapes::StoreChooseArguments>(arguments);
+    load(slot.gain, scratch.choose_gain);
+    implementation.choose(scratch.choose_gain);
+    return Errc{};
+  }
+
+  static Errc execute_sequences(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<shapes::SequencesSlot>(result);
+    return store(implementation.sequences(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_choices(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<shapes::ChoicesSlot>(result);
+    return store(implementation.choices(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_matrices(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<shapes::MatricesSlot>(result);
+    return store(implementation.matrices(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_reading(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<suture::SlotTuple<double, std::int16_t>>(result);
+    return store(implementation.reading(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<shapes::Store>::execute(std::uint16_t command, const std::byte* arguments,
                                       std::byte* result) {
   using ::shapes::StoreCommand;
   switch (static_cast<StoreCommand>(command)) {
-    case StoreCommand::put: {
-      const auto& slot = slotIn<shapes::StorePutArguments>(arguments);
-      load(slot.value, scratch_.put_value);
-      implementation_.put(scratch_.put_value);
-      return Errc{};
-    }
-    case StoreCommand::choose: {
-      const auto& slot = slotIn<shapes::StoreChooseArguments>(arguments);
-      load(slot.gain, scratch_.choose_gain);
-      implementation_.choose(scratch_.choose_gain);
-      return Errc{};
-    }
-    case StoreCommand::sequences: {
-      auto& slot = newSlot<shapes::SequencesSlot>(result);
-      return store(implementation_.sequences(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case StoreCommand::choices: {
-      auto& slot = newSlot<shapes::ChoicesSlot>(result);
-      return store(implementation_.choices(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case StoreCommand::matrices: {
-      auto& slot = newSlot<shapes::MatricesSlot>(result);
-      return store(implementation_.matrices(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case StoreCommand::reading: {
-      auto& slot = newSlot<suture::SlotTuple<double, std::int16_t>>(result);
-      return store(implementation_.reading(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case StoreCommand::put: return Dispatch::execute_put(implementation_, scratch_, arguments);
+    case StoreCommand::choose:
+      return Dispatch::execute_choose(implementation_, scratch_, arguments);
+    case StoreCommand::sequences: return Dispatch::execute_sequences(implementation_, result);
+    case StoreCommand::choices: return Dispatch::execute_choices(implementation_, result);
+    case StoreCommand::matrices: return Dispatch::execute_matrices(implementation_, result);
+    case StoreCommand::reading: return Dispatch::execute_reading(implementation_, result);
   }
   return Errc::Invalid;
 }

@@ -113,6 +113,14 @@ enum class StoreEvent : std::uint16_t {
   changed,
 };
 
+/// Names where a row of the state has each read of Store.
+enum class StoreColumn : std::uint16_t {
+  sequences,
+  choices,
+  matrices,
+  reading,
+};
+
 }  // namespace shapes
 
 namespace suture {
@@ -193,6 +201,8 @@ class Provided<shapes::Store> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     shapes::Sequences put_value{};

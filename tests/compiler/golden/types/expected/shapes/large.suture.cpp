@@ -359,24 +359,26 @@ Errc decodeRecorderSaidEvent(wire::RecorderEvents::SaidParams::Reader in, Record
   return in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeRecorderKeptColumn(const LargeSlot& slot, wire::RecorderStateRow::Builder out) {
+  toWire(slot, out.initKept());
+}
+Errc decodeRecorderKeptColumn(wire::RecorderStateRow::Reader in, LargeSlot& slot,
+                              suture::Duration shift) {
+  return in.hasKept() ? fromWire(in.getKept(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeRecorderColumn(unsigned column, const std::byte* memory,
                           wire::RecorderStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<LargeSlot>(memory);
-      toWire(slot, out.initKept());
-      break;
-    }
+  switch (static_cast<RecorderColumn>(column)) {
+    case RecorderColumn::kept: return encodeRecorderKeptColumn(slotIn<LargeSlot>(memory), out);
   }
 }
 Errc decodeRecorderColumn(wire::RecorderStateRow::Reader in, unsigned column, std::byte* memory,
                           suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<LargeSlot>(memory);
-      return in.hasKept() ? fromWire(in.getKept(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<RecorderColumn>(column)) {
+    case RecorderColumn::kept:
+      return decodeRecorderKeptColumn(in, newSlot<LargeSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -467,7 +469,7 @@ constexpr CommandInfo kRecorderCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<LargeSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(RecorderColumn::kept),
      .acceptsResult = checkSlot<LargeSlot, isValid>,
      .resultLevels = kRecorderKeptResultLevels},
 };
@@ -607,27 +609,38 @@ auto Provided<shapes::Recorder>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of shapes::Recorder, so that a stack in a debugger names it.
+struct Provided<shapes::Recorder>::Dispatch {
+  static Errc execute_keep(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<shapes::RecorderKeepArguments>(arguments);
+    load(slot.values, scratch.keep_values);
+    load(slot.rest, scratch.keep_rest);
+    implementation.keep(scratch.keep_values, scratch.keep_rest);
+    return Errc{};
+  }
+
+  static Errc execute_rename(Contract& implementation, Scratch& scratch,
+                             const std::byte* arguments) {
+    const auto& slot = slotIn<shapes::RecorderRenameArguments>(arguments);
+    load(slot.name, scratch.rename_name);
+    implementation.rename(scratch.rename_name);
+    return Errc{};
+  }
+
+  static Errc execute_kept(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<shapes::LargeSlot>(result);
+    return store(implementation.kept(), slot) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<shapes::Recorder>::execute(std::uint16_t command, const std::byte* arguments,
                                          std::byte* result) {
   using ::shapes::RecorderCommand;
   switch (static_cast<RecorderCommand>(command)) {
-    case RecorderCommand::keep: {
-      const auto& slot = slotIn<shapes::RecorderKeepArguments>(arguments);
-      load(slot.values, scratch_.keep_values);
-      load(slot.rest, scratch_.keep_rest);
-      implementation_.keep(scratch_.keep_values, scratch_.keep_rest);
-      return Errc{};
-    }
-    case RecorderCommand::rename: {
-      const auto& slot = slotIn<shapes::RecorderRenameArguments>(arguments);
-      load(slot.name, scratch_.rename_name);
-      implementation_.rename(scratch_.rename_name);
-      return Errc{};
-    }
-    case RecorderCommand::kept: {
-      auto& slot = newSlot<shapes::LargeSlot>(result);
-      return store(implementation_.kept(), slot) ? Errc{} : Errc::TooLarge;
-    }
+    case RecorderCommand::keep: return Dispatch::execute_keep(implementation_, scratch_, arguments);
+    case RecorderCommand::rename:
+      return Dispatch::execute_rename(implementation_, scratch_, arguments);
+    case RecorderCommand::kept: return Dispatch::execute_kept(implementation_, result);
   }
   return Errc::Invalid;
 }

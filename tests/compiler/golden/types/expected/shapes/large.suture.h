@@ -81,6 +81,11 @@ enum class RecorderEvent : std::uint16_t {
   said,
 };
 
+/// Names where a row of the state has each read of Recorder.
+enum class RecorderColumn : std::uint16_t {
+  kept,
+};
+
 }  // namespace shapes
 
 namespace suture {
@@ -156,6 +161,8 @@ class Provided<shapes::Recorder> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     std::vector<double> keep_values{};

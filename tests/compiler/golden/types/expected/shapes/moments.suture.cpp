@@ -435,34 +435,39 @@ Errc decodeJournalCountedEvent(wire::JournalEvents::CountedParams::Reader in, st
   return Errc{};
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeJournalLatestColumn(const std::int64_t& slot, wire::JournalStateRow::Builder out) {
+  out.setLatest(slot);
+}
+Errc decodeJournalLatestColumn(wire::JournalStateRow::Reader in, std::int64_t& slot,
+                               suture::Duration shift) {
+  slot = suture::rpc::shifted(in.getLatest(), shift);
+  return Errc{};
+}
+
+void encodeJournalMomentsColumn(const MomentsSlot& slot, wire::JournalStateRow::Builder out) {
+  toWire(slot, out.initMoments());
+}
+Errc decodeJournalMomentsColumn(wire::JournalStateRow::Reader in, MomentsSlot& slot,
+                                suture::Duration shift) {
+  return in.hasMoments() ? fromWire(in.getMoments(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeJournalColumn(unsigned column, const std::byte* memory,
                          wire::JournalStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<std::int64_t>(memory);
-      out.setLatest(slot);
-      break;
-    }
-    case 1: {
-      const auto& slot = slotIn<MomentsSlot>(memory);
-      toWire(slot, out.initMoments());
-      break;
-    }
+  switch (static_cast<JournalColumn>(column)) {
+    case JournalColumn::latest: return encodeJournalLatestColumn(slotIn<std::int64_t>(memory), out);
+    case JournalColumn::moments:
+      return encodeJournalMomentsColumn(slotIn<MomentsSlot>(memory), out);
   }
 }
 Errc decodeJournalColumn(wire::JournalStateRow::Reader in, unsigned column, std::byte* memory,
                          suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<std::int64_t>(memory);
-      slot = suture::rpc::shifted(in.getLatest(), shift);
-      return Errc{};
-    }
-    case 1: {
-      auto& slot = newSlot<MomentsSlot>(memory);
-      return in.hasMoments() ? fromWire(in.getMoments(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<JournalColumn>(column)) {
+    case JournalColumn::latest:
+      return decodeJournalLatestColumn(in, newSlot<std::int64_t>(memory), shift);
+    case JournalColumn::moments:
+      return decodeJournalMomentsColumn(in, newSlot<MomentsSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -549,13 +554,13 @@ constexpr CommandInfo kJournalCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<std::int64_t>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(JournalColumn::latest),
      .shiftResult = shiftSlot<std::int64_t, shiftJournalLatestResult>},
     {.name = "moments",
      .kind = CommandKind::Read,
      .resultSize = slotSize<MomentsSlot>,
      .depth = 16,
-     .column = 1,
+     .column = static_cast<int>(JournalColumn::moments),
      .acceptsResult = checkSlot<MomentsSlot, isValid>,
      .shiftResult = shiftSlot<MomentsSlot>},
     {.name = "find",
@@ -688,37 +693,54 @@ const InterfaceInfo& interfaceInfo<shapes::Journal>() {
   return kInfo;
 }
 
+// A function for each command of shapes::Journal, so that a stack in a debugger names it.
+struct Provided<shapes::Journal>::Dispatch {
+  static Errc execute_put(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<shapes::JournalPutArguments>(arguments);
+    load(slot.from, scratch.put_from);
+    load(slot.number, scratch.put_number);
+    implementation.put(scratch.put_from, scratch.put_number);
+    return Errc{};
+  }
+
+  static Errc execute_count(Contract& implementation, Scratch& scratch,
+                            const std::byte* arguments) {
+    const auto& slot = slotIn<shapes::JournalCountArguments>(arguments);
+    load(slot.number, scratch.count_number);
+    implementation.count(scratch.count_number);
+    return Errc{};
+  }
+
+  static Errc execute_latest(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<std::int64_t>(result);
+    return store(implementation.latest(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_moments(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<shapes::MomentsSlot>(result);
+    return store(implementation.moments(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_find(Contract& implementation, Scratch& scratch, const std::byte* arguments,
+                           std::byte* result) {
+    const auto& slot = slotIn<shapes::JournalFindArguments>(arguments);
+    load(slot.number, scratch.find_number);
+    auto& answer = newSlot<suture::SlotOptional<shapes::MomentSlot>>(result);
+    return store(implementation.find(scratch.find_number), answer) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<shapes::Journal>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::shapes::JournalCommand;
   switch (static_cast<JournalCommand>(command)) {
-    case JournalCommand::put: {
-      const auto& slot = slotIn<shapes::JournalPutArguments>(arguments);
-      load(slot.from, scratch_.put_from);
-      load(slot.number, scratch_.put_number);
-      implementation_.put(scratch_.put_from, scratch_.put_number);
-      return Errc{};
-    }
-    case JournalCommand::count: {
-      const auto& slot = slotIn<shapes::JournalCountArguments>(arguments);
-      load(slot.number, scratch_.count_number);
-      implementation_.count(scratch_.count_number);
-      return Errc{};
-    }
-    case JournalCommand::latest: {
-      auto& slot = newSlot<std::int64_t>(result);
-      return store(implementation_.latest(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case JournalCommand::moments: {
-      auto& slot = newSlot<shapes::MomentsSlot>(result);
-      return store(implementation_.moments(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case JournalCommand::find: {
-      const auto& slot = slotIn<shapes::JournalFindArguments>(arguments);
-      load(slot.number, scratch_.find_number);
-      auto& answer = newSlot<suture::SlotOptional<shapes::MomentSlot>>(result);
-      return store(implementation_.find(scratch_.find_number), answer) ? Errc{} : Errc::TooLarge;
-    }
+    case JournalCommand::put: return Dispatch::execute_put(implementation_, scratch_, arguments);
+    case JournalCommand::count:
+      return Dispatch::execute_count(implementation_, scratch_, arguments);
+    case JournalCommand::latest: return Dispatch::execute_latest(implementation_, result);
+    case JournalCommand::moments: return Dispatch::execute_moments(implementation_, result);
+    case JournalCommand::find:
+      return Dispatch::execute_find(implementation_, scratch_, arguments, result);
   }
   return Errc::Invalid;
 }

@@ -90,6 +90,12 @@ enum class JournalEvent : std::uint16_t {
   counted,
 };
 
+/// Names where a row of the state has each read of Journal.
+enum class JournalColumn : std::uint16_t {
+  latest,
+  moments,
+};
+
 }  // namespace shapes
 
 namespace suture {
@@ -175,6 +181,8 @@ class Provided<shapes::Journal> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once.
   struct Scratch {
     std::chrono::steady_clock::time_point put_from{};

@@ -548,24 +548,26 @@ Errc decodeArchiveChangedEvent(wire::ArchiveEvents::ChangedParams::Reader in, Op
   return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
 }
 
-// A row of the state has a member for each column, so one function each way converts them all.
+void encodeArchiveNewestColumn(const OpenSlot& slot, wire::ArchiveStateRow::Builder out) {
+  toWire(slot, out.initNewest());
+}
+Errc decodeArchiveNewestColumn(wire::ArchiveStateRow::Reader in, OpenSlot& slot,
+                               suture::Duration shift) {
+  return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : Errc::Invalid;
+}
+
+// A row of the state has a member for each column, so one function each way finds them all.
 void encodeArchiveColumn(unsigned column, const std::byte* memory,
                          wire::ArchiveStateRow::Builder out) {
-  switch (column) {
-    case 0: {
-      const auto& slot = slotIn<OpenSlot>(memory);
-      toWire(slot, out.initNewest());
-      break;
-    }
+  switch (static_cast<ArchiveColumn>(column)) {
+    case ArchiveColumn::newest: return encodeArchiveNewestColumn(slotIn<OpenSlot>(memory), out);
   }
 }
 Errc decodeArchiveColumn(wire::ArchiveStateRow::Reader in, unsigned column, std::byte* memory,
                          suture::Duration shift) {
-  switch (column) {
-    case 0: {
-      auto& slot = newSlot<OpenSlot>(memory);
-      return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : Errc::Invalid;
-    }
+  switch (static_cast<ArchiveColumn>(column)) {
+    case ArchiveColumn::newest:
+      return decodeArchiveNewestColumn(in, newSlot<OpenSlot>(memory), shift);
   }
   return Errc::Invalid;
 }
@@ -648,7 +650,7 @@ constexpr CommandInfo kArchiveCommands[] = {
      .kind = CommandKind::Read,
      .resultSize = slotSize<OpenSlot>,
      .depth = 16,
-     .column = 0,
+     .column = static_cast<int>(ArchiveColumn::newest),
      .sharedResult = true,
      .acceptsResult = checkSlot<OpenSlot, isValid>},
     {.name = "find",
@@ -829,40 +831,58 @@ auto Provided<shapes::Archive>::Scratch::reserved() -> Scratch {
   return scratch;
 }
 
+// A function for each command of shapes::Archive, so that a stack in a debugger names it.
+struct Provided<shapes::Archive>::Dispatch {
+  static Errc execute_put(Contract& implementation, Scratch& scratch, const std::byte* arguments) {
+    const auto& slot = slotIn<shapes::ArchivePutArguments>(arguments);
+    load(slot.key, scratch.put_key);
+    load(slot.value, scratch.put_value);
+    implementation.put(scratch.put_key, scratch.put_value);
+    return Errc{};
+  }
+
+  static Errc execute_remark(Contract& implementation, Scratch& scratch,
+                             const std::byte* arguments) {
+    const auto& slot = slotIn<shapes::ArchiveRemarkArguments>(arguments);
+    load(slot.text, scratch.remark_text);
+    implementation.remark(scratch.remark_text);
+    return Errc{};
+  }
+
+  static Errc execute_newest(Contract& implementation, std::byte* result) {
+    auto& slot = newSlot<shapes::OpenSlot>(result);
+    return store(implementation.newest(), slot) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_find(Contract& implementation, Scratch& scratch, const std::byte* arguments,
+                           std::byte* result) {
+    const auto& slot = slotIn<shapes::ArchiveFindArguments>(arguments);
+    load(slot.pattern, scratch.find_pattern);
+    auto& answer = newSlot<suture::OpenList<suture::OpenText>>(result);
+    return store(implementation.find(scratch.find_pattern), answer) ? Errc{} : Errc::TooLarge;
+  }
+
+  static Errc execute_replace(Contract& implementation, Scratch& scratch,
+                              const std::byte* arguments, std::byte* result) {
+    const auto& slot = slotIn<shapes::ArchiveReplaceArguments>(arguments);
+    load(slot.value, scratch.replace_value);
+    auto& answer = newSlot<shapes::OpenSlot>(result);
+    return store(implementation.replace(scratch.replace_value), answer) ? Errc{} : Errc::TooLarge;
+  }
+};
+
 Errc Provided<shapes::Archive>::execute(std::uint16_t command, const std::byte* arguments,
                                         std::byte* result) {
   using ::shapes::ArchiveCommand;
   switch (static_cast<ArchiveCommand>(command)) {
-    case ArchiveCommand::put: {
-      const auto& slot = slotIn<shapes::ArchivePutArguments>(arguments);
-      load(slot.key, scratch_.put_key);
-      load(slot.value, scratch_.put_value);
-      implementation_.put(scratch_.put_key, scratch_.put_value);
-      return Errc{};
-    }
-    case ArchiveCommand::remark: {
-      const auto& slot = slotIn<shapes::ArchiveRemarkArguments>(arguments);
-      load(slot.text, scratch_.remark_text);
-      implementation_.remark(scratch_.remark_text);
-      return Errc{};
-    }
-    case ArchiveCommand::newest: {
-      auto& slot = newSlot<shapes::OpenSlot>(result);
-      return store(implementation_.newest(), slot) ? Errc{} : Errc::TooLarge;
-    }
-    case ArchiveCommand::find: {
-      const auto& slot = slotIn<shapes::ArchiveFindArguments>(arguments);
-      load(slot.pattern, scratch_.find_pattern);
-      auto& answer = newSlot<suture::OpenList<suture::OpenText>>(result);
-      return store(implementation_.find(scratch_.find_pattern), answer) ? Errc{} : Errc::TooLarge;
-    }
-    case ArchiveCommand::replace: {
-      const auto& slot = slotIn<shapes::ArchiveReplaceArguments>(arguments);
-      load(slot.value, scratch_.replace_value);
-      auto& answer = newSlot<shapes::OpenSlot>(result);
-      return store(implementation_.replace(scratch_.replace_value), answer)
-          ? Errc{} : Errc::TooLarge;
-    }
+    case ArchiveCommand::put: return Dispatch::execute_put(implementation_, scratch_, arguments);
+    case ArchiveCommand::remark:
+      return Dispatch::execute_remark(implementation_, scratch_, arguments);
+    case ArchiveCommand::newest: return Dispatch::execute_newest(implementation_, result);
+    case ArchiveCommand::find:
+      return Dispatch::execute_find(implementation_, scratch_, arguments, result);
+    case ArchiveCommand::replace:
+      return Dispatch::execute_replace(implementation_, scratch_, arguments, result);
   }
   return Errc::Invalid;
 }

@@ -115,6 +115,11 @@ enum class ArchiveEvent : std::uint16_t {
   changed,
 };
 
+/// Names where a row of the state has each read of Archive.
+enum class ArchiveColumn : std::uint16_t {
+  newest,
+};
+
 }  // namespace shapes
 
 namespace suture {
@@ -201,6 +206,8 @@ class Provided<shapes::Archive> : public ProvidedBase {
   Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) override;
 
  private:
+  struct Dispatch;  // has a function for each command
+
   // Reused by every command, so that what they own is allocated once: by reserved().
   struct Scratch {
     std::string put_key{};
