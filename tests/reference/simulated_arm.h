@@ -1,5 +1,5 @@
 #pragma once
-// A component with parameters: the second half of the model of generated code.
+// A component with parameters.
 
 #include <suture/annotate.h>
 #include <suture/component/task/periodic_task.h>

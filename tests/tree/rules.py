@@ -196,7 +196,7 @@ def check_format(root):
         yield "clang-format-14 is missing: run .ci/install tests"
         return
     files = [p for folder in ("compiler", "runtime", "components", "examples", "tests") for p in sources(root, folder)]
-    # Not ours to lay out: expected outputs, deliberately broken inputs, the model of generated code.
+    # Not ours to lay out: expected outputs, deliberately broken inputs, generated code.
     files = [p for p in files if not {"golden", "errors"} & set(p.parts) and ".suture." not in p.name]
     for i in range(0, len(files), 100):
         result = subprocess.run([tool, "--dry-run", "--style=file", *map(str, files[i : i + 100])],
