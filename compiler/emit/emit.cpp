@@ -1,7 +1,6 @@
 #include "compiler/emit/emit.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 #include <utility>
 
@@ -176,62 +175,14 @@ void emitSourceIncludes(Code& code, const Context& context, bool converts, bool 
   if (converts) code.line("#include \"", model::stemOf(header.path), ".capnp.h\"").blank();
 }
 
-bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-/// Does `text` say `word`, without a scope before it?
-bool mentions(std::string_view text, std::string_view word) {
-  for (auto at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-    const char before = at == 0 ? ' ' : text[at - 1];
-    const char after = at + word.size() == text.size() ? ' ' : text[at + word.size()];
-    if (!isWordCharacter(before) && before != ':' && !isWordCharacter(after)) return true;
-  }
-  return false;
-}
-
-/// Emits a using-declaration for each name of the runtime that `body` mentions.
-void emitUsings(Code& code, std::string_view body) {
-  bool any = false;
-  for (const char* const name : {"BoundedLevel",
-                                 "CommandInfo",
-                                 "CommandKind",
-                                 "Duration",
-                                 "Errc",
-                                 "EventInfo",
-                                 "FieldPath",
-                                 "checkSlot",
-                                 "elementsIn",
-                                 "levelAt",
-                                 "load",
-                                 "newSlot",
-                                 "refusedAt",
-                                 "rpc::CommandCodec",
-                                 "rpc::EventCodec",
-                                 "rpc::Valid",
-                                 "rpc::allItems",
-                                 "rpc::allOf",
-                                 "rpc::firstError",
-                                 "rpc::fromDefault",
-                                 "rpc::fromWire",
-                                 "rpc::fromWireList",
-                                 "rpc::inRange",
-                                 "rpc::isValid",
-                                 "rpc::messageOf",
-                                 "rpc::sentIn",
-                                 "rpc::stampIn",
-                                 "rpc::shifted",
-                                 "rpc::theOneOf",
-                                 "rpc::toWire",
-                                 "rpc::toWireList",
-                                 "shiftSlot",
-                                 "slotIn",
-                                 "slotSize",
-                                 "store"}) {
-    const std::string_view full = name;
-    if (!mentions(body, full.substr(full.rfind(':') + 1))) continue;
-    any = true;
+/// Emits using-declarations for the functions that the runtime overloads for its types, and the
+/// header's namespace for its own: a call must find both.
+void emitUsings(Code& code, const Context& context) {
+  if (context.header.structs.empty() && context.header.interfaces.empty()) return;
+  for (const char* const name : {"load", "rpc::fromWire", "rpc::isValid", "rpc::toWire", "store"}) {
     code.line("using suture::", name, ";");
   }
-  if (any) code.blank();
+  code.blank();
 }
 
 /// True if anything of the header travels: then its schema has to be there.
@@ -258,7 +209,7 @@ std::string sourceBody(const Context& context) {
         emitTables(part, context, one);
       }
     });
-    emitUsings(inner, body.text());
+    if (!body.text().empty()) emitUsings(inner, context);
     inner.verbatim(body.text());
   });
   emitReaders(code, context);

@@ -11,9 +11,7 @@ namespace {
 
 std::vector<std::string> namesFor(const clang::TagDecl* declaration, Kind kind) {
   const std::string name = declaration->getNameAsString();
-  // Every source file takes these over from the runtime; the last is capnp's namespace.
-  std::vector<std::string> names{"CommandInfo", "CommandKind",  "Duration",   "Errc",
-                                 "EventInfo",   "CommandCodec", "EventCodec", "wire"};
+  std::vector<std::string> names{"wire"};  // capnp's namespace
   if (kind == Kind::Type) names.push_back(name + "Slot");
   if (kind == Kind::Interface) {
     names.insert(names.end(), {name + "Command", name + "Event", name + "Column"});

@@ -10,18 +10,10 @@
 
 namespace counting {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::EventInfo;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::slotIn;
-using suture::slotSize;
+using suture::load;
+using suture::rpc::fromWire;
+using suture::rpc::isValid;
+using suture::rpc::toWire;
 using suture::store;
 
 bool store(const std::int32_t& amount, CounterAddArguments& slot) {
@@ -35,75 +27,76 @@ namespace {
 void encodeCounterAdd(const CounterAddArguments& slot, wire::Counter::AddParams::Builder out) {
   out.setAmount(slot.amount);
 }
-Errc decodeCounterAdd(wire::Counter::AddParams::Reader in, CounterAddArguments& slot,
-                      suture::Duration) {
+suture::Errc decodeCounterAdd(wire::Counter::AddParams::Reader in, CounterAddArguments& slot,
+                              suture::Duration) {
   slot.amount = in.getAmount();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeCounterValueResult(const std::int64_t& slot, wire::Counter::ValueResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeCounterValueResult(wire::Counter::ValueResults::Reader in, std::int64_t& slot,
-                              suture::Duration) {
+suture::Errc decodeCounterValueResult(wire::Counter::ValueResults::Reader in, std::int64_t& slot,
+                                      suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeCounterTenMoreEvent(const std::int64_t& slot,
                                wire::CounterEvents::TenMoreParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeCounterTenMoreEvent(wire::CounterEvents::TenMoreParams::Reader in, std::int64_t& slot,
-                               suture::Duration) {
+suture::Errc decodeCounterTenMoreEvent(wire::CounterEvents::TenMoreParams::Reader in,
+                                       std::int64_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeCounterValueColumn(const std::int64_t& slot, wire::CounterStateRow::Builder out) {
   out.setValue(slot);
 }
-Errc decodeCounterValueColumn(wire::CounterStateRow::Reader in, std::int64_t& slot,
-                              suture::Duration) {
+suture::Errc decodeCounterValueColumn(wire::CounterStateRow::Reader in, std::int64_t& slot,
+                                      suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeCounterColumn(unsigned column, const std::byte* memory,
                          wire::CounterStateRow::Builder out) {
   switch (static_cast<CounterColumn>(column)) {
-    case CounterColumn::value: return encodeCounterValueColumn(slotIn<std::int64_t>(memory), out);
+    case CounterColumn::value:
+      return encodeCounterValueColumn(suture::slotIn<std::int64_t>(memory), out);
   }
 }
-Errc decodeCounterColumn(wire::CounterStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeCounterColumn(wire::CounterStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<CounterColumn>(column)) {
     case CounterColumn::value:
-      return decodeCounterValueColumn(in, newSlot<std::int64_t>(memory), shift);
+      return decodeCounterValueColumn(in, suture::newSlot<std::int64_t>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kCounterCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kCounterCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Counter>(),
      .method = 1,
-     .sent = sentIn<wire::Counter::AddParams>,
-     .arguments = messageOf<wire::Counter::AddParams, CounterAddArguments, encodeCounterAdd,
-                            decodeCounterAdd>},
+     .sent = suture::rpc::sentIn<wire::Counter::AddParams>,
+     .arguments = suture::rpc::messageOf<wire::Counter::AddParams, CounterAddArguments,
+                                         encodeCounterAdd, decodeCounterAdd>},
     {.interface = capnp::typeId<wire::Counter>(),
      .method = 2,
-     .sent = sentIn<wire::Counter::ValueParams>,
-     .result = messageOf<wire::Counter::ValueResults, std::int64_t, encodeCounterValueResult,
-                         decodeCounterValueResult>,
-     .stamp = stampIn<wire::Counter::ValueResults>},
+     .sent = suture::rpc::sentIn<wire::Counter::ValueParams>,
+     .result = suture::rpc::messageOf<wire::Counter::ValueResults, std::int64_t,
+                                      encodeCounterValueResult, decodeCounterValueResult>,
+     .stamp = suture::rpc::stampIn<wire::Counter::ValueResults>},
 };
 
-constexpr EventCodec kCounterEventCodecs[] = {
+constexpr suture::rpc::EventCodec kCounterEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::CounterEvents::TenMoreParams>,
-     .payload = messageOf<wire::CounterEvents::TenMoreParams, std::int64_t,
-                          encodeCounterTenMoreEvent, decodeCounterTenMoreEvent>},
+     .stamp = suture::rpc::stampIn<wire::CounterEvents::TenMoreParams>,
+     .payload = suture::rpc::messageOf<wire::CounterEvents::TenMoreParams, std::int64_t,
+                                       encodeCounterTenMoreEvent, decodeCounterTenMoreEvent>},
 };
 
 const suture::rpc::Codec& counterCodec() {
@@ -119,20 +112,20 @@ const suture::rpc::Codec& counterCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kCounterCommands[] = {
+constexpr suture::CommandInfo kCounterCommands[] = {
     {.name = "add",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CounterAddArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<CounterAddArguments>,
      .depth = 8},
     {.name = "value",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::int64_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::int64_t>,
      .depth = 16,
      .column = static_cast<int>(CounterColumn::value)},
 };
 
-constexpr EventInfo kCounterEvents[] = {
-    {.name = "ten_more", .payloadSize = slotSize<std::int64_t>, .depth = 16},
+constexpr suture::EventInfo kCounterEvents[] = {
+    {.name = "ten_more", .payloadSize = suture::slotSize<std::int64_t>, .depth = 16},
 };
 
 // The self-description, as in 01_counter/counter.suture.json.

@@ -17,13 +17,8 @@ bool isValid(const ObservationSlot& slot, suture::FieldPath* path);
 
 namespace tracking {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -59,14 +54,15 @@ void toWire(const CameraParametersSlot& slot, wire::CameraParameters::Builder ou
   out.setTurnRate(slot.turn_rate);
 }
 
-Errc fromWire(wire::CameraParameters::Reader in, CameraParametersSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::CameraParameters::Reader in, CameraParametersSlot& slot,
+                      suture::Duration shift) {
   slot.turn_rate = in.getTurnRate();
   return fromWire(in.getFirst(), slot.first, shift);
 }
 
-bool isValid(const CameraParametersSlot& slot, FieldPath* path) {
-  if (!isValid(slot.first, path)) return refusedAt(path, "first");
-  return inRange(slot.turn_rate, -10, 10) || refusedAt(path, "turn_rate");
+bool isValid(const CameraParametersSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.first, path)) return suture::refusedAt(path, "first");
+  return suture::rpc::inRange(slot.turn_rate, -10, 10) || suture::refusedAt(path, "turn_rate");
 }
 
 }  // namespace tracking

@@ -10,20 +10,10 @@
 
 namespace tracking {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
 using suture::store;
 
 namespace {
@@ -99,15 +89,16 @@ bool isKnownVisibility(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::Visibility in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::Visibility in, std::uint8_t& slot) {
   switch (in) {
     case wire::Visibility::HIDDEN: return slot =
-        static_cast<std::uint8_t>(Visibility::Hidden), Errc{};
+        static_cast<std::uint8_t>(Visibility::Hidden), suture::Errc{};
     case wire::Visibility::PARTIAL: return slot =
-        static_cast<std::uint8_t>(Visibility::Partial), Errc{};
-    case wire::Visibility::FULL: return slot = static_cast<std::uint8_t>(Visibility::Full), Errc{};
+        static_cast<std::uint8_t>(Visibility::Partial), suture::Errc{};
+    case wire::Visibility::FULL: return slot =
+        static_cast<std::uint8_t>(Visibility::Full), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const MarkerSlot& slot, wire::Marker::Builder out) {
@@ -115,48 +106,49 @@ void toWire(const MarkerSlot& slot, wire::Marker::Builder out) {
   toWire(slot.position, out.initPosition());
 }
 
-Errc fromWire(wire::Marker::Reader in, MarkerSlot& slot, Duration) {
+suture::Errc fromWire(wire::Marker::Reader in, MarkerSlot& slot, suture::Duration) {
   slot.number = in.getNumber();
   return in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-      : fromDefault(Marker().position, slot.position);
+      : suture::rpc::fromDefault(Marker().position, slot.position);
 }
 
-bool isValid(const MarkerSlot& slot, FieldPath* path) {
-  return isValid(slot.position, path) || refusedAt(path, "position");
+bool isValid(const MarkerSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.position, path) || suture::refusedAt(path, "position");
 }
 
 void toWire(const ObservationSlot& slot, wire::Observation::Builder out) {
   toWire(slot.instrument, out.initInstrument(sizeOf(slot.instrument)));
   out.setVisibility(wireVisibility(slot.visibility));
   toWire(slot.tip, out.initTip());
-  toWireList(slot.markers, out.initMarkers(sizeOf(slot.markers)),
-             [](const MarkerSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.markers, out.initMarkers(sizeOf(slot.markers)),
+                          [](const MarkerSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   out.setJawAngle(slot.jaw_angle);
 }
 
-Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Observation::Reader in, ObservationSlot& slot, suture::Duration shift) {
   slot.jaw_angle = in.getJawAngle();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getInstrument(), slot.instrument),
       fromWire(in.getVisibility(), slot.visibility),
-      in.hasTip() ? fromWire(in.getTip(), slot.tip) : fromDefault(Observation().tip, slot.tip),
-      fromWireList(in.getMarkers(), slot.markers, [&](auto item, MarkerSlot& target) {
+      in.hasTip() ? fromWire(in.getTip(), slot.tip)
+          : suture::rpc::fromDefault(Observation().tip, slot.tip),
+      suture::rpc::fromWireList(in.getMarkers(), slot.markers, [&](auto item, MarkerSlot& target) {
         return fromWire(item, target, shift);
       }),
   });
 }
 
-bool isValid(const ObservationSlot& slot, FieldPath* path) {
-  if (!isKnownVisibility(slot.visibility)) return refusedAt(path, "visibility");
-  if (!isValid(slot.tip)) return refusedAt(path, "tip");
-  if (!allOf(slot.markers, path, [path](const MarkerSlot& element) {
+bool isValid(const ObservationSlot& slot, suture::FieldPath* path) {
+  if (!isKnownVisibility(slot.visibility)) return suture::refusedAt(path, "visibility");
+  if (!isValid(slot.tip)) return suture::refusedAt(path, "tip");
+  if (!suture::rpc::allOf(slot.markers, path, [path](const MarkerSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "markers");
+    return suture::refusedAt(path, "markers");
   }
-  return inRange(slot.jaw_angle, 0, 1.6) || refusedAt(path, "jaw_angle");
+  return suture::rpc::inRange(slot.jaw_angle, 0, 1.6) || suture::refusedAt(path, "jaw_angle");
 }
 
 }  // namespace tracking

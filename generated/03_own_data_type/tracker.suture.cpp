@@ -17,20 +17,11 @@ bool isValid(const ObservationSlot& slot, suture::FieldPath* path);
 
 namespace tracking {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::slotIn;
-using suture::slotSize;
+using suture::store;
 
 namespace {
 
@@ -40,18 +31,18 @@ void encodeTrackerObservationResult(const ObservationSlot& slot,
                                     wire::Tracker::ObservationResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeTrackerObservationResult(wire::Tracker::ObservationResults::Reader in,
-                                    ObservationSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTrackerObservationResult(wire::Tracker::ObservationResults::Reader in,
+                                            ObservationSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTrackerObservationColumn(const ObservationSlot& slot,
                                     wire::TrackerStateRow::Builder out) {
   toWire(slot, out.initObservation());
 }
-Errc decodeTrackerObservationColumn(wire::TrackerStateRow::Reader in, ObservationSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasObservation() ? fromWire(in.getObservation(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTrackerObservationColumn(wire::TrackerStateRow::Reader in, ObservationSlot& slot,
+                                            suture::Duration shift) {
+  return in.hasObservation() ? fromWire(in.getObservation(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -59,25 +50,26 @@ void encodeTrackerColumn(unsigned column, const std::byte* memory,
                          wire::TrackerStateRow::Builder out) {
   switch (static_cast<TrackerColumn>(column)) {
     case TrackerColumn::observation:
-      return encodeTrackerObservationColumn(slotIn<ObservationSlot>(memory), out);
+      return encodeTrackerObservationColumn(suture::slotIn<ObservationSlot>(memory), out);
   }
 }
-Errc decodeTrackerColumn(wire::TrackerStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeTrackerColumn(wire::TrackerStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<TrackerColumn>(column)) {
     case TrackerColumn::observation:
-      return decodeTrackerObservationColumn(in, newSlot<ObservationSlot>(memory), shift);
+      return decodeTrackerObservationColumn(in, suture::newSlot<ObservationSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kTrackerCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kTrackerCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Tracker>(),
      .method = 1,
-     .sent = sentIn<wire::Tracker::ObservationParams>,
-     .result = messageOf<wire::Tracker::ObservationResults, ObservationSlot,
-                         encodeTrackerObservationResult, decodeTrackerObservationResult>,
-     .stamp = stampIn<wire::Tracker::ObservationResults>},
+     .sent = suture::rpc::sentIn<wire::Tracker::ObservationParams>,
+     .result = suture::rpc::messageOf<wire::Tracker::ObservationResults, ObservationSlot,
+                                      encodeTrackerObservationResult,
+                                      decodeTrackerObservationResult>,
+     .stamp = suture::rpc::stampIn<wire::Tracker::ObservationResults>},
 };
 
 const suture::rpc::Codec& trackerCodec() {
@@ -93,13 +85,13 @@ const suture::rpc::Codec& trackerCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kTrackerCommands[] = {
+constexpr suture::CommandInfo kTrackerCommands[] = {
     {.name = "observation",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<ObservationSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<ObservationSlot>,
      .depth = 16,
      .column = static_cast<int>(TrackerColumn::observation),
-     .acceptsResult = checkSlot<ObservationSlot, isValid>},
+     .acceptsResult = suture::checkSlot<ObservationSlot, isValid>},
 };
 
 // The self-description, as in 03_own_data_type/tracker.suture.json.

@@ -10,66 +10,60 @@
 
 namespace following {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
+using suture::load;
+using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::slotIn;
-using suture::slotSize;
+using suture::rpc::toWire;
+using suture::store;
 
 namespace {
 
-bool acceptsJoystickAngleResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsJoystickAngleResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
 // --- Joystick as Cap'n Proto
 
 void encodeJoystickAngleResult(const double& slot, wire::Joystick::AngleResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeJoystickAngleResult(wire::Joystick::AngleResults::Reader in, double& slot,
-                               suture::Duration) {
+suture::Errc decodeJoystickAngleResult(wire::Joystick::AngleResults::Reader in, double& slot,
+                                       suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJoystickAngleColumn(const double& slot, wire::JoystickStateRow::Builder out) {
   out.setAngle(slot);
 }
-Errc decodeJoystickAngleColumn(wire::JoystickStateRow::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeJoystickAngleColumn(wire::JoystickStateRow::Reader in, double& slot,
+                                       suture::Duration) {
   slot = in.getAngle();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeJoystickColumn(unsigned column, const std::byte* memory,
                           wire::JoystickStateRow::Builder out) {
   switch (static_cast<JoystickColumn>(column)) {
-    case JoystickColumn::angle: return encodeJoystickAngleColumn(slotIn<double>(memory), out);
+    case JoystickColumn::angle:
+      return encodeJoystickAngleColumn(suture::slotIn<double>(memory), out);
   }
 }
-Errc decodeJoystickColumn(wire::JoystickStateRow::Reader in, unsigned column, std::byte* memory,
-                          suture::Duration shift) {
+suture::Errc decodeJoystickColumn(wire::JoystickStateRow::Reader in, unsigned column,
+                                  std::byte* memory, suture::Duration shift) {
   switch (static_cast<JoystickColumn>(column)) {
     case JoystickColumn::angle:
-      return decodeJoystickAngleColumn(in, newSlot<double>(memory), shift);
+      return decodeJoystickAngleColumn(in, suture::newSlot<double>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kJoystickCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kJoystickCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Joystick>(),
      .method = 1,
-     .sent = sentIn<wire::Joystick::AngleParams>,
-     .result = messageOf<wire::Joystick::AngleResults, double, encodeJoystickAngleResult,
-                         decodeJoystickAngleResult>,
-     .stamp = stampIn<wire::Joystick::AngleResults>},
+     .sent = suture::rpc::sentIn<wire::Joystick::AngleParams>,
+     .result = suture::rpc::messageOf<wire::Joystick::AngleResults, double,
+                                      encodeJoystickAngleResult, decodeJoystickAngleResult>,
+     .stamp = suture::rpc::stampIn<wire::Joystick::AngleResults>},
 };
 
 const suture::rpc::Codec& joystickCodec() {
@@ -85,13 +79,13 @@ const suture::rpc::Codec& joystickCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kJoystickCommands[] = {
+constexpr suture::CommandInfo kJoystickCommands[] = {
     {.name = "angle",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(JoystickColumn::angle),
-     .acceptsResult = checkSlot<double, acceptsJoystickAngleResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsJoystickAngleResult>},
 };
 
 // The self-description, as in 04_contract_and_loss/joystick.suture.json.

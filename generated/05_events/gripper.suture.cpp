@@ -10,20 +10,11 @@
 
 namespace gripping {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::slotSize;
+using suture::rpc::toWire;
+using suture::store;
 
 namespace {
 
@@ -56,22 +47,24 @@ bool isKnownJaws(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::Jaws in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::Jaws in, std::uint8_t& slot) {
   switch (in) {
-    case wire::Jaws::OPEN: return slot = static_cast<std::uint8_t>(Jaws::Open), Errc{};
-    case wire::Jaws::CLOSING: return slot = static_cast<std::uint8_t>(Jaws::Closing), Errc{};
-    case wire::Jaws::HOLDING: return slot = static_cast<std::uint8_t>(Jaws::Holding), Errc{};
+    case wire::Jaws::OPEN: return slot = static_cast<std::uint8_t>(Jaws::Open), suture::Errc{};
+    case wire::Jaws::CLOSING: return slot =
+        static_cast<std::uint8_t>(Jaws::Closing), suture::Errc{};
+    case wire::Jaws::HOLDING: return slot =
+        static_cast<std::uint8_t>(Jaws::Holding), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 namespace {
 
-bool acceptsGripperJawsChangedEvent(const std::uint8_t& slot, FieldPath*) {
+bool acceptsGripperJawsChangedEvent(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownJaws(slot);
 }
 
-bool acceptsGripperTouchedEvent(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsGripperTouchedEvent(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
 // --- Gripper as Cap'n Proto
 
@@ -79,18 +72,18 @@ void encodeGripperReleaseResult(const std::uint8_t& slot,
                                 wire::Gripper::ReleaseResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeGripperReleaseResult(wire::Gripper::ReleaseResults::Reader in, std::uint8_t& slot,
-                                suture::Duration) {
+suture::Errc decodeGripperReleaseResult(wire::Gripper::ReleaseResults::Reader in,
+                                        std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperJawsChangedEvent(const std::uint8_t& slot,
                                    wire::GripperEvents::JawsChangedParams::Builder out) {
   out.setValue(wireJaws(slot));
 }
-Errc decodeGripperJawsChangedEvent(wire::GripperEvents::JawsChangedParams::Reader in,
-                                   std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeGripperJawsChangedEvent(wire::GripperEvents::JawsChangedParams::Reader in,
+                                           std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -98,32 +91,33 @@ void encodeGripperTouchedEvent(const double& slot,
                                wire::GripperEvents::TouchedParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeGripperTouchedEvent(wire::GripperEvents::TouchedParams::Reader in, double& slot,
-                               suture::Duration) {
+suture::Errc decodeGripperTouchedEvent(wire::GripperEvents::TouchedParams::Reader in, double& slot,
+                                       suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
-constexpr CommandCodec kGripperCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kGripperCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 1,
-     .sent = sentIn<wire::Gripper::GraspParams>},
+     .sent = suture::rpc::sentIn<wire::Gripper::GraspParams>},
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 2,
-     .sent = sentIn<wire::Gripper::ReleaseParams>,
-     .result = messageOf<wire::Gripper::ReleaseResults, std::uint8_t, encodeGripperReleaseResult,
-                         decodeGripperReleaseResult>},
+     .sent = suture::rpc::sentIn<wire::Gripper::ReleaseParams>,
+     .result = suture::rpc::messageOf<wire::Gripper::ReleaseResults, std::uint8_t,
+                                      encodeGripperReleaseResult, decodeGripperReleaseResult>},
 };
 
-constexpr EventCodec kGripperEventCodecs[] = {
+constexpr suture::rpc::EventCodec kGripperEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::GripperEvents::JawsChangedParams>,
-     .payload = messageOf<wire::GripperEvents::JawsChangedParams, std::uint8_t,
-                          encodeGripperJawsChangedEvent, decodeGripperJawsChangedEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperEvents::JawsChangedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperEvents::JawsChangedParams, std::uint8_t,
+                                       encodeGripperJawsChangedEvent,
+                                       decodeGripperJawsChangedEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::GripperEvents::TouchedParams>,
-     .payload = messageOf<wire::GripperEvents::TouchedParams, double, encodeGripperTouchedEvent,
-                          decodeGripperTouchedEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperEvents::TouchedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperEvents::TouchedParams, double,
+                                       encodeGripperTouchedEvent, decodeGripperTouchedEvent>},
 };
 
 const suture::rpc::Codec& gripperCodec() {
@@ -138,24 +132,24 @@ const suture::rpc::Codec& gripperCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kGripperCommands[] = {
-    {.name = "grasp", .kind = CommandKind::Void, .depth = 16},
+constexpr suture::CommandInfo kGripperCommands[] = {
+    {.name = "grasp", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "release",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16},
 };
 
-constexpr EventInfo kGripperEvents[] = {
+constexpr suture::EventInfo kGripperEvents[] = {
     {.name = "jaws_changed",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsGripperJawsChangedEvent>},
+     .accepts = suture::checkSlot<std::uint8_t, acceptsGripperJawsChangedEvent>},
     {.name = "touched",
-     .payloadSize = slotSize<double>,
+     .payloadSize = suture::slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<double, acceptsGripperTouchedEvent>},
+     .accepts = suture::checkSlot<double, acceptsGripperTouchedEvent>},
 };
 
 // The self-description, as in 05_events/gripper.suture.json.

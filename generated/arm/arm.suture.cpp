@@ -100,46 +100,33 @@ bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::BoundedLevel;
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::levelAt;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmServoCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmServoCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointGoal& goal, ArmServoJpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmServoJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmServoJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointGoal& goal, ArmMoveJpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmMoveJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmMoveJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointGoal& q, ArmForwardKinematicsArguments& slot) { return store(q, slot.q); }
 
-void shiftStamps(ArmForwardKinematicsArguments& slot, Duration shift) {
+void shiftStamps(ArmForwardKinematicsArguments& slot, suture::Duration shift) {
   shiftStamps(slot.q, shift);
 }
 
@@ -147,7 +134,7 @@ bool store(const PoseStamped& goal, ArmInverseKinematicsArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmInverseKinematicsArguments& slot, Duration shift) {
+void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift) {
   shiftStamps(slot.goal, shift);
 }
 
@@ -159,7 +146,9 @@ bool store(const TransformStamped& base, ArmSetBaseFrameArguments& slot) {
   return store(base, slot.base);
 }
 
-void shiftStamps(ArmSetBaseFrameArguments& slot, Duration shift) { shiftStamps(slot.base, shift); }
+void shiftStamps(ArmSetBaseFrameArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.base, shift);
+}
 
 bool store(const bool& use, ArmUseGravityCompensationArguments& slot) {
   return store(use, slot.use);
@@ -167,37 +156,49 @@ bool store(const bool& use, ArmUseGravityCompensationArguments& slot) {
 
 bool store(const JointGoal& step, ArmServoJrArguments& slot) { return store(step, slot.step); }
 
-void shiftStamps(ArmServoJrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
+void shiftStamps(ArmServoJrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
 
 bool store(const JointVelocityGoal& goal, ArmServoJvArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmServoJvArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmServoJvArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointEffortGoal& goal, ArmServoJfArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmServoJfArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmServoJfArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const PoseStamped& step, ArmServoCrArguments& slot) { return store(step, slot.step); }
 
-void shiftStamps(ArmServoCrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
+void shiftStamps(ArmServoCrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
 
 bool store(const TwistGoal& goal, ArmServoCvArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmServoCvArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmServoCvArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const WrenchGoal& goal, ArmBodyServoCfArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmBodyServoCfArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmBodyServoCfArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const WrenchGoal& goal, ArmSpatialServoCfArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmSpatialServoCfArguments& slot, Duration shift) {
+void shiftStamps(ArmSpatialServoCfArguments& slot, suture::Duration shift) {
   shiftStamps(slot.goal, shift);
 }
 
@@ -205,37 +206,51 @@ bool store(const JointGoal& goal, ArmInterpolateJpArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmInterpolateJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmInterpolateJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointGoal& step, ArmInterpolateJrArguments& slot) {
   return store(step, slot.step);
 }
 
-void shiftStamps(ArmInterpolateJrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
+void shiftStamps(ArmInterpolateJrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
 
 bool store(const PoseStamped& goal, ArmInterpolateCpArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmInterpolateCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmInterpolateCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const PoseStamped& step, ArmInterpolateCrArguments& slot) {
   return store(step, slot.step);
 }
 
-void shiftStamps(ArmInterpolateCrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
+void shiftStamps(ArmInterpolateCrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
 
 bool store(const JointGoal& step, ArmMoveJrArguments& slot) { return store(step, slot.step); }
 
-void shiftStamps(ArmMoveJrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
+void shiftStamps(ArmMoveJrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
 
 bool store(const PoseStamped& goal, ArmMoveCpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmMoveCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmMoveCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const PoseStamped& step, ArmMoveCrArguments& slot) { return store(step, slot.step); }
 
-void shiftStamps(ArmMoveCrArguments& slot, Duration shift) { shiftStamps(slot.step, shift); }
+void shiftStamps(ArmMoveCrArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.step, shift);
+}
 
 bool store(const double& ratio, ArmTrajectoryJSetRatioArguments& slot) {
   return store(ratio, slot.ratio);
@@ -251,650 +266,678 @@ bool store(const double& ratio, ArmTrajectoryJSetRatioAArguments& slot) {
 
 bool store(const JointGoal& q, ArmQueryCpArguments& slot) { return store(q, slot.q); }
 
-void shiftStamps(ArmQueryCpArguments& slot, Duration shift) { shiftStamps(slot.q, shift); }
+void shiftStamps(ArmQueryCpArguments& slot, suture::Duration shift) { shiftStamps(slot.q, shift); }
 
 bool store(const JointGoal& q, ArmLocalQueryCpArguments& slot) { return store(q, slot.q); }
 
-void shiftStamps(ArmLocalQueryCpArguments& slot, Duration shift) { shiftStamps(slot.q, shift); }
+void shiftStamps(ArmLocalQueryCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.q, shift);
+}
 
 namespace {
 
 // By place in the contract, the place in the lock: a base got more since.
 constexpr std::uint8_t kArmWireEvents[] = {3, 2, 4, 0, 1, 5, 6, 7, 8, 9};
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmServoCp(const ArmServoCpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmServoJp(const ArmServoJpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmServoJp(const ArmServoJpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmMoveJp(const ArmMoveJpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmMoveJp(const ArmMoveJpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot, FieldPath* path) {
-  return isValid(slot.q, path) || refusedAt(path, "q");
+bool acceptsArmForwardKinematics(const ArmForwardKinematicsArguments& slot,
+                                 suture::FieldPath* path) {
+  return isValid(slot.q, path) || suture::refusedAt(path, "q");
 }
 
-bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot,
+                                 suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmSetBaseFrame(const ArmSetBaseFrameArguments& slot, FieldPath* path) {
-  return isValid(slot.base, path) || refusedAt(path, "base");
+bool acceptsArmSetBaseFrame(const ArmSetBaseFrameArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.base, path) || suture::refusedAt(path, "base");
 }
 
-bool acceptsArmServoJr(const ArmServoJrArguments& slot, FieldPath* path) {
-  return isValid(slot.step, path) || refusedAt(path, "step");
+bool acceptsArmServoJr(const ArmServoJrArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.step, path) || suture::refusedAt(path, "step");
 }
 
-bool acceptsArmServoJv(const ArmServoJvArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmServoJv(const ArmServoJvArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmServoJf(const ArmServoJfArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmServoJf(const ArmServoJfArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmServoCr(const ArmServoCrArguments& slot, FieldPath* path) {
-  return isValid(slot.step, path) || refusedAt(path, "step");
+bool acceptsArmServoCr(const ArmServoCrArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.step, path) || suture::refusedAt(path, "step");
 }
 
-bool acceptsArmServoCv(const ArmServoCvArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmServoCv(const ArmServoCvArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmBodyServoCf(const ArmBodyServoCfArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmBodyServoCf(const ArmBodyServoCfArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmSpatialServoCf(const ArmSpatialServoCfArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmSpatialServoCf(const ArmSpatialServoCfArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmInterpolateJp(const ArmInterpolateJpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmInterpolateJp(const ArmInterpolateJpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmInterpolateJr(const ArmInterpolateJrArguments& slot, FieldPath* path) {
-  return isValid(slot.step, path) || refusedAt(path, "step");
+bool acceptsArmInterpolateJr(const ArmInterpolateJrArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.step, path) || suture::refusedAt(path, "step");
 }
 
-bool acceptsArmInterpolateCp(const ArmInterpolateCpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmInterpolateCp(const ArmInterpolateCpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmInterpolateCr(const ArmInterpolateCrArguments& slot, FieldPath* path) {
-  return isValid(slot.step, path) || refusedAt(path, "step");
+bool acceptsArmInterpolateCr(const ArmInterpolateCrArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.step, path) || suture::refusedAt(path, "step");
 }
 
-bool acceptsArmMoveJr(const ArmMoveJrArguments& slot, FieldPath* path) {
-  return isValid(slot.step, path) || refusedAt(path, "step");
+bool acceptsArmMoveJr(const ArmMoveJrArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.step, path) || suture::refusedAt(path, "step");
 }
 
-bool acceptsArmMoveCp(const ArmMoveCpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmMoveCp(const ArmMoveCpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmMoveCr(const ArmMoveCrArguments& slot, FieldPath* path) {
-  return isValid(slot.step, path) || refusedAt(path, "step");
+bool acceptsArmMoveCr(const ArmMoveCrArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.step, path) || suture::refusedAt(path, "step");
 }
 
-bool acceptsArmTrajectoryJSetRatio(const ArmTrajectoryJSetRatioArguments& slot, FieldPath* path) {
-  return inRange(slot.ratio, 0.01, 1) || refusedAt(path, "ratio");
+bool acceptsArmTrajectoryJSetRatio(const ArmTrajectoryJSetRatioArguments& slot,
+                                   suture::FieldPath* path) {
+  return suture::rpc::inRange(slot.ratio, 0.01, 1) || suture::refusedAt(path, "ratio");
 }
 
-bool acceptsArmTrajectoryJSetRatioV(const ArmTrajectoryJSetRatioVArguments& slot, FieldPath* path) {
-  return inRange(slot.ratio, 0.01, 1) || refusedAt(path, "ratio");
+bool acceptsArmTrajectoryJSetRatioV(const ArmTrajectoryJSetRatioVArguments& slot,
+                                    suture::FieldPath* path) {
+  return suture::rpc::inRange(slot.ratio, 0.01, 1) || suture::refusedAt(path, "ratio");
 }
 
-bool acceptsArmTrajectoryJSetRatioA(const ArmTrajectoryJSetRatioAArguments& slot, FieldPath* path) {
-  return inRange(slot.ratio, 0.01, 1) || refusedAt(path, "ratio");
+bool acceptsArmTrajectoryJSetRatioA(const ArmTrajectoryJSetRatioAArguments& slot,
+                                    suture::FieldPath* path) {
+  return suture::rpc::inRange(slot.ratio, 0.01, 1) || suture::refusedAt(path, "ratio");
 }
 
-bool acceptsArmTrajectoryJRatioResult(const double& slot, FieldPath*) { return isValid(slot); }
-bool acceptsArmTrajectoryJRatioVResult(const double& slot, FieldPath*) { return isValid(slot); }
-bool acceptsArmTrajectoryJRatioAResult(const double& slot, FieldPath*) { return isValid(slot); }
-
-bool acceptsArmQueryCp(const ArmQueryCpArguments& slot, FieldPath* path) {
-  return isValid(slot.q, path) || refusedAt(path, "q");
+bool acceptsArmTrajectoryJRatioResult(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
 }
 
-bool acceptsArmLocalQueryCp(const ArmLocalQueryCpArguments& slot, FieldPath* path) {
-  return isValid(slot.q, path) || refusedAt(path, "q");
+bool acceptsArmTrajectoryJRatioVResult(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
 }
 
-bool acceptsArmDesiredStateEvent(const std::uint8_t& slot, FieldPath*) {
+bool acceptsArmTrajectoryJRatioAResult(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
+}
+
+bool acceptsArmQueryCp(const ArmQueryCpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.q, path) || suture::refusedAt(path, "q");
+}
+
+bool acceptsArmLocalQueryCp(const ArmLocalQueryCpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.q, path) || suture::refusedAt(path, "q");
+}
+
+bool acceptsArmDesiredStateEvent(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownArmState(slot);
 }
 
-bool acceptsArmTrajectoryJRatioEvent(const double& slot, FieldPath*) { return isValid(slot); }
-bool acceptsArmTrajectoryJRatioVEvent(const double& slot, FieldPath*) { return isValid(slot); }
-bool acceptsArmTrajectoryJRatioAEvent(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsArmTrajectoryJRatioEvent(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
+}
+
+bool acceptsArmTrajectoryJRatioVEvent(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
+}
+
+bool acceptsArmTrajectoryJRatioAEvent(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
+}
 
 // --- Arm as Cap'n Proto
 
 void encodeArmServoCp(const ArmServoCpArguments& slot, wire::Arm::ServoCpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmServoCp(wire::Arm::ServoCpParams::Reader in, ArmServoCpArguments& slot,
-                      suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmServoCp(wire::Arm::ServoCpParams::Reader in, ArmServoCpArguments& slot,
+                              suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmServoJp(const ArmServoJpArguments& slot, wire::Arm::ServoJpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmServoJp(wire::Arm::ServoJpParams::Reader in, ArmServoJpArguments& slot,
-                      suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmServoJp(wire::Arm::ServoJpParams::Reader in, ArmServoJpArguments& slot,
+                              suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMoveJp(const ArmMoveJpArguments& slot, wire::Arm::MoveJpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmMoveJp(wire::Arm::MoveJpParams::Reader in, ArmMoveJpArguments& slot,
-                     suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmMoveJp(wire::Arm::MoveJpParams::Reader in, ArmMoveJpArguments& slot,
+                             suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMeasuredJsResult(const JointStateSlot& slot,
                                wire::Arm::MeasuredJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmMeasuredJsResult(wire::Arm::MeasuredJsResults::Reader in, JointStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredJsResult(wire::Arm::MeasuredJsResults::Reader in,
+                                       JointStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSetpointJsResult(const JointStateSlot& slot,
                                wire::Arm::SetpointJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmSetpointJsResult(wire::Arm::SetpointJsResults::Reader in, JointStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSetpointJsResult(wire::Arm::SetpointJsResults::Reader in,
+                                       JointStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMeasuredCpResult(const PoseStampedSlot& slot,
                                wire::Arm::MeasuredCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmMeasuredCpResult(wire::Arm::MeasuredCpResults::Reader in, PoseStampedSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredCpResult(wire::Arm::MeasuredCpResults::Reader in,
+                                       PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSetpointCpResult(const PoseStampedSlot& slot,
                                wire::Arm::SetpointCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmSetpointCpResult(wire::Arm::SetpointCpResults::Reader in, PoseStampedSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSetpointCpResult(wire::Arm::SetpointCpResults::Reader in,
+                                       PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmOperatingStateResult(const OperatingStateSlot& slot,
                                    wire::Arm::OperatingStateResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmOperatingStateResult(wire::Arm::OperatingStateResults::Reader in,
-                                   OperatingStateSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmOperatingStateResult(wire::Arm::OperatingStateResults::Reader in,
+                                           OperatingStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmForwardKinematics(const ArmForwardKinematicsArguments& slot,
                                 wire::Arm::ForwardKinematicsParams::Builder out) {
   toWire(slot.q, out.initQ());
 }
-Errc decodeArmForwardKinematics(wire::Arm::ForwardKinematicsParams::Reader in,
-                                ArmForwardKinematicsArguments& slot, suture::Duration shift) {
-  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : Errc::Invalid;
+suture::Errc decodeArmForwardKinematics(wire::Arm::ForwardKinematicsParams::Reader in,
+                                        ArmForwardKinematicsArguments& slot,
+                                        suture::Duration shift) {
+  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmForwardKinematicsResult(const PoseStampedSlot& slot,
                                       wire::Arm::ForwardKinematicsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmForwardKinematicsResult(wire::Arm::ForwardKinematicsResults::Reader in,
-                                      PoseStampedSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmForwardKinematicsResult(wire::Arm::ForwardKinematicsResults::Reader in,
+                                              PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmInverseKinematics(const ArmInverseKinematicsArguments& slot,
                                 wire::Arm::InverseKinematicsParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmInverseKinematics(wire::Arm::InverseKinematicsParams::Reader in,
-                                ArmInverseKinematicsArguments& slot, suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmInverseKinematics(wire::Arm::InverseKinematicsParams::Reader in,
+                                        ArmInverseKinematicsArguments& slot,
+                                        suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmInverseKinematicsResult(const JointSolutionSlot& slot,
                                       wire::Arm::InverseKinematicsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmInverseKinematicsResult(wire::Arm::InverseKinematicsResults::Reader in,
-                                      JointSolutionSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmInverseKinematicsResult(wire::Arm::InverseKinematicsResults::Reader in,
+                                              JointSolutionSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmConfigurationJsResult(const JointConfigurationSlot& slot,
                                     wire::Arm::ConfigurationJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmConfigurationJsResult(wire::Arm::ConfigurationJsResults::Reader in,
-                                    JointConfigurationSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmConfigurationJsResult(wire::Arm::ConfigurationJsResults::Reader in,
+                                            JointConfigurationSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmPeriodStatisticsResult(const IntervalStatisticsSlot& slot,
                                      wire::Arm::PeriodStatisticsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmPeriodStatisticsResult(wire::Arm::PeriodStatisticsResults::Reader in,
-                                     IntervalStatisticsSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmPeriodStatisticsResult(wire::Arm::PeriodStatisticsResults::Reader in,
+                                             IntervalStatisticsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmStateCommand(const ArmStateCommandArguments& slot,
                            wire::Arm::StateCommandParams::Builder out) {
   toWire(slot.name, out.initName(sizeOf(slot.name)));
 }
-Errc decodeArmStateCommand(wire::Arm::StateCommandParams::Reader in, ArmStateCommandArguments& slot,
-                           suture::Duration) {
+suture::Errc decodeArmStateCommand(wire::Arm::StateCommandParams::Reader in,
+                                   ArmStateCommandArguments& slot, suture::Duration) {
   return fromWire(in.getName(), slot.name);
 }
 
 void encodeArmGoalJsResult(const JointStateSlot& slot, wire::Arm::GoalJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmGoalJsResult(wire::Arm::GoalJsResults::Reader in, JointStateSlot& slot,
-                           suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmGoalJsResult(wire::Arm::GoalJsResults::Reader in, JointStateSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmGoalCpResult(const PoseStampedSlot& slot, wire::Arm::GoalCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmGoalCpResult(wire::Arm::GoalCpResults::Reader in, PoseStampedSlot& slot,
-                           suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmGoalCpResult(wire::Arm::GoalCpResults::Reader in, PoseStampedSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLocalMeasuredCpResult(const PoseStampedSlot& slot,
                                     wire::Arm::LocalMeasuredCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmLocalMeasuredCpResult(wire::Arm::LocalMeasuredCpResults::Reader in,
-                                    PoseStampedSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLocalMeasuredCpResult(wire::Arm::LocalMeasuredCpResults::Reader in,
+                                            PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLocalSetpointCpResult(const PoseStampedSlot& slot,
                                     wire::Arm::LocalSetpointCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmLocalSetpointCpResult(wire::Arm::LocalSetpointCpResults::Reader in,
-                                    PoseStampedSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLocalSetpointCpResult(wire::Arm::LocalSetpointCpResults::Reader in,
+                                            PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMeasuredCvResult(const TwistSlot& slot, wire::Arm::MeasuredCvResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmMeasuredCvResult(wire::Arm::MeasuredCvResults::Reader in, TwistSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredCvResult(wire::Arm::MeasuredCvResults::Reader in, TwistSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSetpointCvResult(const TwistSlot& slot, wire::Arm::SetpointCvResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmSetpointCvResult(wire::Arm::SetpointCvResults::Reader in, TwistSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSetpointCvResult(wire::Arm::SetpointCvResults::Reader in, TwistSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmBodyMeasuredCfResult(const WrenchSlot& slot,
                                    wire::Arm::BodyMeasuredCfResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmBodyMeasuredCfResult(wire::Arm::BodyMeasuredCfResults::Reader in, WrenchSlot& slot,
-                                   suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmBodyMeasuredCfResult(wire::Arm::BodyMeasuredCfResults::Reader in,
+                                           WrenchSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSpatialMeasuredCfResult(const WrenchSlot& slot,
                                       wire::Arm::SpatialMeasuredCfResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmSpatialMeasuredCfResult(wire::Arm::SpatialMeasuredCfResults::Reader in,
-                                      WrenchSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSpatialMeasuredCfResult(wire::Arm::SpatialMeasuredCfResults::Reader in,
+                                              WrenchSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMeasuredCsResult(const CartesianStateSlot& slot,
                                wire::Arm::MeasuredCsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmMeasuredCsResult(wire::Arm::MeasuredCsResults::Reader in, CartesianStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredCsResult(wire::Arm::MeasuredCsResults::Reader in,
+                                       CartesianStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmBodyJacobianResult(const JacobianSlot& slot,
                                  wire::Arm::BodyJacobianResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmBodyJacobianResult(wire::Arm::BodyJacobianResults::Reader in, JacobianSlot& slot,
-                                 suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmBodyJacobianResult(wire::Arm::BodyJacobianResults::Reader in,
+                                         JacobianSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSpatialJacobianResult(const JacobianSlot& slot,
                                     wire::Arm::SpatialJacobianResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmSpatialJacobianResult(wire::Arm::SpatialJacobianResults::Reader in,
-                                    JacobianSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSpatialJacobianResult(wire::Arm::SpatialJacobianResults::Reader in,
+                                            JacobianSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmBaseFrameResult(const TransformStampedSlot& slot,
                               wire::Arm::BaseFrameResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmBaseFrameResult(wire::Arm::BaseFrameResults::Reader in, TransformStampedSlot& slot,
-                              suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmBaseFrameResult(wire::Arm::BaseFrameResults::Reader in,
+                                      TransformStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSetBaseFrame(const ArmSetBaseFrameArguments& slot,
                            wire::Arm::SetBaseFrameParams::Builder out) {
   toWire(slot.base, out.initBase());
 }
-Errc decodeArmSetBaseFrame(wire::Arm::SetBaseFrameParams::Reader in, ArmSetBaseFrameArguments& slot,
-                           suture::Duration shift) {
-  return in.hasBase() ? fromWire(in.getBase(), slot.base, shift) : Errc::Invalid;
+suture::Errc decodeArmSetBaseFrame(wire::Arm::SetBaseFrameParams::Reader in,
+                                   ArmSetBaseFrameArguments& slot, suture::Duration shift) {
+  return in.hasBase() ? fromWire(in.getBase(), slot.base, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmUseGravityCompensation(const ArmUseGravityCompensationArguments& slot,
                                      wire::Arm::UseGravityCompensationParams::Builder out) {
   out.setUse(slot.use != 0);
 }
-Errc decodeArmUseGravityCompensation(wire::Arm::UseGravityCompensationParams::Reader in,
-                                     ArmUseGravityCompensationArguments& slot, suture::Duration) {
+suture::Errc decodeArmUseGravityCompensation(wire::Arm::UseGravityCompensationParams::Reader in,
+                                             ArmUseGravityCompensationArguments& slot,
+                                             suture::Duration) {
   slot.use = in.getUse();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmServoJr(const ArmServoJrArguments& slot, wire::Arm::ServoJrParams::Builder out) {
   toWire(slot.step, out.initStep());
 }
-Errc decodeArmServoJr(wire::Arm::ServoJrParams::Reader in, ArmServoJrArguments& slot,
-                      suture::Duration shift) {
-  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+suture::Errc decodeArmServoJr(wire::Arm::ServoJrParams::Reader in, ArmServoJrArguments& slot,
+                              suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmServoJv(const ArmServoJvArguments& slot, wire::Arm::ServoJvParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmServoJv(wire::Arm::ServoJvParams::Reader in, ArmServoJvArguments& slot,
-                      suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmServoJv(wire::Arm::ServoJvParams::Reader in, ArmServoJvArguments& slot,
+                              suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmServoJf(const ArmServoJfArguments& slot, wire::Arm::ServoJfParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmServoJf(wire::Arm::ServoJfParams::Reader in, ArmServoJfArguments& slot,
-                      suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmServoJf(wire::Arm::ServoJfParams::Reader in, ArmServoJfArguments& slot,
+                              suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmServoCr(const ArmServoCrArguments& slot, wire::Arm::ServoCrParams::Builder out) {
   toWire(slot.step, out.initStep());
 }
-Errc decodeArmServoCr(wire::Arm::ServoCrParams::Reader in, ArmServoCrArguments& slot,
-                      suture::Duration shift) {
-  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+suture::Errc decodeArmServoCr(wire::Arm::ServoCrParams::Reader in, ArmServoCrArguments& slot,
+                              suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmServoCv(const ArmServoCvArguments& slot, wire::Arm::ServoCvParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmServoCv(wire::Arm::ServoCvParams::Reader in, ArmServoCvArguments& slot,
-                      suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmServoCv(wire::Arm::ServoCvParams::Reader in, ArmServoCvArguments& slot,
+                              suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmBodyServoCf(const ArmBodyServoCfArguments& slot,
                           wire::Arm::BodyServoCfParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmBodyServoCf(wire::Arm::BodyServoCfParams::Reader in, ArmBodyServoCfArguments& slot,
-                          suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmBodyServoCf(wire::Arm::BodyServoCfParams::Reader in,
+                                  ArmBodyServoCfArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSpatialServoCf(const ArmSpatialServoCfArguments& slot,
                              wire::Arm::SpatialServoCfParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmSpatialServoCf(wire::Arm::SpatialServoCfParams::Reader in,
-                             ArmSpatialServoCfArguments& slot, suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmSpatialServoCf(wire::Arm::SpatialServoCfParams::Reader in,
+                                     ArmSpatialServoCfArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmInterpolateJp(const ArmInterpolateJpArguments& slot,
                             wire::Arm::InterpolateJpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmInterpolateJp(wire::Arm::InterpolateJpParams::Reader in,
-                            ArmInterpolateJpArguments& slot, suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmInterpolateJp(wire::Arm::InterpolateJpParams::Reader in,
+                                    ArmInterpolateJpArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmInterpolateJr(const ArmInterpolateJrArguments& slot,
                             wire::Arm::InterpolateJrParams::Builder out) {
   toWire(slot.step, out.initStep());
 }
-Errc decodeArmInterpolateJr(wire::Arm::InterpolateJrParams::Reader in,
-                            ArmInterpolateJrArguments& slot, suture::Duration shift) {
-  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+suture::Errc decodeArmInterpolateJr(wire::Arm::InterpolateJrParams::Reader in,
+                                    ArmInterpolateJrArguments& slot, suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmInterpolateCp(const ArmInterpolateCpArguments& slot,
                             wire::Arm::InterpolateCpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmInterpolateCp(wire::Arm::InterpolateCpParams::Reader in,
-                            ArmInterpolateCpArguments& slot, suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmInterpolateCp(wire::Arm::InterpolateCpParams::Reader in,
+                                    ArmInterpolateCpArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmInterpolateCr(const ArmInterpolateCrArguments& slot,
                             wire::Arm::InterpolateCrParams::Builder out) {
   toWire(slot.step, out.initStep());
 }
-Errc decodeArmInterpolateCr(wire::Arm::InterpolateCrParams::Reader in,
-                            ArmInterpolateCrArguments& slot, suture::Duration shift) {
-  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+suture::Errc decodeArmInterpolateCr(wire::Arm::InterpolateCrParams::Reader in,
+                                    ArmInterpolateCrArguments& slot, suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMoveJr(const ArmMoveJrArguments& slot, wire::Arm::MoveJrParams::Builder out) {
   toWire(slot.step, out.initStep());
 }
-Errc decodeArmMoveJr(wire::Arm::MoveJrParams::Reader in, ArmMoveJrArguments& slot,
-                     suture::Duration shift) {
-  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+suture::Errc decodeArmMoveJr(wire::Arm::MoveJrParams::Reader in, ArmMoveJrArguments& slot,
+                             suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMoveCp(const ArmMoveCpArguments& slot, wire::Arm::MoveCpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmMoveCp(wire::Arm::MoveCpParams::Reader in, ArmMoveCpArguments& slot,
-                     suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmMoveCp(wire::Arm::MoveCpParams::Reader in, ArmMoveCpArguments& slot,
+                             suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMoveCr(const ArmMoveCrArguments& slot, wire::Arm::MoveCrParams::Builder out) {
   toWire(slot.step, out.initStep());
 }
-Errc decodeArmMoveCr(wire::Arm::MoveCrParams::Reader in, ArmMoveCrArguments& slot,
-                     suture::Duration shift) {
-  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : Errc::Invalid;
+suture::Errc decodeArmMoveCr(wire::Arm::MoveCrParams::Reader in, ArmMoveCrArguments& slot,
+                             suture::Duration shift) {
+  return in.hasStep() ? fromWire(in.getStep(), slot.step, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmTrajectoryJSetRatio(const ArmTrajectoryJSetRatioArguments& slot,
                                   wire::Arm::TrajectoryJSetRatioParams::Builder out) {
   out.setRatio(slot.ratio);
 }
-Errc decodeArmTrajectoryJSetRatio(wire::Arm::TrajectoryJSetRatioParams::Reader in,
-                                  ArmTrajectoryJSetRatioArguments& slot, suture::Duration) {
+suture::Errc decodeArmTrajectoryJSetRatio(wire::Arm::TrajectoryJSetRatioParams::Reader in,
+                                          ArmTrajectoryJSetRatioArguments& slot, suture::Duration) {
   slot.ratio = in.getRatio();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJSetRatioV(const ArmTrajectoryJSetRatioVArguments& slot,
                                    wire::Arm::TrajectoryJSetRatioVParams::Builder out) {
   out.setRatio(slot.ratio);
 }
-Errc decodeArmTrajectoryJSetRatioV(wire::Arm::TrajectoryJSetRatioVParams::Reader in,
-                                   ArmTrajectoryJSetRatioVArguments& slot, suture::Duration) {
+suture::Errc decodeArmTrajectoryJSetRatioV(wire::Arm::TrajectoryJSetRatioVParams::Reader in,
+                                           ArmTrajectoryJSetRatioVArguments& slot,
+                                           suture::Duration) {
   slot.ratio = in.getRatio();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJSetRatioA(const ArmTrajectoryJSetRatioAArguments& slot,
                                    wire::Arm::TrajectoryJSetRatioAParams::Builder out) {
   out.setRatio(slot.ratio);
 }
-Errc decodeArmTrajectoryJSetRatioA(wire::Arm::TrajectoryJSetRatioAParams::Reader in,
-                                   ArmTrajectoryJSetRatioAArguments& slot, suture::Duration) {
+suture::Errc decodeArmTrajectoryJSetRatioA(wire::Arm::TrajectoryJSetRatioAParams::Reader in,
+                                           ArmTrajectoryJSetRatioAArguments& slot,
+                                           suture::Duration) {
   slot.ratio = in.getRatio();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJRatioResult(const double& slot,
                                      wire::Arm::TrajectoryJRatioResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmTrajectoryJRatioResult(wire::Arm::TrajectoryJRatioResults::Reader in, double& slot,
-                                     suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioResult(wire::Arm::TrajectoryJRatioResults::Reader in,
+                                             double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJRatioVResult(const double& slot,
                                       wire::Arm::TrajectoryJRatioVResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmTrajectoryJRatioVResult(wire::Arm::TrajectoryJRatioVResults::Reader in, double& slot,
-                                      suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioVResult(wire::Arm::TrajectoryJRatioVResults::Reader in,
+                                              double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJRatioAResult(const double& slot,
                                       wire::Arm::TrajectoryJRatioAResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmTrajectoryJRatioAResult(wire::Arm::TrajectoryJRatioAResults::Reader in, double& slot,
-                                      suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioAResult(wire::Arm::TrajectoryJRatioAResults::Reader in,
+                                              double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmQueryCp(const ArmQueryCpArguments& slot, wire::Arm::QueryCpParams::Builder out) {
   toWire(slot.q, out.initQ());
 }
-Errc decodeArmQueryCp(wire::Arm::QueryCpParams::Reader in, ArmQueryCpArguments& slot,
-                      suture::Duration shift) {
-  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : Errc::Invalid;
+suture::Errc decodeArmQueryCp(wire::Arm::QueryCpParams::Reader in, ArmQueryCpArguments& slot,
+                              suture::Duration shift) {
+  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmQueryCpResult(const PoseStampedSlot& slot, wire::Arm::QueryCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmQueryCpResult(wire::Arm::QueryCpResults::Reader in, PoseStampedSlot& slot,
-                            suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmQueryCpResult(wire::Arm::QueryCpResults::Reader in, PoseStampedSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLocalQueryCp(const ArmLocalQueryCpArguments& slot,
                            wire::Arm::LocalQueryCpParams::Builder out) {
   toWire(slot.q, out.initQ());
 }
-Errc decodeArmLocalQueryCp(wire::Arm::LocalQueryCpParams::Reader in, ArmLocalQueryCpArguments& slot,
-                           suture::Duration shift) {
-  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : Errc::Invalid;
+suture::Errc decodeArmLocalQueryCp(wire::Arm::LocalQueryCpParams::Reader in,
+                                   ArmLocalQueryCpArguments& slot, suture::Duration shift) {
+  return in.hasQ() ? fromWire(in.getQ(), slot.q, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLocalQueryCpResult(const PoseStampedSlot& slot,
                                  wire::Arm::LocalQueryCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmLocalQueryCpResult(wire::Arm::LocalQueryCpResults::Reader in, PoseStampedSlot& slot,
-                                 suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLocalQueryCpResult(wire::Arm::LocalQueryCpResults::Reader in,
+                                         PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmStatusEvent(const suture::MessageSlot& slot,
                           wire::ArmEvents::StatusParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmStatusEvent(wire::ArmEvents::StatusParams::Reader in, suture::MessageSlot& slot,
-                          suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmStatusEvent(wire::ArmEvents::StatusParams::Reader in,
+                                  suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmWarningEvent(const suture::MessageSlot& slot,
                            wire::ArmEvents::WarningParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmWarningEvent(wire::ArmEvents::WarningParams::Reader in, suture::MessageSlot& slot,
-                           suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmWarningEvent(wire::ArmEvents::WarningParams::Reader in,
+                                   suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmErrorEvent(const suture::MessageSlot& slot,
                          wire::ArmEvents::ErrorParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmErrorEvent(wire::ArmEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
-                         suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmErrorEvent(wire::ArmEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
+                                 suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmOperatingStateEvent(const OperatingStateSlot& slot,
                                   wire::ArmEvents::OperatingStateParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmOperatingStateEvent(wire::ArmEvents::OperatingStateParams::Reader in,
-                                  OperatingStateSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmOperatingStateEvent(wire::ArmEvents::OperatingStateParams::Reader in,
+                                          OperatingStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmGoalReachedEvent(const std::uint8_t& slot,
                                wire::ArmEvents::GoalReachedParams::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeArmGoalReachedEvent(wire::ArmEvents::GoalReachedParams::Reader in, std::uint8_t& slot,
-                               suture::Duration) {
+suture::Errc decodeArmGoalReachedEvent(wire::ArmEvents::GoalReachedParams::Reader in,
+                                       std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmDesiredStateEvent(const std::uint8_t& slot,
                                 wire::ArmEvents::DesiredStateParams::Builder out) {
   out.setValue(wireArmState(slot));
 }
-Errc decodeArmDesiredStateEvent(wire::ArmEvents::DesiredStateParams::Reader in, std::uint8_t& slot,
-                                suture::Duration) {
+suture::Errc decodeArmDesiredStateEvent(wire::ArmEvents::DesiredStateParams::Reader in,
+                                        std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -902,653 +945,702 @@ void encodeArmGravityCompensationEvent(const std::uint8_t& slot,
                                        wire::ArmEvents::GravityCompensationParams::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeArmGravityCompensationEvent(wire::ArmEvents::GravityCompensationParams::Reader in,
-                                       std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeArmGravityCompensationEvent(
+    wire::ArmEvents::GravityCompensationParams::Reader in, std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJRatioEvent(const double& slot,
                                     wire::ArmEvents::TrajectoryJRatioParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmTrajectoryJRatioEvent(wire::ArmEvents::TrajectoryJRatioParams::Reader in,
-                                    double& slot, suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioEvent(wire::ArmEvents::TrajectoryJRatioParams::Reader in,
+                                            double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJRatioVEvent(const double& slot,
                                      wire::ArmEvents::TrajectoryJRatioVParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmTrajectoryJRatioVEvent(wire::ArmEvents::TrajectoryJRatioVParams::Reader in,
-                                     double& slot, suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioVEvent(wire::ArmEvents::TrajectoryJRatioVParams::Reader in,
+                                             double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJRatioAEvent(const double& slot,
                                      wire::ArmEvents::TrajectoryJRatioAParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmTrajectoryJRatioAEvent(wire::ArmEvents::TrajectoryJRatioAParams::Reader in,
-                                     double& slot, suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioAEvent(wire::ArmEvents::TrajectoryJRatioAParams::Reader in,
+                                             double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmMeasuredJsColumn(const JointStateSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initMeasuredJs());
 }
-Errc decodeArmMeasuredJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSetpointJsColumn(const JointStateSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initSetpointJs());
 }
-Errc decodeArmSetpointJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSetpointJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMeasuredCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initMeasuredCp());
 }
-Errc decodeArmMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
-                               suture::Duration shift) {
-  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSetpointCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initSetpointCp());
 }
-Errc decodeArmSetpointCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
-                               suture::Duration shift) {
-  return in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSetpointCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasSetpointCp() ? fromWire(in.getSetpointCp(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmOperatingStateColumn(const OperatingStateSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initOperatingState());
 }
-Errc decodeArmOperatingStateColumn(wire::ArmStateRow::Reader in, OperatingStateSlot& slot,
-                                   suture::Duration shift) {
-  return in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmOperatingStateColumn(wire::ArmStateRow::Reader in, OperatingStateSlot& slot,
+                                           suture::Duration shift) {
+  return in.hasOperatingState() ? fromWire(in.getOperatingState(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeArmConfigurationJsColumn(const JointConfigurationSlot& slot,
                                     wire::ArmStateRow::Builder out) {
   toWire(slot, out.initConfigurationJs());
 }
-Errc decodeArmConfigurationJsColumn(wire::ArmStateRow::Reader in, JointConfigurationSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmConfigurationJsColumn(wire::ArmStateRow::Reader in,
+                                            JointConfigurationSlot& slot, suture::Duration shift) {
+  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeArmPeriodStatisticsColumn(const IntervalStatisticsSlot& slot,
                                      wire::ArmStateRow::Builder out) {
   toWire(slot, out.initPeriodStatistics());
 }
-Errc decodeArmPeriodStatisticsColumn(wire::ArmStateRow::Reader in, IntervalStatisticsSlot& slot,
-                                     suture::Duration shift) {
-  return in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmPeriodStatisticsColumn(wire::ArmStateRow::Reader in,
+                                             IntervalStatisticsSlot& slot, suture::Duration shift) {
+  return in.hasPeriodStatistics() ? fromWire(in.getPeriodStatistics(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeArmGoalJsColumn(const JointStateSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initGoalJs());
 }
-Errc decodeArmGoalJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
-                           suture::Duration shift) {
-  return in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmGoalJsColumn(wire::ArmStateRow::Reader in, JointStateSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasGoalJs() ? fromWire(in.getGoalJs(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmGoalCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initGoalCp());
 }
-Errc decodeArmGoalCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
-                           suture::Duration shift) {
-  return in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmGoalCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasGoalCp() ? fromWire(in.getGoalCp(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLocalMeasuredCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initLocalMeasuredCp());
 }
-Errc decodeArmLocalMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLocalMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                                            suture::Duration shift) {
+  return in.hasLocalMeasuredCp() ? fromWire(in.getLocalMeasuredCp(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeArmLocalSetpointCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initLocalSetpointCp());
 }
-Errc decodeArmLocalSetpointCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLocalSetpointCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                                            suture::Duration shift) {
+  return in.hasLocalSetpointCp() ? fromWire(in.getLocalSetpointCp(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeArmMeasuredCvColumn(const TwistSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initMeasuredCv());
 }
-Errc decodeArmMeasuredCvColumn(wire::ArmStateRow::Reader in, TwistSlot& slot,
-                               suture::Duration shift) {
-  return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredCvColumn(wire::ArmStateRow::Reader in, TwistSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSetpointCvColumn(const TwistSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initSetpointCv());
 }
-Errc decodeArmSetpointCvColumn(wire::ArmStateRow::Reader in, TwistSlot& slot,
-                               suture::Duration shift) {
-  return in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSetpointCvColumn(wire::ArmStateRow::Reader in, TwistSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasSetpointCv() ? fromWire(in.getSetpointCv(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmBodyMeasuredCfColumn(const WrenchSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initBodyMeasuredCf());
 }
-Errc decodeArmBodyMeasuredCfColumn(wire::ArmStateRow::Reader in, WrenchSlot& slot,
-                                   suture::Duration shift) {
-  return in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmBodyMeasuredCfColumn(wire::ArmStateRow::Reader in, WrenchSlot& slot,
+                                           suture::Duration shift) {
+  return in.hasBodyMeasuredCf() ? fromWire(in.getBodyMeasuredCf(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeArmSpatialMeasuredCfColumn(const WrenchSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initSpatialMeasuredCf());
 }
-Errc decodeArmSpatialMeasuredCfColumn(wire::ArmStateRow::Reader in, WrenchSlot& slot,
-                                      suture::Duration shift) {
+suture::Errc decodeArmSpatialMeasuredCfColumn(wire::ArmStateRow::Reader in, WrenchSlot& slot,
+                                              suture::Duration shift) {
   return in.hasSpatialMeasuredCf() ? fromWire(in.getSpatialMeasuredCf(), slot, shift)
-      : Errc::Invalid;
+      : suture::Errc::Invalid;
 }
 
 void encodeArmMeasuredCsColumn(const CartesianStateSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initMeasuredCs());
 }
-Errc decodeArmMeasuredCsColumn(wire::ArmStateRow::Reader in, CartesianStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredCsColumn(wire::ArmStateRow::Reader in, CartesianStateSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasMeasuredCs() ? fromWire(in.getMeasuredCs(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmBodyJacobianColumn(const JacobianSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initBodyJacobian());
 }
-Errc decodeArmBodyJacobianColumn(wire::ArmStateRow::Reader in, JacobianSlot& slot,
-                                 suture::Duration shift) {
-  return in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmBodyJacobianColumn(wire::ArmStateRow::Reader in, JacobianSlot& slot,
+                                         suture::Duration shift) {
+  return in.hasBodyJacobian() ? fromWire(in.getBodyJacobian(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSpatialJacobianColumn(const JacobianSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initSpatialJacobian());
 }
-Errc decodeArmSpatialJacobianColumn(wire::ArmStateRow::Reader in, JacobianSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmSpatialJacobianColumn(wire::ArmStateRow::Reader in, JacobianSlot& slot,
+                                            suture::Duration shift) {
+  return in.hasSpatialJacobian() ? fromWire(in.getSpatialJacobian(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeArmBaseFrameColumn(const TransformStampedSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initBaseFrame());
 }
-Errc decodeArmBaseFrameColumn(wire::ArmStateRow::Reader in, TransformStampedSlot& slot,
-                              suture::Duration shift) {
-  return in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmBaseFrameColumn(wire::ArmStateRow::Reader in, TransformStampedSlot& slot,
+                                      suture::Duration shift) {
+  return in.hasBaseFrame() ? fromWire(in.getBaseFrame(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmTrajectoryJRatioColumn(const double& slot, wire::ArmStateRow::Builder out) {
   out.setTrajectoryJRatio(slot);
 }
-Errc decodeArmTrajectoryJRatioColumn(wire::ArmStateRow::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioColumn(wire::ArmStateRow::Reader in, double& slot,
+                                             suture::Duration) {
   slot = in.getTrajectoryJRatio();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJRatioVColumn(const double& slot, wire::ArmStateRow::Builder out) {
   out.setTrajectoryJRatioV(slot);
 }
-Errc decodeArmTrajectoryJRatioVColumn(wire::ArmStateRow::Reader in, double& slot,
-                                      suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioVColumn(wire::ArmStateRow::Reader in, double& slot,
+                                              suture::Duration) {
   slot = in.getTrajectoryJRatioV();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmTrajectoryJRatioAColumn(const double& slot, wire::ArmStateRow::Builder out) {
   out.setTrajectoryJRatioA(slot);
 }
-Errc decodeArmTrajectoryJRatioAColumn(wire::ArmStateRow::Reader in, double& slot,
-                                      suture::Duration) {
+suture::Errc decodeArmTrajectoryJRatioAColumn(wire::ArmStateRow::Reader in, double& slot,
+                                              suture::Duration) {
   slot = in.getTrajectoryJRatioA();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
   switch (static_cast<ArmColumn>(column)) {
     case ArmColumn::measured_js:
-      return encodeArmMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
+      return encodeArmMeasuredJsColumn(suture::slotIn<JointStateSlot>(memory), out);
     case ArmColumn::setpoint_js:
-      return encodeArmSetpointJsColumn(slotIn<JointStateSlot>(memory), out);
+      return encodeArmSetpointJsColumn(suture::slotIn<JointStateSlot>(memory), out);
     case ArmColumn::measured_cp:
-      return encodeArmMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+      return encodeArmMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case ArmColumn::setpoint_cp:
-      return encodeArmSetpointCpColumn(slotIn<PoseStampedSlot>(memory), out);
+      return encodeArmSetpointCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case ArmColumn::operating_state:
-      return encodeArmOperatingStateColumn(slotIn<OperatingStateSlot>(memory), out);
+      return encodeArmOperatingStateColumn(suture::slotIn<OperatingStateSlot>(memory), out);
     case ArmColumn::configuration_js:
-      return encodeArmConfigurationJsColumn(slotIn<JointConfigurationSlot>(memory), out);
+      return encodeArmConfigurationJsColumn(suture::slotIn<JointConfigurationSlot>(memory), out);
     case ArmColumn::period_statistics:
-      return encodeArmPeriodStatisticsColumn(slotIn<IntervalStatisticsSlot>(memory), out);
-    case ArmColumn::goal_js: return encodeArmGoalJsColumn(slotIn<JointStateSlot>(memory), out);
-    case ArmColumn::goal_cp: return encodeArmGoalCpColumn(slotIn<PoseStampedSlot>(memory), out);
+      return encodeArmPeriodStatisticsColumn(suture::slotIn<IntervalStatisticsSlot>(memory), out);
+    case ArmColumn::goal_js:
+      return encodeArmGoalJsColumn(suture::slotIn<JointStateSlot>(memory), out);
+    case ArmColumn::goal_cp:
+      return encodeArmGoalCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case ArmColumn::local_measured_cp:
-      return encodeArmLocalMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+      return encodeArmLocalMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case ArmColumn::local_setpoint_cp:
-      return encodeArmLocalSetpointCpColumn(slotIn<PoseStampedSlot>(memory), out);
-    case ArmColumn::measured_cv: return encodeArmMeasuredCvColumn(slotIn<TwistSlot>(memory), out);
-    case ArmColumn::setpoint_cv: return encodeArmSetpointCvColumn(slotIn<TwistSlot>(memory), out);
+      return encodeArmLocalSetpointCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
+    case ArmColumn::measured_cv:
+      return encodeArmMeasuredCvColumn(suture::slotIn<TwistSlot>(memory), out);
+    case ArmColumn::setpoint_cv:
+      return encodeArmSetpointCvColumn(suture::slotIn<TwistSlot>(memory), out);
     case ArmColumn::body_measured_cf:
-      return encodeArmBodyMeasuredCfColumn(slotIn<WrenchSlot>(memory), out);
+      return encodeArmBodyMeasuredCfColumn(suture::slotIn<WrenchSlot>(memory), out);
     case ArmColumn::spatial_measured_cf:
-      return encodeArmSpatialMeasuredCfColumn(slotIn<WrenchSlot>(memory), out);
+      return encodeArmSpatialMeasuredCfColumn(suture::slotIn<WrenchSlot>(memory), out);
     case ArmColumn::measured_cs:
-      return encodeArmMeasuredCsColumn(slotIn<CartesianStateSlot>(memory), out);
+      return encodeArmMeasuredCsColumn(suture::slotIn<CartesianStateSlot>(memory), out);
     case ArmColumn::body_jacobian:
-      return encodeArmBodyJacobianColumn(slotIn<JacobianSlot>(memory), out);
+      return encodeArmBodyJacobianColumn(suture::slotIn<JacobianSlot>(memory), out);
     case ArmColumn::spatial_jacobian:
-      return encodeArmSpatialJacobianColumn(slotIn<JacobianSlot>(memory), out);
+      return encodeArmSpatialJacobianColumn(suture::slotIn<JacobianSlot>(memory), out);
     case ArmColumn::base_frame:
-      return encodeArmBaseFrameColumn(slotIn<TransformStampedSlot>(memory), out);
+      return encodeArmBaseFrameColumn(suture::slotIn<TransformStampedSlot>(memory), out);
     case ArmColumn::trajectory_j_ratio:
-      return encodeArmTrajectoryJRatioColumn(slotIn<double>(memory), out);
+      return encodeArmTrajectoryJRatioColumn(suture::slotIn<double>(memory), out);
     case ArmColumn::trajectory_j_ratio_v:
-      return encodeArmTrajectoryJRatioVColumn(slotIn<double>(memory), out);
+      return encodeArmTrajectoryJRatioVColumn(suture::slotIn<double>(memory), out);
     case ArmColumn::trajectory_j_ratio_a:
-      return encodeArmTrajectoryJRatioAColumn(slotIn<double>(memory), out);
+      return encodeArmTrajectoryJRatioAColumn(suture::slotIn<double>(memory), out);
   }
 }
-Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
-                     suture::Duration shift) {
+suture::Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
+                             suture::Duration shift) {
   switch (static_cast<ArmColumn>(column)) {
     case ArmColumn::measured_js:
-      return decodeArmMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+      return decodeArmMeasuredJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
     case ArmColumn::setpoint_js:
-      return decodeArmSetpointJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+      return decodeArmSetpointJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
     case ArmColumn::measured_cp:
-      return decodeArmMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeArmMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case ArmColumn::setpoint_cp:
-      return decodeArmSetpointCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeArmSetpointCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case ArmColumn::operating_state:
-      return decodeArmOperatingStateColumn(in, newSlot<OperatingStateSlot>(memory), shift);
+      return decodeArmOperatingStateColumn(in, suture::newSlot<OperatingStateSlot>(memory), shift);
     case ArmColumn::configuration_js:
-      return decodeArmConfigurationJsColumn(in, newSlot<JointConfigurationSlot>(memory), shift);
+      return decodeArmConfigurationJsColumn(in, suture::newSlot<JointConfigurationSlot>(memory),
+                                            shift);
     case ArmColumn::period_statistics:
-      return decodeArmPeriodStatisticsColumn(in, newSlot<IntervalStatisticsSlot>(memory), shift);
+      return decodeArmPeriodStatisticsColumn(in, suture::newSlot<IntervalStatisticsSlot>(memory),
+                                             shift);
     case ArmColumn::goal_js:
-      return decodeArmGoalJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+      return decodeArmGoalJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
     case ArmColumn::goal_cp:
-      return decodeArmGoalCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeArmGoalCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case ArmColumn::local_measured_cp:
-      return decodeArmLocalMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeArmLocalMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case ArmColumn::local_setpoint_cp:
-      return decodeArmLocalSetpointCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeArmLocalSetpointCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case ArmColumn::measured_cv:
-      return decodeArmMeasuredCvColumn(in, newSlot<TwistSlot>(memory), shift);
+      return decodeArmMeasuredCvColumn(in, suture::newSlot<TwistSlot>(memory), shift);
     case ArmColumn::setpoint_cv:
-      return decodeArmSetpointCvColumn(in, newSlot<TwistSlot>(memory), shift);
+      return decodeArmSetpointCvColumn(in, suture::newSlot<TwistSlot>(memory), shift);
     case ArmColumn::body_measured_cf:
-      return decodeArmBodyMeasuredCfColumn(in, newSlot<WrenchSlot>(memory), shift);
+      return decodeArmBodyMeasuredCfColumn(in, suture::newSlot<WrenchSlot>(memory), shift);
     case ArmColumn::spatial_measured_cf:
-      return decodeArmSpatialMeasuredCfColumn(in, newSlot<WrenchSlot>(memory), shift);
+      return decodeArmSpatialMeasuredCfColumn(in, suture::newSlot<WrenchSlot>(memory), shift);
     case ArmColumn::measured_cs:
-      return decodeArmMeasuredCsColumn(in, newSlot<CartesianStateSlot>(memory), shift);
+      return decodeArmMeasuredCsColumn(in, suture::newSlot<CartesianStateSlot>(memory), shift);
     case ArmColumn::body_jacobian:
-      return decodeArmBodyJacobianColumn(in, newSlot<JacobianSlot>(memory), shift);
+      return decodeArmBodyJacobianColumn(in, suture::newSlot<JacobianSlot>(memory), shift);
     case ArmColumn::spatial_jacobian:
-      return decodeArmSpatialJacobianColumn(in, newSlot<JacobianSlot>(memory), shift);
+      return decodeArmSpatialJacobianColumn(in, suture::newSlot<JacobianSlot>(memory), shift);
     case ArmColumn::base_frame:
-      return decodeArmBaseFrameColumn(in, newSlot<TransformStampedSlot>(memory), shift);
+      return decodeArmBaseFrameColumn(in, suture::newSlot<TransformStampedSlot>(memory), shift);
     case ArmColumn::trajectory_j_ratio:
-      return decodeArmTrajectoryJRatioColumn(in, newSlot<double>(memory), shift);
+      return decodeArmTrajectoryJRatioColumn(in, suture::newSlot<double>(memory), shift);
     case ArmColumn::trajectory_j_ratio_v:
-      return decodeArmTrajectoryJRatioVColumn(in, newSlot<double>(memory), shift);
+      return decodeArmTrajectoryJRatioVColumn(in, suture::newSlot<double>(memory), shift);
     case ArmColumn::trajectory_j_ratio_a:
-      return decodeArmTrajectoryJRatioAColumn(in, newSlot<double>(memory), shift);
+      return decodeArmTrajectoryJRatioAColumn(in, suture::newSlot<double>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kArmCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Arm>(), .method = 1, .sent = sentIn<wire::Arm::EnableParams>},
+constexpr suture::rpc::CommandCodec kArmCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 1,
+     .sent = suture::rpc::sentIn<wire::Arm::EnableParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 2,
-     .sent = sentIn<wire::Arm::DisableParams>},
-    {.interface = capnp::typeId<wire::Arm>(), .method = 3, .sent = sentIn<wire::Arm::HomeParams>},
-    {.interface = capnp::typeId<wire::Arm>(), .method = 4, .sent = sentIn<wire::Arm::HoldParams>},
+     .sent = suture::rpc::sentIn<wire::Arm::DisableParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 3,
+     .sent = suture::rpc::sentIn<wire::Arm::HomeParams>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 4,
+     .sent = suture::rpc::sentIn<wire::Arm::HoldParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 5,
-     .sent = sentIn<wire::Arm::ServoCpParams>,
-     .arguments = messageOf<wire::Arm::ServoCpParams, ArmServoCpArguments, encodeArmServoCp,
-                            decodeArmServoCp>},
+     .sent = suture::rpc::sentIn<wire::Arm::ServoCpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ServoCpParams, ArmServoCpArguments,
+                                         encodeArmServoCp, decodeArmServoCp>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 6,
-     .sent = sentIn<wire::Arm::ServoJpParams>,
-     .arguments = messageOf<wire::Arm::ServoJpParams, ArmServoJpArguments, encodeArmServoJp,
-                            decodeArmServoJp>},
+     .sent = suture::rpc::sentIn<wire::Arm::ServoJpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ServoJpParams, ArmServoJpArguments,
+                                         encodeArmServoJp, decodeArmServoJp>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 7,
-     .sent = sentIn<wire::Arm::MoveJpParams>,
-     .arguments = messageOf<wire::Arm::MoveJpParams, ArmMoveJpArguments, encodeArmMoveJp,
-                            decodeArmMoveJp>},
+     .sent = suture::rpc::sentIn<wire::Arm::MoveJpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::MoveJpParams, ArmMoveJpArguments,
+                                         encodeArmMoveJp, decodeArmMoveJp>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 8,
-     .sent = sentIn<wire::Arm::MeasuredJsParams>,
-     .result = messageOf<wire::Arm::MeasuredJsResults, JointStateSlot, encodeArmMeasuredJsResult,
-                         decodeArmMeasuredJsResult>,
-     .stamp = stampIn<wire::Arm::MeasuredJsResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::MeasuredJsParams>,
+     .result = suture::rpc::messageOf<wire::Arm::MeasuredJsResults, JointStateSlot,
+                                      encodeArmMeasuredJsResult, decodeArmMeasuredJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::MeasuredJsResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 9,
-     .sent = sentIn<wire::Arm::SetpointJsParams>,
-     .result = messageOf<wire::Arm::SetpointJsResults, JointStateSlot, encodeArmSetpointJsResult,
-                         decodeArmSetpointJsResult>,
-     .stamp = stampIn<wire::Arm::SetpointJsResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::SetpointJsParams>,
+     .result = suture::rpc::messageOf<wire::Arm::SetpointJsResults, JointStateSlot,
+                                      encodeArmSetpointJsResult, decodeArmSetpointJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::SetpointJsResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 10,
-     .sent = sentIn<wire::Arm::MeasuredCpParams>,
-     .result = messageOf<wire::Arm::MeasuredCpResults, PoseStampedSlot, encodeArmMeasuredCpResult,
-                         decodeArmMeasuredCpResult>,
-     .stamp = stampIn<wire::Arm::MeasuredCpResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::MeasuredCpParams>,
+     .result = suture::rpc::messageOf<wire::Arm::MeasuredCpResults, PoseStampedSlot,
+                                      encodeArmMeasuredCpResult, decodeArmMeasuredCpResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::MeasuredCpResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 11,
-     .sent = sentIn<wire::Arm::SetpointCpParams>,
-     .result = messageOf<wire::Arm::SetpointCpResults, PoseStampedSlot, encodeArmSetpointCpResult,
-                         decodeArmSetpointCpResult>,
-     .stamp = stampIn<wire::Arm::SetpointCpResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::SetpointCpParams>,
+     .result = suture::rpc::messageOf<wire::Arm::SetpointCpResults, PoseStampedSlot,
+                                      encodeArmSetpointCpResult, decodeArmSetpointCpResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::SetpointCpResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 12,
-     .sent = sentIn<wire::Arm::OperatingStateParams>,
-     .result = messageOf<wire::Arm::OperatingStateResults, OperatingStateSlot,
-                         encodeArmOperatingStateResult, decodeArmOperatingStateResult>,
-     .stamp = stampIn<wire::Arm::OperatingStateResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::OperatingStateParams>,
+     .result = suture::rpc::messageOf<wire::Arm::OperatingStateResults, OperatingStateSlot,
+                                      encodeArmOperatingStateResult, decodeArmOperatingStateResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::OperatingStateResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 13,
-     .sent = sentIn<wire::Arm::ForwardKinematicsParams>,
-     .arguments = messageOf<wire::Arm::ForwardKinematicsParams, ArmForwardKinematicsArguments,
-                            encodeArmForwardKinematics, decodeArmForwardKinematics>,
-     .result = messageOf<wire::Arm::ForwardKinematicsResults, PoseStampedSlot,
-                         encodeArmForwardKinematicsResult, decodeArmForwardKinematicsResult>},
+     .sent = suture::rpc::sentIn<wire::Arm::ForwardKinematicsParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ForwardKinematicsParams,
+                                         ArmForwardKinematicsArguments, encodeArmForwardKinematics,
+                                         decodeArmForwardKinematics>,
+     .result = suture::rpc::messageOf<wire::Arm::ForwardKinematicsResults, PoseStampedSlot,
+                                      encodeArmForwardKinematicsResult,
+                                      decodeArmForwardKinematicsResult>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 14,
-     .sent = sentIn<wire::Arm::InverseKinematicsParams>,
-     .arguments = messageOf<wire::Arm::InverseKinematicsParams, ArmInverseKinematicsArguments,
-                            encodeArmInverseKinematics, decodeArmInverseKinematics>,
-     .result = messageOf<wire::Arm::InverseKinematicsResults, JointSolutionSlot,
-                         encodeArmInverseKinematicsResult, decodeArmInverseKinematicsResult>},
+     .sent = suture::rpc::sentIn<wire::Arm::InverseKinematicsParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::InverseKinematicsParams,
+                                         ArmInverseKinematicsArguments, encodeArmInverseKinematics,
+                                         decodeArmInverseKinematics>,
+     .result = suture::rpc::messageOf<wire::Arm::InverseKinematicsResults, JointSolutionSlot,
+                                      encodeArmInverseKinematicsResult,
+                                      decodeArmInverseKinematicsResult>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 15,
-     .sent = sentIn<wire::Arm::ConfigurationJsParams>,
-     .result = messageOf<wire::Arm::ConfigurationJsResults, JointConfigurationSlot,
-                         encodeArmConfigurationJsResult, decodeArmConfigurationJsResult>,
-     .stamp = stampIn<wire::Arm::ConfigurationJsResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::ConfigurationJsParams>,
+     .result = suture::rpc::messageOf<wire::Arm::ConfigurationJsResults, JointConfigurationSlot,
+                                      encodeArmConfigurationJsResult,
+                                      decodeArmConfigurationJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::ConfigurationJsResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 16,
-     .sent = sentIn<wire::Arm::PeriodStatisticsParams>,
-     .result = messageOf<wire::Arm::PeriodStatisticsResults, IntervalStatisticsSlot,
-                         encodeArmPeriodStatisticsResult, decodeArmPeriodStatisticsResult>,
-     .stamp = stampIn<wire::Arm::PeriodStatisticsResults>},
-    {.interface = capnp::typeId<wire::Arm>(), .method = 17, .sent = sentIn<wire::Arm::PauseParams>},
+     .sent = suture::rpc::sentIn<wire::Arm::PeriodStatisticsParams>,
+     .result = suture::rpc::messageOf<wire::Arm::PeriodStatisticsResults, IntervalStatisticsSlot,
+                                      encodeArmPeriodStatisticsResult,
+                                      decodeArmPeriodStatisticsResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::PeriodStatisticsResults>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 17,
+     .sent = suture::rpc::sentIn<wire::Arm::PauseParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 18,
-     .sent = sentIn<wire::Arm::ResumeParams>},
+     .sent = suture::rpc::sentIn<wire::Arm::ResumeParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 19,
-     .sent = sentIn<wire::Arm::UnhomeParams>},
+     .sent = suture::rpc::sentIn<wire::Arm::UnhomeParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 20,
-     .sent = sentIn<wire::Arm::StateCommandParams>,
-     .arguments = messageOf<wire::Arm::StateCommandParams, ArmStateCommandArguments,
-                            encodeArmStateCommand, decodeArmStateCommand>},
+     .sent = suture::rpc::sentIn<wire::Arm::StateCommandParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::StateCommandParams, ArmStateCommandArguments,
+                                         encodeArmStateCommand, decodeArmStateCommand>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 21,
-     .sent = sentIn<wire::Arm::GoalJsParams>,
-     .result = messageOf<wire::Arm::GoalJsResults, JointStateSlot, encodeArmGoalJsResult,
-                         decodeArmGoalJsResult>,
-     .stamp = stampIn<wire::Arm::GoalJsResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::GoalJsParams>,
+     .result = suture::rpc::messageOf<wire::Arm::GoalJsResults, JointStateSlot,
+                                      encodeArmGoalJsResult, decodeArmGoalJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::GoalJsResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 22,
-     .sent = sentIn<wire::Arm::GoalCpParams>,
-     .result = messageOf<wire::Arm::GoalCpResults, PoseStampedSlot, encodeArmGoalCpResult,
-                         decodeArmGoalCpResult>,
-     .stamp = stampIn<wire::Arm::GoalCpResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::GoalCpParams>,
+     .result = suture::rpc::messageOf<wire::Arm::GoalCpResults, PoseStampedSlot,
+                                      encodeArmGoalCpResult, decodeArmGoalCpResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::GoalCpResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 23,
-     .sent = sentIn<wire::Arm::LocalMeasuredCpParams>,
-     .result = messageOf<wire::Arm::LocalMeasuredCpResults, PoseStampedSlot,
-                         encodeArmLocalMeasuredCpResult, decodeArmLocalMeasuredCpResult>,
-     .stamp = stampIn<wire::Arm::LocalMeasuredCpResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::LocalMeasuredCpParams>,
+     .result = suture::rpc::messageOf<wire::Arm::LocalMeasuredCpResults, PoseStampedSlot,
+                                      encodeArmLocalMeasuredCpResult,
+                                      decodeArmLocalMeasuredCpResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::LocalMeasuredCpResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 24,
-     .sent = sentIn<wire::Arm::LocalSetpointCpParams>,
-     .result = messageOf<wire::Arm::LocalSetpointCpResults, PoseStampedSlot,
-                         encodeArmLocalSetpointCpResult, decodeArmLocalSetpointCpResult>,
-     .stamp = stampIn<wire::Arm::LocalSetpointCpResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::LocalSetpointCpParams>,
+     .result = suture::rpc::messageOf<wire::Arm::LocalSetpointCpResults, PoseStampedSlot,
+                                      encodeArmLocalSetpointCpResult,
+                                      decodeArmLocalSetpointCpResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::LocalSetpointCpResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 25,
-     .sent = sentIn<wire::Arm::MeasuredCvParams>,
-     .result = messageOf<wire::Arm::MeasuredCvResults, TwistSlot, encodeArmMeasuredCvResult,
-                         decodeArmMeasuredCvResult>,
-     .stamp = stampIn<wire::Arm::MeasuredCvResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::MeasuredCvParams>,
+     .result = suture::rpc::messageOf<wire::Arm::MeasuredCvResults, TwistSlot,
+                                      encodeArmMeasuredCvResult, decodeArmMeasuredCvResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::MeasuredCvResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 26,
-     .sent = sentIn<wire::Arm::SetpointCvParams>,
-     .result = messageOf<wire::Arm::SetpointCvResults, TwistSlot, encodeArmSetpointCvResult,
-                         decodeArmSetpointCvResult>,
-     .stamp = stampIn<wire::Arm::SetpointCvResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::SetpointCvParams>,
+     .result = suture::rpc::messageOf<wire::Arm::SetpointCvResults, TwistSlot,
+                                      encodeArmSetpointCvResult, decodeArmSetpointCvResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::SetpointCvResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 27,
-     .sent = sentIn<wire::Arm::BodyMeasuredCfParams>,
-     .result = messageOf<wire::Arm::BodyMeasuredCfResults, WrenchSlot,
-                         encodeArmBodyMeasuredCfResult, decodeArmBodyMeasuredCfResult>,
-     .stamp = stampIn<wire::Arm::BodyMeasuredCfResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::BodyMeasuredCfParams>,
+     .result = suture::rpc::messageOf<wire::Arm::BodyMeasuredCfResults, WrenchSlot,
+                                      encodeArmBodyMeasuredCfResult, decodeArmBodyMeasuredCfResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::BodyMeasuredCfResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 28,
-     .sent = sentIn<wire::Arm::SpatialMeasuredCfParams>,
-     .result = messageOf<wire::Arm::SpatialMeasuredCfResults, WrenchSlot,
-                         encodeArmSpatialMeasuredCfResult, decodeArmSpatialMeasuredCfResult>,
-     .stamp = stampIn<wire::Arm::SpatialMeasuredCfResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::SpatialMeasuredCfParams>,
+     .result = suture::rpc::messageOf<wire::Arm::SpatialMeasuredCfResults, WrenchSlot,
+                                      encodeArmSpatialMeasuredCfResult,
+                                      decodeArmSpatialMeasuredCfResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::SpatialMeasuredCfResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 29,
-     .sent = sentIn<wire::Arm::MeasuredCsParams>,
-     .result = messageOf<wire::Arm::MeasuredCsResults, CartesianStateSlot,
-                         encodeArmMeasuredCsResult, decodeArmMeasuredCsResult>,
-     .stamp = stampIn<wire::Arm::MeasuredCsResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::MeasuredCsParams>,
+     .result = suture::rpc::messageOf<wire::Arm::MeasuredCsResults, CartesianStateSlot,
+                                      encodeArmMeasuredCsResult, decodeArmMeasuredCsResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::MeasuredCsResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 30,
-     .sent = sentIn<wire::Arm::BodyJacobianParams>,
-     .result = messageOf<wire::Arm::BodyJacobianResults, JacobianSlot, encodeArmBodyJacobianResult,
-                         decodeArmBodyJacobianResult>,
-     .stamp = stampIn<wire::Arm::BodyJacobianResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::BodyJacobianParams>,
+     .result = suture::rpc::messageOf<wire::Arm::BodyJacobianResults, JacobianSlot,
+                                      encodeArmBodyJacobianResult, decodeArmBodyJacobianResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::BodyJacobianResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 31,
-     .sent = sentIn<wire::Arm::SpatialJacobianParams>,
-     .result = messageOf<wire::Arm::SpatialJacobianResults, JacobianSlot,
-                         encodeArmSpatialJacobianResult, decodeArmSpatialJacobianResult>,
-     .stamp = stampIn<wire::Arm::SpatialJacobianResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::SpatialJacobianParams>,
+     .result = suture::rpc::messageOf<wire::Arm::SpatialJacobianResults, JacobianSlot,
+                                      encodeArmSpatialJacobianResult,
+                                      decodeArmSpatialJacobianResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::SpatialJacobianResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 32,
-     .sent = sentIn<wire::Arm::BaseFrameParams>,
-     .result = messageOf<wire::Arm::BaseFrameResults, TransformStampedSlot,
-                         encodeArmBaseFrameResult, decodeArmBaseFrameResult>,
-     .stamp = stampIn<wire::Arm::BaseFrameResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::BaseFrameParams>,
+     .result = suture::rpc::messageOf<wire::Arm::BaseFrameResults, TransformStampedSlot,
+                                      encodeArmBaseFrameResult, decodeArmBaseFrameResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::BaseFrameResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 33,
-     .sent = sentIn<wire::Arm::SetBaseFrameParams>,
-     .arguments = messageOf<wire::Arm::SetBaseFrameParams, ArmSetBaseFrameArguments,
-                            encodeArmSetBaseFrame, decodeArmSetBaseFrame>},
-    {.interface = capnp::typeId<wire::Arm>(), .method = 34, .sent = sentIn<wire::Arm::FreeParams>},
+     .sent = suture::rpc::sentIn<wire::Arm::SetBaseFrameParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::SetBaseFrameParams, ArmSetBaseFrameArguments,
+                                         encodeArmSetBaseFrame, decodeArmSetBaseFrame>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 34,
+     .sent = suture::rpc::sentIn<wire::Arm::FreeParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 35,
-     .sent = sentIn<wire::Arm::UseGravityCompensationParams>,
-     .arguments = messageOf<wire::Arm::UseGravityCompensationParams,
-                            ArmUseGravityCompensationArguments, encodeArmUseGravityCompensation,
-                            decodeArmUseGravityCompensation>},
+     .sent = suture::rpc::sentIn<wire::Arm::UseGravityCompensationParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::UseGravityCompensationParams,
+                                         ArmUseGravityCompensationArguments,
+                                         encodeArmUseGravityCompensation,
+                                         decodeArmUseGravityCompensation>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 36,
-     .sent = sentIn<wire::Arm::ServoJrParams>,
-     .arguments = messageOf<wire::Arm::ServoJrParams, ArmServoJrArguments, encodeArmServoJr,
-                            decodeArmServoJr>},
+     .sent = suture::rpc::sentIn<wire::Arm::ServoJrParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ServoJrParams, ArmServoJrArguments,
+                                         encodeArmServoJr, decodeArmServoJr>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 37,
-     .sent = sentIn<wire::Arm::ServoJvParams>,
-     .arguments = messageOf<wire::Arm::ServoJvParams, ArmServoJvArguments, encodeArmServoJv,
-                            decodeArmServoJv>},
+     .sent = suture::rpc::sentIn<wire::Arm::ServoJvParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ServoJvParams, ArmServoJvArguments,
+                                         encodeArmServoJv, decodeArmServoJv>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 38,
-     .sent = sentIn<wire::Arm::ServoJfParams>,
-     .arguments = messageOf<wire::Arm::ServoJfParams, ArmServoJfArguments, encodeArmServoJf,
-                            decodeArmServoJf>},
+     .sent = suture::rpc::sentIn<wire::Arm::ServoJfParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ServoJfParams, ArmServoJfArguments,
+                                         encodeArmServoJf, decodeArmServoJf>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 39,
-     .sent = sentIn<wire::Arm::ServoCrParams>,
-     .arguments = messageOf<wire::Arm::ServoCrParams, ArmServoCrArguments, encodeArmServoCr,
-                            decodeArmServoCr>},
+     .sent = suture::rpc::sentIn<wire::Arm::ServoCrParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ServoCrParams, ArmServoCrArguments,
+                                         encodeArmServoCr, decodeArmServoCr>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 40,
-     .sent = sentIn<wire::Arm::ServoCvParams>,
-     .arguments = messageOf<wire::Arm::ServoCvParams, ArmServoCvArguments, encodeArmServoCv,
-                            decodeArmServoCv>},
+     .sent = suture::rpc::sentIn<wire::Arm::ServoCvParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ServoCvParams, ArmServoCvArguments,
+                                         encodeArmServoCv, decodeArmServoCv>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 41,
-     .sent = sentIn<wire::Arm::BodyServoCfParams>,
-     .arguments = messageOf<wire::Arm::BodyServoCfParams, ArmBodyServoCfArguments,
-                            encodeArmBodyServoCf, decodeArmBodyServoCf>},
+     .sent = suture::rpc::sentIn<wire::Arm::BodyServoCfParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::BodyServoCfParams, ArmBodyServoCfArguments,
+                                         encodeArmBodyServoCf, decodeArmBodyServoCf>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 42,
-     .sent = sentIn<wire::Arm::SpatialServoCfParams>,
-     .arguments = messageOf<wire::Arm::SpatialServoCfParams, ArmSpatialServoCfArguments,
-                            encodeArmSpatialServoCf, decodeArmSpatialServoCf>},
+     .sent = suture::rpc::sentIn<wire::Arm::SpatialServoCfParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::SpatialServoCfParams,
+                                         ArmSpatialServoCfArguments, encodeArmSpatialServoCf,
+                                         decodeArmSpatialServoCf>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 43,
-     .sent = sentIn<wire::Arm::InterpolateJpParams>,
-     .arguments = messageOf<wire::Arm::InterpolateJpParams, ArmInterpolateJpArguments,
-                            encodeArmInterpolateJp, decodeArmInterpolateJp>},
+     .sent = suture::rpc::sentIn<wire::Arm::InterpolateJpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::InterpolateJpParams, ArmInterpolateJpArguments,
+                                         encodeArmInterpolateJp, decodeArmInterpolateJp>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 44,
-     .sent = sentIn<wire::Arm::InterpolateJrParams>,
-     .arguments = messageOf<wire::Arm::InterpolateJrParams, ArmInterpolateJrArguments,
-                            encodeArmInterpolateJr, decodeArmInterpolateJr>},
+     .sent = suture::rpc::sentIn<wire::Arm::InterpolateJrParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::InterpolateJrParams, ArmInterpolateJrArguments,
+                                         encodeArmInterpolateJr, decodeArmInterpolateJr>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 45,
-     .sent = sentIn<wire::Arm::InterpolateCpParams>,
-     .arguments = messageOf<wire::Arm::InterpolateCpParams, ArmInterpolateCpArguments,
-                            encodeArmInterpolateCp, decodeArmInterpolateCp>},
+     .sent = suture::rpc::sentIn<wire::Arm::InterpolateCpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::InterpolateCpParams, ArmInterpolateCpArguments,
+                                         encodeArmInterpolateCp, decodeArmInterpolateCp>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 46,
-     .sent = sentIn<wire::Arm::InterpolateCrParams>,
-     .arguments = messageOf<wire::Arm::InterpolateCrParams, ArmInterpolateCrArguments,
-                            encodeArmInterpolateCr, decodeArmInterpolateCr>},
+     .sent = suture::rpc::sentIn<wire::Arm::InterpolateCrParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::InterpolateCrParams, ArmInterpolateCrArguments,
+                                         encodeArmInterpolateCr, decodeArmInterpolateCr>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 47,
-     .sent = sentIn<wire::Arm::MoveJrParams>,
-     .arguments = messageOf<wire::Arm::MoveJrParams, ArmMoveJrArguments, encodeArmMoveJr,
-                            decodeArmMoveJr>},
+     .sent = suture::rpc::sentIn<wire::Arm::MoveJrParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::MoveJrParams, ArmMoveJrArguments,
+                                         encodeArmMoveJr, decodeArmMoveJr>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 48,
-     .sent = sentIn<wire::Arm::MoveCpParams>,
-     .arguments = messageOf<wire::Arm::MoveCpParams, ArmMoveCpArguments, encodeArmMoveCp,
-                            decodeArmMoveCp>},
+     .sent = suture::rpc::sentIn<wire::Arm::MoveCpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::MoveCpParams, ArmMoveCpArguments,
+                                         encodeArmMoveCp, decodeArmMoveCp>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 49,
-     .sent = sentIn<wire::Arm::MoveCrParams>,
-     .arguments = messageOf<wire::Arm::MoveCrParams, ArmMoveCrArguments, encodeArmMoveCr,
-                            decodeArmMoveCr>},
+     .sent = suture::rpc::sentIn<wire::Arm::MoveCrParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::MoveCrParams, ArmMoveCrArguments,
+                                         encodeArmMoveCr, decodeArmMoveCr>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 50,
-     .sent = sentIn<wire::Arm::TrajectoryJSetRatioParams>,
-     .arguments = messageOf<wire::Arm::TrajectoryJSetRatioParams, ArmTrajectoryJSetRatioArguments,
-                            encodeArmTrajectoryJSetRatio, decodeArmTrajectoryJSetRatio>},
+     .sent = suture::rpc::sentIn<wire::Arm::TrajectoryJSetRatioParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::TrajectoryJSetRatioParams,
+                                         ArmTrajectoryJSetRatioArguments,
+                                         encodeArmTrajectoryJSetRatio,
+                                         decodeArmTrajectoryJSetRatio>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 51,
-     .sent = sentIn<wire::Arm::TrajectoryJSetRatioVParams>,
-     .arguments = messageOf<wire::Arm::TrajectoryJSetRatioVParams, ArmTrajectoryJSetRatioVArguments,
-                            encodeArmTrajectoryJSetRatioV, decodeArmTrajectoryJSetRatioV>},
+     .sent = suture::rpc::sentIn<wire::Arm::TrajectoryJSetRatioVParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::TrajectoryJSetRatioVParams,
+                                         ArmTrajectoryJSetRatioVArguments,
+                                         encodeArmTrajectoryJSetRatioV,
+                                         decodeArmTrajectoryJSetRatioV>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 52,
-     .sent = sentIn<wire::Arm::TrajectoryJSetRatioAParams>,
-     .arguments = messageOf<wire::Arm::TrajectoryJSetRatioAParams, ArmTrajectoryJSetRatioAArguments,
-                            encodeArmTrajectoryJSetRatioA, decodeArmTrajectoryJSetRatioA>},
+     .sent = suture::rpc::sentIn<wire::Arm::TrajectoryJSetRatioAParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::TrajectoryJSetRatioAParams,
+                                         ArmTrajectoryJSetRatioAArguments,
+                                         encodeArmTrajectoryJSetRatioA,
+                                         decodeArmTrajectoryJSetRatioA>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 53,
-     .sent = sentIn<wire::Arm::TrajectoryJRatioParams>,
-     .result = messageOf<wire::Arm::TrajectoryJRatioResults, double,
-                         encodeArmTrajectoryJRatioResult, decodeArmTrajectoryJRatioResult>,
-     .stamp = stampIn<wire::Arm::TrajectoryJRatioResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::TrajectoryJRatioParams>,
+     .result = suture::rpc::messageOf<wire::Arm::TrajectoryJRatioResults, double,
+                                      encodeArmTrajectoryJRatioResult,
+                                      decodeArmTrajectoryJRatioResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::TrajectoryJRatioResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 54,
-     .sent = sentIn<wire::Arm::TrajectoryJRatioVParams>,
-     .result = messageOf<wire::Arm::TrajectoryJRatioVResults, double,
-                         encodeArmTrajectoryJRatioVResult, decodeArmTrajectoryJRatioVResult>,
-     .stamp = stampIn<wire::Arm::TrajectoryJRatioVResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::TrajectoryJRatioVParams>,
+     .result = suture::rpc::messageOf<wire::Arm::TrajectoryJRatioVResults, double,
+                                      encodeArmTrajectoryJRatioVResult,
+                                      decodeArmTrajectoryJRatioVResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::TrajectoryJRatioVResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 55,
-     .sent = sentIn<wire::Arm::TrajectoryJRatioAParams>,
-     .result = messageOf<wire::Arm::TrajectoryJRatioAResults, double,
-                         encodeArmTrajectoryJRatioAResult, decodeArmTrajectoryJRatioAResult>,
-     .stamp = stampIn<wire::Arm::TrajectoryJRatioAResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::TrajectoryJRatioAParams>,
+     .result = suture::rpc::messageOf<wire::Arm::TrajectoryJRatioAResults, double,
+                                      encodeArmTrajectoryJRatioAResult,
+                                      decodeArmTrajectoryJRatioAResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::TrajectoryJRatioAResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 56,
-     .sent = sentIn<wire::Arm::QueryCpParams>,
-     .arguments = messageOf<wire::Arm::QueryCpParams, ArmQueryCpArguments, encodeArmQueryCp,
-                            decodeArmQueryCp>,
-     .result = messageOf<wire::Arm::QueryCpResults, PoseStampedSlot, encodeArmQueryCpResult,
-                         decodeArmQueryCpResult>},
+     .sent = suture::rpc::sentIn<wire::Arm::QueryCpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::QueryCpParams, ArmQueryCpArguments,
+                                         encodeArmQueryCp, decodeArmQueryCp>,
+     .result = suture::rpc::messageOf<wire::Arm::QueryCpResults, PoseStampedSlot,
+                                      encodeArmQueryCpResult, decodeArmQueryCpResult>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 57,
-     .sent = sentIn<wire::Arm::LocalQueryCpParams>,
-     .arguments = messageOf<wire::Arm::LocalQueryCpParams, ArmLocalQueryCpArguments,
-                            encodeArmLocalQueryCp, decodeArmLocalQueryCp>,
-     .result = messageOf<wire::Arm::LocalQueryCpResults, PoseStampedSlot,
-                         encodeArmLocalQueryCpResult, decodeArmLocalQueryCpResult>},
+     .sent = suture::rpc::sentIn<wire::Arm::LocalQueryCpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::LocalQueryCpParams, ArmLocalQueryCpArguments,
+                                         encodeArmLocalQueryCp, decodeArmLocalQueryCp>,
+     .result = suture::rpc::messageOf<wire::Arm::LocalQueryCpResults, PoseStampedSlot,
+                                      encodeArmLocalQueryCpResult, decodeArmLocalQueryCpResult>},
 };
 
-constexpr EventCodec kArmEventCodecs[] = {
+constexpr suture::rpc::EventCodec kArmEventCodecs[] = {
     {.method = 4,
-     .stamp = stampIn<wire::ArmEvents::StatusParams>,
-     .payload = messageOf<wire::ArmEvents::StatusParams, suture::MessageSlot, encodeArmStatusEvent,
-                          decodeArmStatusEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::StatusParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::StatusParams, suture::MessageSlot,
+                                       encodeArmStatusEvent, decodeArmStatusEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::ArmEvents::WarningParams>,
-     .payload = messageOf<wire::ArmEvents::WarningParams, suture::MessageSlot,
-                          encodeArmWarningEvent, decodeArmWarningEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::WarningParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::WarningParams, suture::MessageSlot,
+                                       encodeArmWarningEvent, decodeArmWarningEvent>},
     {.method = 5,
-     .stamp = stampIn<wire::ArmEvents::ErrorParams>,
-     .payload = messageOf<wire::ArmEvents::ErrorParams, suture::MessageSlot, encodeArmErrorEvent,
-                          decodeArmErrorEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::ErrorParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::ErrorParams, suture::MessageSlot,
+                                       encodeArmErrorEvent, decodeArmErrorEvent>},
     {.method = 1,
-     .stamp = stampIn<wire::ArmEvents::OperatingStateParams>,
-     .payload = messageOf<wire::ArmEvents::OperatingStateParams, OperatingStateSlot,
-                          encodeArmOperatingStateEvent, decodeArmOperatingStateEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::OperatingStateParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::OperatingStateParams, OperatingStateSlot,
+                                       encodeArmOperatingStateEvent, decodeArmOperatingStateEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::ArmEvents::GoalReachedParams>,
-     .payload = messageOf<wire::ArmEvents::GoalReachedParams, std::uint8_t,
-                          encodeArmGoalReachedEvent, decodeArmGoalReachedEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::GoalReachedParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::GoalReachedParams, std::uint8_t,
+                                       encodeArmGoalReachedEvent, decodeArmGoalReachedEvent>},
     {.method = 6,
-     .stamp = stampIn<wire::ArmEvents::DesiredStateParams>,
-     .payload = messageOf<wire::ArmEvents::DesiredStateParams, std::uint8_t,
-                          encodeArmDesiredStateEvent, decodeArmDesiredStateEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::DesiredStateParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::DesiredStateParams, std::uint8_t,
+                                       encodeArmDesiredStateEvent, decodeArmDesiredStateEvent>},
     {.method = 7,
-     .stamp = stampIn<wire::ArmEvents::GravityCompensationParams>,
-     .payload = messageOf<wire::ArmEvents::GravityCompensationParams, std::uint8_t,
-                          encodeArmGravityCompensationEvent, decodeArmGravityCompensationEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::GravityCompensationParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::GravityCompensationParams, std::uint8_t,
+                                       encodeArmGravityCompensationEvent,
+                                       decodeArmGravityCompensationEvent>},
     {.method = 8,
-     .stamp = stampIn<wire::ArmEvents::TrajectoryJRatioParams>,
-     .payload = messageOf<wire::ArmEvents::TrajectoryJRatioParams, double,
-                          encodeArmTrajectoryJRatioEvent, decodeArmTrajectoryJRatioEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::TrajectoryJRatioParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::TrajectoryJRatioParams, double,
+                                       encodeArmTrajectoryJRatioEvent,
+                                       decodeArmTrajectoryJRatioEvent>},
     {.method = 9,
-     .stamp = stampIn<wire::ArmEvents::TrajectoryJRatioVParams>,
-     .payload = messageOf<wire::ArmEvents::TrajectoryJRatioVParams, double,
-                          encodeArmTrajectoryJRatioVEvent, decodeArmTrajectoryJRatioVEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::TrajectoryJRatioVParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::TrajectoryJRatioVParams, double,
+                                       encodeArmTrajectoryJRatioVEvent,
+                                       decodeArmTrajectoryJRatioVEvent>},
     {.method = 10,
-     .stamp = stampIn<wire::ArmEvents::TrajectoryJRatioAParams>,
-     .payload = messageOf<wire::ArmEvents::TrajectoryJRatioAParams, double,
-                          encodeArmTrajectoryJRatioAEvent, decodeArmTrajectoryJRatioAEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::TrajectoryJRatioAParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::TrajectoryJRatioAParams, double,
+                                       encodeArmTrajectoryJRatioAEvent,
+                                       decodeArmTrajectoryJRatioAEvent>},
 };
 
 const suture::rpc::Codec& armCodec() {
@@ -1564,397 +1656,397 @@ const suture::rpc::Codec& armCodec() {
   return kCodec;
 }
 
-constexpr BoundedLevel kArmBodyJacobianResultLevels[] = {
-    levelAt<suture::BoundedList<double, 48>>(offsetof(JacobianSlot, coefficients)),
+constexpr suture::BoundedLevel kArmBodyJacobianResultLevels[] = {
+    suture::levelAt<suture::BoundedList<double, 48>>(offsetof(JacobianSlot, coefficients)),
 };
 
-constexpr BoundedLevel kArmSpatialJacobianResultLevels[] = {
-    levelAt<suture::BoundedList<double, 48>>(offsetof(JacobianSlot, coefficients)),
+constexpr suture::BoundedLevel kArmSpatialJacobianResultLevels[] = {
+    suture::levelAt<suture::BoundedList<double, 48>>(offsetof(JacobianSlot, coefficients)),
 };
 
-constexpr CommandInfo kArmCommands[] = {
-    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "home", .kind = CommandKind::Void, .depth = 16},
-    {.name = "hold", .kind = CommandKind::Void, .depth = 16},
+constexpr suture::CommandInfo kArmCommands[] = {
+    {.name = "enable", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "home", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "hold", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "servo_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoCpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmServoCpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
-     .shiftArguments = shiftSlot<ArmServoCpArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
+     .shiftArguments = suture::shiftSlot<ArmServoCpArguments>},
     {.name = "servo_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoJpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmServoJpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoJpArguments, acceptsArmServoJp>,
-     .shiftArguments = shiftSlot<ArmServoJpArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmServoJpArguments, acceptsArmServoJp>,
+     .shiftArguments = suture::shiftSlot<ArmServoJpArguments>},
     {.name = "move_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmMoveJpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmMoveJpArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmMoveJpArguments, acceptsArmMoveJp>,
-     .shiftArguments = shiftSlot<ArmMoveJpArguments>},
+     .accepts = suture::checkSlot<ArmMoveJpArguments, acceptsArmMoveJp>,
+     .shiftArguments = suture::shiftSlot<ArmMoveJpArguments>},
     {.name = "measured_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::measured_js),
-     .acceptsResult = checkSlot<JointStateSlot, isValid>,
-     .shiftResult = shiftSlot<JointStateSlot>},
+     .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::setpoint_js),
-     .acceptsResult = checkSlot<JointStateSlot, isValid>,
-     .shiftResult = shiftSlot<JointStateSlot>},
+     .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::measured_cp),
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "setpoint_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::setpoint_cp),
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "operating_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<OperatingStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<OperatingStateSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::operating_state),
-     .acceptsResult = checkSlot<OperatingStateSlot, isValid>,
-     .shiftResult = shiftSlot<OperatingStateSlot>},
+     .acceptsResult = suture::checkSlot<OperatingStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<OperatingStateSlot>},
     {.name = "forward_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmForwardKinematicsArguments>,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<ArmForwardKinematicsArguments>,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .accepts = checkSlot<ArmForwardKinematicsArguments, acceptsArmForwardKinematics>,
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftArguments = shiftSlot<ArmForwardKinematicsArguments>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .accepts = suture::checkSlot<ArmForwardKinematicsArguments, acceptsArmForwardKinematics>,
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftArguments = suture::shiftSlot<ArmForwardKinematicsArguments>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "inverse_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
-     .resultSize = slotSize<JointSolutionSlot>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<ArmInverseKinematicsArguments>,
+     .resultSize = suture::slotSize<JointSolutionSlot>,
      .depth = 16,
-     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
-     .acceptsResult = checkSlot<JointSolutionSlot, isValid>,
-     .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>},
+     .accepts = suture::checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
+     .acceptsResult = suture::checkSlot<JointSolutionSlot, isValid>,
+     .shiftArguments = suture::shiftSlot<ArmInverseKinematicsArguments>},
     {.name = "configuration_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointConfigurationSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointConfigurationSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::configuration_js),
-     .acceptsResult = checkSlot<JointConfigurationSlot, isValid>},
+     .acceptsResult = suture::checkSlot<JointConfigurationSlot, isValid>},
     {.name = "period_statistics",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<IntervalStatisticsSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<IntervalStatisticsSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::period_statistics),
-     .acceptsResult = checkSlot<IntervalStatisticsSlot, isValid>,
-     .shiftResult = shiftSlot<IntervalStatisticsSlot>},
-    {.name = "pause", .kind = CommandKind::Void, .depth = 16},
-    {.name = "resume", .kind = CommandKind::Void, .depth = 16},
-    {.name = "unhome", .kind = CommandKind::Void, .depth = 16},
+     .acceptsResult = suture::checkSlot<IntervalStatisticsSlot, isValid>,
+     .shiftResult = suture::shiftSlot<IntervalStatisticsSlot>},
+    {.name = "pause", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "resume", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "unhome", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "state_command",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmStateCommandArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmStateCommandArguments>,
      .depth = 16},
     {.name = "goal_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::goal_js),
-     .acceptsResult = checkSlot<JointStateSlot, isValid>,
-     .shiftResult = shiftSlot<JointStateSlot>},
+     .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "goal_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::goal_cp),
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "local_measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::local_measured_cp),
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "local_setpoint_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::local_setpoint_cp),
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "measured_cv",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TwistSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<TwistSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::measured_cv),
-     .acceptsResult = checkSlot<TwistSlot, isValid>,
-     .shiftResult = shiftSlot<TwistSlot>},
+     .acceptsResult = suture::checkSlot<TwistSlot, isValid>,
+     .shiftResult = suture::shiftSlot<TwistSlot>},
     {.name = "setpoint_cv",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TwistSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<TwistSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::setpoint_cv),
-     .acceptsResult = checkSlot<TwistSlot, isValid>,
-     .shiftResult = shiftSlot<TwistSlot>},
+     .acceptsResult = suture::checkSlot<TwistSlot, isValid>,
+     .shiftResult = suture::shiftSlot<TwistSlot>},
     {.name = "body_measured_cf",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<WrenchSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<WrenchSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::body_measured_cf),
-     .acceptsResult = checkSlot<WrenchSlot, isValid>,
-     .shiftResult = shiftSlot<WrenchSlot>},
+     .acceptsResult = suture::checkSlot<WrenchSlot, isValid>,
+     .shiftResult = suture::shiftSlot<WrenchSlot>},
     {.name = "spatial_measured_cf",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<WrenchSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<WrenchSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::spatial_measured_cf),
-     .acceptsResult = checkSlot<WrenchSlot, isValid>,
-     .shiftResult = shiftSlot<WrenchSlot>},
+     .acceptsResult = suture::checkSlot<WrenchSlot, isValid>,
+     .shiftResult = suture::shiftSlot<WrenchSlot>},
     {.name = "measured_cs",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<CartesianStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<CartesianStateSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::measured_cs),
-     .acceptsResult = checkSlot<CartesianStateSlot, isValid>,
-     .shiftResult = shiftSlot<CartesianStateSlot>},
+     .acceptsResult = suture::checkSlot<CartesianStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<CartesianStateSlot>},
     {.name = "body_jacobian",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JacobianSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JacobianSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::body_jacobian),
-     .acceptsResult = checkSlot<JacobianSlot, isValid>,
-     .shiftResult = shiftSlot<JacobianSlot>,
+     .acceptsResult = suture::checkSlot<JacobianSlot, isValid>,
+     .shiftResult = suture::shiftSlot<JacobianSlot>,
      .resultLevels = kArmBodyJacobianResultLevels},
     {.name = "spatial_jacobian",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JacobianSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JacobianSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::spatial_jacobian),
-     .acceptsResult = checkSlot<JacobianSlot, isValid>,
-     .shiftResult = shiftSlot<JacobianSlot>,
+     .acceptsResult = suture::checkSlot<JacobianSlot, isValid>,
+     .shiftResult = suture::shiftSlot<JacobianSlot>,
      .resultLevels = kArmSpatialJacobianResultLevels},
     {.name = "base_frame",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TransformStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<TransformStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::base_frame),
-     .acceptsResult = checkSlot<TransformStampedSlot, isValid>,
-     .shiftResult = shiftSlot<TransformStampedSlot>},
+     .acceptsResult = suture::checkSlot<TransformStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<TransformStampedSlot>},
     {.name = "set_base_frame",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmSetBaseFrameArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmSetBaseFrameArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmSetBaseFrameArguments, acceptsArmSetBaseFrame>,
-     .shiftArguments = shiftSlot<ArmSetBaseFrameArguments>},
-    {.name = "free", .kind = CommandKind::Void, .depth = 16},
+     .accepts = suture::checkSlot<ArmSetBaseFrameArguments, acceptsArmSetBaseFrame>,
+     .shiftArguments = suture::shiftSlot<ArmSetBaseFrameArguments>},
+    {.name = "free", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "use_gravity_compensation",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmUseGravityCompensationArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmUseGravityCompensationArguments>,
      .depth = 16},
     {.name = "servo_jr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoJrArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmServoJrArguments>,
      .depth = 16,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoJrArguments, acceptsArmServoJr>,
-     .shiftArguments = shiftSlot<ArmServoJrArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmServoJrArguments, acceptsArmServoJr>,
+     .shiftArguments = suture::shiftSlot<ArmServoJrArguments>},
     {.name = "servo_jv",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoJvArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmServoJvArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoJvArguments, acceptsArmServoJv>,
-     .shiftArguments = shiftSlot<ArmServoJvArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmServoJvArguments, acceptsArmServoJv>,
+     .shiftArguments = suture::shiftSlot<ArmServoJvArguments>},
     {.name = "servo_jf",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoJfArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmServoJfArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoJfArguments, acceptsArmServoJf>,
-     .shiftArguments = shiftSlot<ArmServoJfArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmServoJfArguments, acceptsArmServoJf>,
+     .shiftArguments = suture::shiftSlot<ArmServoJfArguments>},
     {.name = "servo_cr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoCrArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmServoCrArguments>,
      .depth = 16,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoCrArguments, acceptsArmServoCr>,
-     .shiftArguments = shiftSlot<ArmServoCrArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmServoCrArguments, acceptsArmServoCr>,
+     .shiftArguments = suture::shiftSlot<ArmServoCrArguments>},
     {.name = "servo_cv",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoCvArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmServoCvArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoCvArguments, acceptsArmServoCv>,
-     .shiftArguments = shiftSlot<ArmServoCvArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmServoCvArguments, acceptsArmServoCv>,
+     .shiftArguments = suture::shiftSlot<ArmServoCvArguments>},
     {.name = "body_servo_cf",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmBodyServoCfArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmBodyServoCfArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmBodyServoCfArguments, acceptsArmBodyServoCf>,
-     .shiftArguments = shiftSlot<ArmBodyServoCfArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmBodyServoCfArguments, acceptsArmBodyServoCf>,
+     .shiftArguments = suture::shiftSlot<ArmBodyServoCfArguments>},
     {.name = "spatial_servo_cf",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmSpatialServoCfArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmSpatialServoCfArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmSpatialServoCfArguments, acceptsArmSpatialServoCf>,
-     .shiftArguments = shiftSlot<ArmSpatialServoCfArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmSpatialServoCfArguments, acceptsArmSpatialServoCf>,
+     .shiftArguments = suture::shiftSlot<ArmSpatialServoCfArguments>},
     {.name = "interpolate_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmInterpolateJpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmInterpolateJpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(200'000'000),
-     .accepts = checkSlot<ArmInterpolateJpArguments, acceptsArmInterpolateJp>,
-     .shiftArguments = shiftSlot<ArmInterpolateJpArguments>},
+     .ttl = suture::Duration(200'000'000),
+     .accepts = suture::checkSlot<ArmInterpolateJpArguments, acceptsArmInterpolateJp>,
+     .shiftArguments = suture::shiftSlot<ArmInterpolateJpArguments>},
     {.name = "interpolate_jr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmInterpolateJrArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmInterpolateJrArguments>,
      .depth = 16,
-     .ttl = Duration(200'000'000),
-     .accepts = checkSlot<ArmInterpolateJrArguments, acceptsArmInterpolateJr>,
-     .shiftArguments = shiftSlot<ArmInterpolateJrArguments>},
+     .ttl = suture::Duration(200'000'000),
+     .accepts = suture::checkSlot<ArmInterpolateJrArguments, acceptsArmInterpolateJr>,
+     .shiftArguments = suture::shiftSlot<ArmInterpolateJrArguments>},
     {.name = "interpolate_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmInterpolateCpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmInterpolateCpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(200'000'000),
-     .accepts = checkSlot<ArmInterpolateCpArguments, acceptsArmInterpolateCp>,
-     .shiftArguments = shiftSlot<ArmInterpolateCpArguments>},
+     .ttl = suture::Duration(200'000'000),
+     .accepts = suture::checkSlot<ArmInterpolateCpArguments, acceptsArmInterpolateCp>,
+     .shiftArguments = suture::shiftSlot<ArmInterpolateCpArguments>},
     {.name = "interpolate_cr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmInterpolateCrArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmInterpolateCrArguments>,
      .depth = 16,
-     .ttl = Duration(200'000'000),
-     .accepts = checkSlot<ArmInterpolateCrArguments, acceptsArmInterpolateCr>,
-     .shiftArguments = shiftSlot<ArmInterpolateCrArguments>},
+     .ttl = suture::Duration(200'000'000),
+     .accepts = suture::checkSlot<ArmInterpolateCrArguments, acceptsArmInterpolateCr>,
+     .shiftArguments = suture::shiftSlot<ArmInterpolateCrArguments>},
     {.name = "move_jr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmMoveJrArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmMoveJrArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmMoveJrArguments, acceptsArmMoveJr>,
-     .shiftArguments = shiftSlot<ArmMoveJrArguments>},
+     .accepts = suture::checkSlot<ArmMoveJrArguments, acceptsArmMoveJr>,
+     .shiftArguments = suture::shiftSlot<ArmMoveJrArguments>},
     {.name = "move_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmMoveCpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmMoveCpArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmMoveCpArguments, acceptsArmMoveCp>,
-     .shiftArguments = shiftSlot<ArmMoveCpArguments>},
+     .accepts = suture::checkSlot<ArmMoveCpArguments, acceptsArmMoveCp>,
+     .shiftArguments = suture::shiftSlot<ArmMoveCpArguments>},
     {.name = "move_cr",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmMoveCrArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmMoveCrArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmMoveCrArguments, acceptsArmMoveCr>,
-     .shiftArguments = shiftSlot<ArmMoveCrArguments>},
+     .accepts = suture::checkSlot<ArmMoveCrArguments, acceptsArmMoveCr>,
+     .shiftArguments = suture::shiftSlot<ArmMoveCrArguments>},
     {.name = "trajectory_j_set_ratio",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmTrajectoryJSetRatioArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmTrajectoryJSetRatioArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmTrajectoryJSetRatioArguments, acceptsArmTrajectoryJSetRatio>},
+     .accepts = suture::checkSlot<ArmTrajectoryJSetRatioArguments, acceptsArmTrajectoryJSetRatio>},
     {.name = "trajectory_j_set_ratio_v",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmTrajectoryJSetRatioVArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmTrajectoryJSetRatioVArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmTrajectoryJSetRatioVArguments, acceptsArmTrajectoryJSetRatioV>},
+     .accepts = suture::checkSlot<ArmTrajectoryJSetRatioVArguments, acceptsArmTrajectoryJSetRatioV>},
     {.name = "trajectory_j_set_ratio_a",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmTrajectoryJSetRatioAArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmTrajectoryJSetRatioAArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmTrajectoryJSetRatioAArguments, acceptsArmTrajectoryJSetRatioA>},
+     .accepts = suture::checkSlot<ArmTrajectoryJSetRatioAArguments, acceptsArmTrajectoryJSetRatioA>},
     {.name = "trajectory_j_ratio",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::trajectory_j_ratio),
-     .acceptsResult = checkSlot<double, acceptsArmTrajectoryJRatioResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsArmTrajectoryJRatioResult>},
     {.name = "trajectory_j_ratio_v",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::trajectory_j_ratio_v),
-     .acceptsResult = checkSlot<double, acceptsArmTrajectoryJRatioVResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsArmTrajectoryJRatioVResult>},
     {.name = "trajectory_j_ratio_a",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::trajectory_j_ratio_a),
-     .acceptsResult = checkSlot<double, acceptsArmTrajectoryJRatioAResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsArmTrajectoryJRatioAResult>},
     {.name = "query_cp",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmQueryCpArguments>,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<ArmQueryCpArguments>,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .accepts = checkSlot<ArmQueryCpArguments, acceptsArmQueryCp>,
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftArguments = shiftSlot<ArmQueryCpArguments>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .accepts = suture::checkSlot<ArmQueryCpArguments, acceptsArmQueryCp>,
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftArguments = suture::shiftSlot<ArmQueryCpArguments>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "local_query_cp",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmLocalQueryCpArguments>,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<ArmLocalQueryCpArguments>,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .accepts = checkSlot<ArmLocalQueryCpArguments, acceptsArmLocalQueryCp>,
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftArguments = shiftSlot<ArmLocalQueryCpArguments>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .accepts = suture::checkSlot<ArmLocalQueryCpArguments, acceptsArmLocalQueryCp>,
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftArguments = suture::shiftSlot<ArmLocalQueryCpArguments>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
 };
 
-constexpr EventInfo kArmEvents[] = {
+constexpr suture::EventInfo kArmEvents[] = {
     {.name = "operating_state",
-     .payloadSize = slotSize<OperatingStateSlot>,
+     .payloadSize = suture::slotSize<OperatingStateSlot>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<OperatingStateSlot, isValid>,
-     .shiftPayload = shiftSlot<OperatingStateSlot>},
-    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
+     .accepts = suture::checkSlot<OperatingStateSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<OperatingStateSlot>},
+    {.name = "goal_reached", .payloadSize = suture::slotSize<std::uint8_t>, .depth = 16},
     {.name = "desired_state",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsArmDesiredStateEvent>},
+     .accepts = suture::checkSlot<std::uint8_t, acceptsArmDesiredStateEvent>},
     {.name = "gravity_compensation",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true},
     {.name = "trajectory_j_ratio",
-     .payloadSize = slotSize<double>,
+     .payloadSize = suture::slotSize<double>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<double, acceptsArmTrajectoryJRatioEvent>},
+     .accepts = suture::checkSlot<double, acceptsArmTrajectoryJRatioEvent>},
     {.name = "trajectory_j_ratio_v",
-     .payloadSize = slotSize<double>,
+     .payloadSize = suture::slotSize<double>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<double, acceptsArmTrajectoryJRatioVEvent>},
+     .accepts = suture::checkSlot<double, acceptsArmTrajectoryJRatioVEvent>},
     {.name = "trajectory_j_ratio_a",
-     .payloadSize = slotSize<double>,
+     .payloadSize = suture::slotSize<double>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<double, acceptsArmTrajectoryJRatioAEvent>},
+     .accepts = suture::checkSlot<double, acceptsArmTrajectoryJRatioAEvent>},
 };
 
 // The self-description, as in arm/arm.suture.json.

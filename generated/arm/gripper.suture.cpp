@@ -25,23 +25,11 @@ bool isValid(const JointStateSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::EventInfo;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
+using suture::store;
 
 namespace {
 
@@ -51,45 +39,48 @@ void encodeGripperConfigurationJsResult(const JointConfigurationSlot& slot,
                                         wire::Gripper::ConfigurationJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGripperConfigurationJsResult(wire::Gripper::ConfigurationJsResults::Reader in,
-                                        JointConfigurationSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperConfigurationJsResult(wire::Gripper::ConfigurationJsResults::Reader in,
+                                                JointConfigurationSlot& slot,
+                                                suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperMeasuredJsResult(const JointStateSlot& slot,
                                    wire::Gripper::MeasuredJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGripperMeasuredJsResult(wire::Gripper::MeasuredJsResults::Reader in,
-                                   JointStateSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperMeasuredJsResult(wire::Gripper::MeasuredJsResults::Reader in,
+                                           JointStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperClosedEvent(const std::uint8_t& slot,
                               wire::GripperEvents::ClosedParams::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeGripperClosedEvent(wire::GripperEvents::ClosedParams::Reader in, std::uint8_t& slot,
-                              suture::Duration) {
+suture::Errc decodeGripperClosedEvent(wire::GripperEvents::ClosedParams::Reader in,
+                                      std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperConfigurationJsColumn(const JointConfigurationSlot& slot,
                                         wire::GripperStateRow::Builder out) {
   toWire(slot, out.initConfigurationJs());
 }
-Errc decodeGripperConfigurationJsColumn(wire::GripperStateRow::Reader in,
-                                        JointConfigurationSlot& slot, suture::Duration shift) {
-  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperConfigurationJsColumn(wire::GripperStateRow::Reader in,
+                                                JointConfigurationSlot& slot,
+                                                suture::Duration shift) {
+  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeGripperMeasuredJsColumn(const JointStateSlot& slot, wire::GripperStateRow::Builder out) {
   toWire(slot, out.initMeasuredJs());
 }
-Errc decodeGripperMeasuredJsColumn(wire::GripperStateRow::Reader in, JointStateSlot& slot,
-                                   suture::Duration shift) {
-  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperMeasuredJsColumn(wire::GripperStateRow::Reader in, JointStateSlot& slot,
+                                           suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -97,42 +88,45 @@ void encodeGripperColumn(unsigned column, const std::byte* memory,
                          wire::GripperStateRow::Builder out) {
   switch (static_cast<GripperColumn>(column)) {
     case GripperColumn::configuration_js:
-      return encodeGripperConfigurationJsColumn(slotIn<JointConfigurationSlot>(memory), out);
+      return encodeGripperConfigurationJsColumn(suture::slotIn<JointConfigurationSlot>(memory),
+                                                out);
     case GripperColumn::measured_js:
-      return encodeGripperMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
+      return encodeGripperMeasuredJsColumn(suture::slotIn<JointStateSlot>(memory), out);
   }
 }
-Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<GripperColumn>(column)) {
     case GripperColumn::configuration_js:
-      return decodeGripperConfigurationJsColumn(in, newSlot<JointConfigurationSlot>(memory), shift);
+      return decodeGripperConfigurationJsColumn(in, suture::newSlot<JointConfigurationSlot>(memory),
+                                                shift);
     case GripperColumn::measured_js:
-      return decodeGripperMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+      return decodeGripperMeasuredJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kGripperCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kGripperCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 1,
-     .sent = sentIn<wire::Gripper::ConfigurationJsParams>,
-     .result = messageOf<wire::Gripper::ConfigurationJsResults, JointConfigurationSlot,
-                         encodeGripperConfigurationJsResult, decodeGripperConfigurationJsResult>,
-     .stamp = stampIn<wire::Gripper::ConfigurationJsResults>},
+     .sent = suture::rpc::sentIn<wire::Gripper::ConfigurationJsParams>,
+     .result = suture::rpc::messageOf<wire::Gripper::ConfigurationJsResults, JointConfigurationSlot,
+                                      encodeGripperConfigurationJsResult,
+                                      decodeGripperConfigurationJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Gripper::ConfigurationJsResults>},
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 2,
-     .sent = sentIn<wire::Gripper::MeasuredJsParams>,
-     .result = messageOf<wire::Gripper::MeasuredJsResults, JointStateSlot,
-                         encodeGripperMeasuredJsResult, decodeGripperMeasuredJsResult>,
-     .stamp = stampIn<wire::Gripper::MeasuredJsResults>},
+     .sent = suture::rpc::sentIn<wire::Gripper::MeasuredJsParams>,
+     .result = suture::rpc::messageOf<wire::Gripper::MeasuredJsResults, JointStateSlot,
+                                      encodeGripperMeasuredJsResult, decodeGripperMeasuredJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Gripper::MeasuredJsResults>},
 };
 
-constexpr EventCodec kGripperEventCodecs[] = {
+constexpr suture::rpc::EventCodec kGripperEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::GripperEvents::ClosedParams>,
-     .payload = messageOf<wire::GripperEvents::ClosedParams, std::uint8_t, encodeGripperClosedEvent,
-                          decodeGripperClosedEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperEvents::ClosedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperEvents::ClosedParams, std::uint8_t,
+                                       encodeGripperClosedEvent, decodeGripperClosedEvent>},
 };
 
 const suture::rpc::Codec& gripperCodec() {
@@ -148,24 +142,24 @@ const suture::rpc::Codec& gripperCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kGripperCommands[] = {
+constexpr suture::CommandInfo kGripperCommands[] = {
     {.name = "configuration_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointConfigurationSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointConfigurationSlot>,
      .depth = 16,
      .column = static_cast<int>(GripperColumn::configuration_js),
-     .acceptsResult = checkSlot<JointConfigurationSlot, isValid>},
+     .acceptsResult = suture::checkSlot<JointConfigurationSlot, isValid>},
     {.name = "measured_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
      .column = static_cast<int>(GripperColumn::measured_js),
-     .acceptsResult = checkSlot<JointStateSlot, isValid>,
-     .shiftResult = shiftSlot<JointStateSlot>},
+     .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<JointStateSlot>},
 };
 
-constexpr EventInfo kGripperEvents[] = {
-    {.name = "closed", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
+constexpr suture::EventInfo kGripperEvents[] = {
+    {.name = "closed", .payloadSize = suture::slotSize<std::uint8_t>, .depth = 16, .latched = true},
 };
 
 // The self-description, as in arm/gripper.suture.json.

@@ -39,54 +39,44 @@ bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const JointGoal& goal, JawServoJpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(JawServoJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(JawServoJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointEffortGoal& goal, JawServoJfArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(JawServoJfArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(JawServoJfArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointGoal& goal, JawMoveJpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(JawMoveJpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(JawMoveJpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 namespace {
 
-bool acceptsJawServoJp(const JawServoJpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsJawServoJp(const JawServoJpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsJawServoJf(const JawServoJfArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsJawServoJf(const JawServoJfArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsJawMoveJp(const JawMoveJpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsJawMoveJp(const JawMoveJpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
 // --- Jaw as Cap'n Proto
@@ -95,192 +85,195 @@ void encodeJawConfigurationJsResult(const JointConfigurationSlot& slot,
                                     wire::Jaw::ConfigurationJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeJawConfigurationJsResult(wire::Jaw::ConfigurationJsResults::Reader in,
-                                    JointConfigurationSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawConfigurationJsResult(wire::Jaw::ConfigurationJsResults::Reader in,
+                                            JointConfigurationSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawMeasuredJsResult(const JointStateSlot& slot,
                                wire::Jaw::MeasuredJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeJawMeasuredJsResult(wire::Jaw::MeasuredJsResults::Reader in, JointStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawMeasuredJsResult(wire::Jaw::MeasuredJsResults::Reader in,
+                                       JointStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawSetpointJsResult(const JointStateSlot& slot,
                                wire::Jaw::SetpointJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeJawSetpointJsResult(wire::Jaw::SetpointJsResults::Reader in, JointStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawSetpointJsResult(wire::Jaw::SetpointJsResults::Reader in,
+                                       JointStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawServoJp(const JawServoJpArguments& slot, wire::Jaw::ServoJpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeJawServoJp(wire::Jaw::ServoJpParams::Reader in, JawServoJpArguments& slot,
-                      suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeJawServoJp(wire::Jaw::ServoJpParams::Reader in, JawServoJpArguments& slot,
+                              suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawServoJf(const JawServoJfArguments& slot, wire::Jaw::ServoJfParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeJawServoJf(wire::Jaw::ServoJfParams::Reader in, JawServoJfArguments& slot,
-                      suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeJawServoJf(wire::Jaw::ServoJfParams::Reader in, JawServoJfArguments& slot,
+                              suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawMoveJp(const JawMoveJpArguments& slot, wire::Jaw::MoveJpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeJawMoveJp(wire::Jaw::MoveJpParams::Reader in, JawMoveJpArguments& slot,
-                     suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeJawMoveJp(wire::Jaw::MoveJpParams::Reader in, JawMoveJpArguments& slot,
+                             suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawStatusEvent(const suture::MessageSlot& slot,
                           wire::JawEvents::StatusParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeJawStatusEvent(wire::JawEvents::StatusParams::Reader in, suture::MessageSlot& slot,
-                          suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawStatusEvent(wire::JawEvents::StatusParams::Reader in,
+                                  suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawWarningEvent(const suture::MessageSlot& slot,
                            wire::JawEvents::WarningParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeJawWarningEvent(wire::JawEvents::WarningParams::Reader in, suture::MessageSlot& slot,
-                           suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawWarningEvent(wire::JawEvents::WarningParams::Reader in,
+                                   suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawErrorEvent(const suture::MessageSlot& slot,
                          wire::JawEvents::ErrorParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeJawErrorEvent(wire::JawEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
-                         suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawErrorEvent(wire::JawEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
+                                 suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawGoalReachedEvent(const std::uint8_t& slot,
                                wire::JawEvents::GoalReachedParams::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeJawGoalReachedEvent(wire::JawEvents::GoalReachedParams::Reader in, std::uint8_t& slot,
-                               suture::Duration) {
+suture::Errc decodeJawGoalReachedEvent(wire::JawEvents::GoalReachedParams::Reader in,
+                                       std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJawConfigurationJsColumn(const JointConfigurationSlot& slot,
                                     wire::JawStateRow::Builder out) {
   toWire(slot, out.initConfigurationJs());
 }
-Errc decodeJawConfigurationJsColumn(wire::JawStateRow::Reader in, JointConfigurationSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawConfigurationJsColumn(wire::JawStateRow::Reader in,
+                                            JointConfigurationSlot& slot, suture::Duration shift) {
+  return in.hasConfigurationJs() ? fromWire(in.getConfigurationJs(), slot, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeJawMeasuredJsColumn(const JointStateSlot& slot, wire::JawStateRow::Builder out) {
   toWire(slot, out.initMeasuredJs());
 }
-Errc decodeJawMeasuredJsColumn(wire::JawStateRow::Reader in, JointStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawMeasuredJsColumn(wire::JawStateRow::Reader in, JointStateSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeJawSetpointJsColumn(const JointStateSlot& slot, wire::JawStateRow::Builder out) {
   toWire(slot, out.initSetpointJs());
 }
-Errc decodeJawSetpointJsColumn(wire::JawStateRow::Reader in, JointStateSlot& slot,
-                               suture::Duration shift) {
-  return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJawSetpointJsColumn(wire::JawStateRow::Reader in, JointStateSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasSetpointJs() ? fromWire(in.getSetpointJs(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeJawColumn(unsigned column, const std::byte* memory, wire::JawStateRow::Builder out) {
   switch (static_cast<JawColumn>(column)) {
     case JawColumn::configuration_js:
-      return encodeJawConfigurationJsColumn(slotIn<JointConfigurationSlot>(memory), out);
+      return encodeJawConfigurationJsColumn(suture::slotIn<JointConfigurationSlot>(memory), out);
     case JawColumn::measured_js:
-      return encodeJawMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
+      return encodeJawMeasuredJsColumn(suture::slotIn<JointStateSlot>(memory), out);
     case JawColumn::setpoint_js:
-      return encodeJawSetpointJsColumn(slotIn<JointStateSlot>(memory), out);
+      return encodeJawSetpointJsColumn(suture::slotIn<JointStateSlot>(memory), out);
   }
 }
-Errc decodeJawColumn(wire::JawStateRow::Reader in, unsigned column, std::byte* memory,
-                     suture::Duration shift) {
+suture::Errc decodeJawColumn(wire::JawStateRow::Reader in, unsigned column, std::byte* memory,
+                             suture::Duration shift) {
   switch (static_cast<JawColumn>(column)) {
     case JawColumn::configuration_js:
-      return decodeJawConfigurationJsColumn(in, newSlot<JointConfigurationSlot>(memory), shift);
+      return decodeJawConfigurationJsColumn(in, suture::newSlot<JointConfigurationSlot>(memory),
+                                            shift);
     case JawColumn::measured_js:
-      return decodeJawMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+      return decodeJawMeasuredJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
     case JawColumn::setpoint_js:
-      return decodeJawSetpointJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+      return decodeJawSetpointJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kJawCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kJawCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 1,
-     .sent = sentIn<wire::Jaw::ConfigurationJsParams>,
-     .result = messageOf<wire::Jaw::ConfigurationJsResults, JointConfigurationSlot,
-                         encodeJawConfigurationJsResult, decodeJawConfigurationJsResult>,
-     .stamp = stampIn<wire::Jaw::ConfigurationJsResults>},
+     .sent = suture::rpc::sentIn<wire::Jaw::ConfigurationJsParams>,
+     .result = suture::rpc::messageOf<wire::Jaw::ConfigurationJsResults, JointConfigurationSlot,
+                                      encodeJawConfigurationJsResult,
+                                      decodeJawConfigurationJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Jaw::ConfigurationJsResults>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 2,
-     .sent = sentIn<wire::Jaw::MeasuredJsParams>,
-     .result = messageOf<wire::Jaw::MeasuredJsResults, JointStateSlot, encodeJawMeasuredJsResult,
-                         decodeJawMeasuredJsResult>,
-     .stamp = stampIn<wire::Jaw::MeasuredJsResults>},
+     .sent = suture::rpc::sentIn<wire::Jaw::MeasuredJsParams>,
+     .result = suture::rpc::messageOf<wire::Jaw::MeasuredJsResults, JointStateSlot,
+                                      encodeJawMeasuredJsResult, decodeJawMeasuredJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Jaw::MeasuredJsResults>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 3,
-     .sent = sentIn<wire::Jaw::SetpointJsParams>,
-     .result = messageOf<wire::Jaw::SetpointJsResults, JointStateSlot, encodeJawSetpointJsResult,
-                         decodeJawSetpointJsResult>,
-     .stamp = stampIn<wire::Jaw::SetpointJsResults>},
+     .sent = suture::rpc::sentIn<wire::Jaw::SetpointJsParams>,
+     .result = suture::rpc::messageOf<wire::Jaw::SetpointJsResults, JointStateSlot,
+                                      encodeJawSetpointJsResult, decodeJawSetpointJsResult>,
+     .stamp = suture::rpc::stampIn<wire::Jaw::SetpointJsResults>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 4,
-     .sent = sentIn<wire::Jaw::ServoJpParams>,
-     .arguments = messageOf<wire::Jaw::ServoJpParams, JawServoJpArguments, encodeJawServoJp,
-                            decodeJawServoJp>},
+     .sent = suture::rpc::sentIn<wire::Jaw::ServoJpParams>,
+     .arguments = suture::rpc::messageOf<wire::Jaw::ServoJpParams, JawServoJpArguments,
+                                         encodeJawServoJp, decodeJawServoJp>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 5,
-     .sent = sentIn<wire::Jaw::ServoJfParams>,
-     .arguments = messageOf<wire::Jaw::ServoJfParams, JawServoJfArguments, encodeJawServoJf,
-                            decodeJawServoJf>},
+     .sent = suture::rpc::sentIn<wire::Jaw::ServoJfParams>,
+     .arguments = suture::rpc::messageOf<wire::Jaw::ServoJfParams, JawServoJfArguments,
+                                         encodeJawServoJf, decodeJawServoJf>},
     {.interface = capnp::typeId<wire::Jaw>(),
      .method = 6,
-     .sent = sentIn<wire::Jaw::MoveJpParams>,
-     .arguments = messageOf<wire::Jaw::MoveJpParams, JawMoveJpArguments, encodeJawMoveJp,
-                            decodeJawMoveJp>},
+     .sent = suture::rpc::sentIn<wire::Jaw::MoveJpParams>,
+     .arguments = suture::rpc::messageOf<wire::Jaw::MoveJpParams, JawMoveJpArguments,
+                                         encodeJawMoveJp, decodeJawMoveJp>},
 };
 
-constexpr EventCodec kJawEventCodecs[] = {
+constexpr suture::rpc::EventCodec kJawEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::JawEvents::StatusParams>,
-     .payload = messageOf<wire::JawEvents::StatusParams, suture::MessageSlot, encodeJawStatusEvent,
-                          decodeJawStatusEvent>},
+     .stamp = suture::rpc::stampIn<wire::JawEvents::StatusParams>,
+     .payload = suture::rpc::messageOf<wire::JawEvents::StatusParams, suture::MessageSlot,
+                                       encodeJawStatusEvent, decodeJawStatusEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::JawEvents::WarningParams>,
-     .payload = messageOf<wire::JawEvents::WarningParams, suture::MessageSlot,
-                          encodeJawWarningEvent, decodeJawWarningEvent>},
+     .stamp = suture::rpc::stampIn<wire::JawEvents::WarningParams>,
+     .payload = suture::rpc::messageOf<wire::JawEvents::WarningParams, suture::MessageSlot,
+                                       encodeJawWarningEvent, decodeJawWarningEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::JawEvents::ErrorParams>,
-     .payload = messageOf<wire::JawEvents::ErrorParams, suture::MessageSlot, encodeJawErrorEvent,
-                          decodeJawErrorEvent>},
+     .stamp = suture::rpc::stampIn<wire::JawEvents::ErrorParams>,
+     .payload = suture::rpc::messageOf<wire::JawEvents::ErrorParams, suture::MessageSlot,
+                                       encodeJawErrorEvent, decodeJawErrorEvent>},
     {.method = 4,
-     .stamp = stampIn<wire::JawEvents::GoalReachedParams>,
-     .payload = messageOf<wire::JawEvents::GoalReachedParams, std::uint8_t,
-                          encodeJawGoalReachedEvent, decodeJawGoalReachedEvent>},
+     .stamp = suture::rpc::stampIn<wire::JawEvents::GoalReachedParams>,
+     .payload = suture::rpc::messageOf<wire::JawEvents::GoalReachedParams, std::uint8_t,
+                                       encodeJawGoalReachedEvent, decodeJawGoalReachedEvent>},
 };
 
 const suture::rpc::Codec& jawCodec() {
@@ -296,53 +289,53 @@ const suture::rpc::Codec& jawCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kJawCommands[] = {
+constexpr suture::CommandInfo kJawCommands[] = {
     {.name = "configuration_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointConfigurationSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointConfigurationSlot>,
      .depth = 16,
      .column = static_cast<int>(JawColumn::configuration_js),
-     .acceptsResult = checkSlot<JointConfigurationSlot, isValid>},
+     .acceptsResult = suture::checkSlot<JointConfigurationSlot, isValid>},
     {.name = "measured_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
      .column = static_cast<int>(JawColumn::measured_js),
-     .acceptsResult = checkSlot<JointStateSlot, isValid>,
-     .shiftResult = shiftSlot<JointStateSlot>},
+     .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "setpoint_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
      .column = static_cast<int>(JawColumn::setpoint_js),
-     .acceptsResult = checkSlot<JointStateSlot, isValid>,
-     .shiftResult = shiftSlot<JointStateSlot>},
+     .acceptsResult = suture::checkSlot<JointStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<JointStateSlot>},
     {.name = "servo_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<JawServoJpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<JawServoJpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<JawServoJpArguments, acceptsJawServoJp>,
-     .shiftArguments = shiftSlot<JawServoJpArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<JawServoJpArguments, acceptsJawServoJp>,
+     .shiftArguments = suture::shiftSlot<JawServoJpArguments>},
     {.name = "servo_jf",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<JawServoJfArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<JawServoJfArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<JawServoJfArguments, acceptsJawServoJf>,
-     .shiftArguments = shiftSlot<JawServoJfArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<JawServoJfArguments, acceptsJawServoJf>,
+     .shiftArguments = suture::shiftSlot<JawServoJfArguments>},
     {.name = "move_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<JawMoveJpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<JawMoveJpArguments>,
      .depth = 16,
-     .accepts = checkSlot<JawMoveJpArguments, acceptsJawMoveJp>,
-     .shiftArguments = shiftSlot<JawMoveJpArguments>},
+     .accepts = suture::checkSlot<JawMoveJpArguments, acceptsJawMoveJp>,
+     .shiftArguments = suture::shiftSlot<JawMoveJpArguments>},
 };
 
-constexpr EventInfo kJawEvents[] = {
-    {.name = "goal_reached", .payloadSize = slotSize<std::uint8_t>, .depth = 16},
+constexpr suture::EventInfo kJawEvents[] = {
+    {.name = "goal_reached", .payloadSize = suture::slotSize<std::uint8_t>, .depth = 16},
 };
 
 // The self-description, as in arm/jaw.suture.json.

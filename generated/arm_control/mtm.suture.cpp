@@ -17,13 +17,8 @@ suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -87,7 +82,7 @@ void toWire(const MtmParametersSlot& slot, wire::MtmParameters::Builder out) {
   out.setGripperDebounce(slot.gripper_debounce);
 }
 
-Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, suture::Duration) {
   slot.period = in.getPeriod();
   slot.angular_rate = in.getAngularRate();
   slot.angular_acceleration = in.getAngularAcceleration();
@@ -100,18 +95,31 @@ Errc fromWire(wire::MtmParameters::Reader in, MtmParametersSlot& slot, Duration)
   return fromWire(in.getSide(), slot.side);
 }
 
-bool isValid(const MtmParametersSlot& slot, FieldPath* path) {
-  if (!isKnownSide(slot.side)) return refusedAt(path, "side");
-  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
-  if (!inRange(slot.angular_acceleration, 0.1, 1000)) {
-    return refusedAt(path, "angular_acceleration");
+bool isValid(const MtmParametersSlot& slot, suture::FieldPath* path) {
+  if (!isKnownSide(slot.side)) return suture::refusedAt(path, "side");
+  if (!suture::rpc::inRange(slot.angular_rate, 0.01, 20)) {
+    return suture::refusedAt(path, "angular_rate");
   }
-  if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
-  if (!inRange(slot.jump_factor, 1, 1000)) return refusedAt(path, "jump_factor");
-  if (!inRange(slot.overload_time, 0.001, 10)) return refusedAt(path, "overload_time");
-  if (!inRange(slot.servo_horizon, 0.001, 10)) return refusedAt(path, "servo_horizon");
-  if (!inRange(slot.gripper_closed, -0.2, 1.05)) return refusedAt(path, "gripper_closed");
-  return inRange(slot.gripper_debounce, 0, 1) || refusedAt(path, "gripper_debounce");
+  if (!suture::rpc::inRange(slot.angular_acceleration, 0.1, 1000)) {
+    return suture::refusedAt(path, "angular_acceleration");
+  }
+  if (!suture::rpc::inRange(slot.following_error, 0.001, 10)) {
+    return suture::refusedAt(path, "following_error");
+  }
+  if (!suture::rpc::inRange(slot.jump_factor, 1, 1000)) {
+    return suture::refusedAt(path, "jump_factor");
+  }
+  if (!suture::rpc::inRange(slot.overload_time, 0.001, 10)) {
+    return suture::refusedAt(path, "overload_time");
+  }
+  if (!suture::rpc::inRange(slot.servo_horizon, 0.001, 10)) {
+    return suture::refusedAt(path, "servo_horizon");
+  }
+  if (!suture::rpc::inRange(slot.gripper_closed, -0.2, 1.05)) {
+    return suture::refusedAt(path, "gripper_closed");
+  }
+  return suture::rpc::inRange(slot.gripper_debounce, 0, 1) ||
+      suture::refusedAt(path, "gripper_debounce");
 }
 
 }  // namespace robots

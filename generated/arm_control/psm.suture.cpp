@@ -10,13 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -92,7 +87,7 @@ void toWire(const PsmParametersSlot& slot, wire::PsmParameters::Builder out) {
   out.setServoHorizon(slot.servo_horizon);
 }
 
-Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, suture::Duration) {
   slot.period = in.getPeriod();
   slot.angular_rate = in.getAngularRate();
   slot.home_insertion = in.getHomeInsertion();
@@ -106,28 +101,43 @@ Errc fromWire(wire::PsmParameters::Reader in, PsmParametersSlot& slot, Duration)
   slot.jump_factor = in.getJumpFactor();
   slot.overload_time = in.getOverloadTime();
   slot.servo_horizon = in.getServoHorizon();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const PsmParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
-  if (!inRange(slot.home_insertion, 0, 0.24)) return refusedAt(path, "home_insertion");
-  if (!inRange(slot.following_error, 0.001, 10)) return refusedAt(path, "following_error");
-  if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
-  if (!inRange(slot.insertion_following_error, 0.0001, 1)) {
-    return refusedAt(path, "insertion_following_error");
+bool isValid(const PsmParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.angular_rate, 0.01, 20)) {
+    return suture::refusedAt(path, "angular_rate");
   }
-  if (!inRange(slot.angular_acceleration, 0.1, 1000)) {
-    return refusedAt(path, "angular_acceleration");
+  if (!suture::rpc::inRange(slot.home_insertion, 0, 0.24)) {
+    return suture::refusedAt(path, "home_insertion");
   }
-  if (!inRange(slot.insertion_acceleration, 0.01, 100)) {
-    return refusedAt(path, "insertion_acceleration");
+  if (!suture::rpc::inRange(slot.following_error, 0.001, 10)) {
+    return suture::refusedAt(path, "following_error");
   }
-  if (!inRange(slot.jaw_acceleration, 0.1, 10000)) return refusedAt(path, "jaw_acceleration");
-  if (!inRange(slot.jaw_rate, 0.01, 50)) return refusedAt(path, "jaw_rate");
-  if (!inRange(slot.jump_factor, 1, 1000)) return refusedAt(path, "jump_factor");
-  if (!inRange(slot.overload_time, 0.001, 10)) return refusedAt(path, "overload_time");
-  return inRange(slot.servo_horizon, 0.001, 10) || refusedAt(path, "servo_horizon");
+  if (!suture::rpc::inRange(slot.insertion_rate, 0.001, 2)) {
+    return suture::refusedAt(path, "insertion_rate");
+  }
+  if (!suture::rpc::inRange(slot.insertion_following_error, 0.0001, 1)) {
+    return suture::refusedAt(path, "insertion_following_error");
+  }
+  if (!suture::rpc::inRange(slot.angular_acceleration, 0.1, 1000)) {
+    return suture::refusedAt(path, "angular_acceleration");
+  }
+  if (!suture::rpc::inRange(slot.insertion_acceleration, 0.01, 100)) {
+    return suture::refusedAt(path, "insertion_acceleration");
+  }
+  if (!suture::rpc::inRange(slot.jaw_acceleration, 0.1, 10000)) {
+    return suture::refusedAt(path, "jaw_acceleration");
+  }
+  if (!suture::rpc::inRange(slot.jaw_rate, 0.01, 50)) return suture::refusedAt(path, "jaw_rate");
+  if (!suture::rpc::inRange(slot.jump_factor, 1, 1000)) {
+    return suture::refusedAt(path, "jump_factor");
+  }
+  if (!suture::rpc::inRange(slot.overload_time, 0.001, 10)) {
+    return suture::refusedAt(path, "overload_time");
+  }
+  return suture::rpc::inRange(slot.servo_horizon, 0.001, 10) ||
+      suture::refusedAt(path, "servo_horizon");
 }
 
 }  // namespace robots

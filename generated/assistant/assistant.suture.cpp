@@ -10,9 +10,6 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -55,15 +52,16 @@ void toWire(const AssistantParametersSlot& slot, wire::AssistantParameters::Buil
   out.setPatience(slot.patience);
 }
 
-Errc fromWire(wire::AssistantParameters::Reader in, AssistantParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::AssistantParameters::Reader in, AssistantParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.press_after = in.getPressAfter();
   slot.release_after = in.getReleaseAfter();
   slot.patience = in.getPatience();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const AssistantParametersSlot&, FieldPath*) {
+bool isValid(const AssistantParametersSlot&, suture::FieldPath*) {
   return true;
 }
 

@@ -10,26 +10,10 @@
 
 namespace bench {
 
-using suture::BoundedLevel;
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::levelAt;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -82,11 +66,11 @@ void toWire(const SmallBlockSlot& slot, wire::SmallBlock::Builder out) {
   toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
 }
 
-Errc fromWire(wire::SmallBlock::Reader in, SmallBlockSlot& slot, Duration) {
+suture::Errc fromWire(wire::SmallBlock::Reader in, SmallBlockSlot& slot, suture::Duration) {
   return fromWire(in.getBytes(), slot.bytes);
 }
 
-bool isValid(const SmallBlockSlot&, FieldPath*) {
+bool isValid(const SmallBlockSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -94,18 +78,18 @@ void toWire(const LargeBlockSlot& slot, wire::LargeBlock::Builder out) {
   toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
 }
 
-Errc fromWire(wire::LargeBlock::Reader in, LargeBlockSlot& slot, Duration) {
+suture::Errc fromWire(wire::LargeBlock::Reader in, LargeBlockSlot& slot, suture::Duration) {
   return fromWire(in.getBytes(), slot.bytes);
 }
 
-bool isValid(const LargeBlockSlot&, FieldPath*) {
+bool isValid(const LargeBlockSlot&, suture::FieldPath*) {
   return true;
 }
 
 namespace {
 
-bool acceptsSmallBlocksBounce(const SmallBlocksBounceArguments& slot, FieldPath* path) {
-  return isValid(slot.block, path) || refusedAt(path, "block");
+bool acceptsSmallBlocksBounce(const SmallBlocksBounceArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.block, path) || suture::refusedAt(path, "block");
 }
 
 // --- SmallBlocks as Cap'n Proto
@@ -114,33 +98,34 @@ void encodeSmallBlocksBounce(const SmallBlocksBounceArguments& slot,
                              wire::SmallBlocks::BounceParams::Builder out) {
   toWire(slot.block, out.initBlock());
 }
-Errc decodeSmallBlocksBounce(wire::SmallBlocks::BounceParams::Reader in,
-                             SmallBlocksBounceArguments& slot, suture::Duration shift) {
-  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : Errc::Invalid;
+suture::Errc decodeSmallBlocksBounce(wire::SmallBlocks::BounceParams::Reader in,
+                                     SmallBlocksBounceArguments& slot, suture::Duration shift) {
+  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : suture::Errc::Invalid;
 }
 
 void encodeSmallBlocksEchoEvent(const SmallBlockSlot& slot,
                                 wire::SmallBlocksEvents::EchoParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeSmallBlocksEchoEvent(wire::SmallBlocksEvents::EchoParams::Reader in,
-                                SmallBlockSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeSmallBlocksEchoEvent(wire::SmallBlocksEvents::EchoParams::Reader in,
+                                        SmallBlockSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kSmallBlocksCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kSmallBlocksCommandCodecs[] = {
     {.interface = capnp::typeId<wire::SmallBlocks>(),
      .method = 1,
-     .sent = sentIn<wire::SmallBlocks::BounceParams>,
-     .arguments = messageOf<wire::SmallBlocks::BounceParams, SmallBlocksBounceArguments,
-                            encodeSmallBlocksBounce, decodeSmallBlocksBounce>},
+     .sent = suture::rpc::sentIn<wire::SmallBlocks::BounceParams>,
+     .arguments = suture::rpc::messageOf<wire::SmallBlocks::BounceParams,
+                                         SmallBlocksBounceArguments, encodeSmallBlocksBounce,
+                                         decodeSmallBlocksBounce>},
 };
 
-constexpr EventCodec kSmallBlocksEventCodecs[] = {
+constexpr suture::rpc::EventCodec kSmallBlocksEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::SmallBlocksEvents::EchoParams>,
-     .payload = messageOf<wire::SmallBlocksEvents::EchoParams, SmallBlockSlot,
-                          encodeSmallBlocksEchoEvent, decodeSmallBlocksEchoEvent>},
+     .stamp = suture::rpc::stampIn<wire::SmallBlocksEvents::EchoParams>,
+     .payload = suture::rpc::messageOf<wire::SmallBlocksEvents::EchoParams, SmallBlockSlot,
+                                       encodeSmallBlocksEchoEvent, decodeSmallBlocksEchoEvent>},
 };
 
 const suture::rpc::Codec& smallBlocksCodec() {
@@ -155,19 +140,19 @@ const suture::rpc::Codec& smallBlocksCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kSmallBlocksCommands[] = {
+constexpr suture::CommandInfo kSmallBlocksCommands[] = {
     {.name = "bounce",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<SmallBlocksBounceArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<SmallBlocksBounceArguments>,
      .depth = 2,
-     .accepts = checkSlot<SmallBlocksBounceArguments, acceptsSmallBlocksBounce>},
+     .accepts = suture::checkSlot<SmallBlocksBounceArguments, acceptsSmallBlocksBounce>},
 };
 
-constexpr EventInfo kSmallBlocksEvents[] = {
+constexpr suture::EventInfo kSmallBlocksEvents[] = {
     {.name = "echo",
-     .payloadSize = slotSize<SmallBlockSlot>,
+     .payloadSize = suture::slotSize<SmallBlockSlot>,
      .depth = 2,
-     .accepts = checkSlot<SmallBlockSlot, isValid>},
+     .accepts = suture::checkSlot<SmallBlockSlot, isValid>},
 };
 
 // The self-description, as in bench/block_loop.suture.json.
@@ -194,8 +179,8 @@ constexpr char kSmallBlocksDescription[] = R"json(
 "id": "@0xbed5520df9ca5c0d", "kind": "struct", "name": "SmallBlock", "members": [{"at": 0,
 "name": "bytes", "is": "Data"}]}]})json";
 
-bool acceptsLargeBlocksBounce(const LargeBlocksBounceArguments& slot, FieldPath* path) {
-  return isValid(slot.block, path) || refusedAt(path, "block");
+bool acceptsLargeBlocksBounce(const LargeBlocksBounceArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.block, path) || suture::refusedAt(path, "block");
 }
 
 // --- LargeBlocks as Cap'n Proto
@@ -204,33 +189,34 @@ void encodeLargeBlocksBounce(const LargeBlocksBounceArguments& slot,
                              wire::LargeBlocks::BounceParams::Builder out) {
   toWire(slot.block, out.initBlock());
 }
-Errc decodeLargeBlocksBounce(wire::LargeBlocks::BounceParams::Reader in,
-                             LargeBlocksBounceArguments& slot, suture::Duration shift) {
-  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : Errc::Invalid;
+suture::Errc decodeLargeBlocksBounce(wire::LargeBlocks::BounceParams::Reader in,
+                                     LargeBlocksBounceArguments& slot, suture::Duration shift) {
+  return in.hasBlock() ? fromWire(in.getBlock(), slot.block, shift) : suture::Errc::Invalid;
 }
 
 void encodeLargeBlocksEchoEvent(const LargeBlockSlot& slot,
                                 wire::LargeBlocksEvents::EchoParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeLargeBlocksEchoEvent(wire::LargeBlocksEvents::EchoParams::Reader in,
-                                LargeBlockSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeLargeBlocksEchoEvent(wire::LargeBlocksEvents::EchoParams::Reader in,
+                                        LargeBlockSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kLargeBlocksCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kLargeBlocksCommandCodecs[] = {
     {.interface = capnp::typeId<wire::LargeBlocks>(),
      .method = 1,
-     .sent = sentIn<wire::LargeBlocks::BounceParams>,
-     .arguments = messageOf<wire::LargeBlocks::BounceParams, LargeBlocksBounceArguments,
-                            encodeLargeBlocksBounce, decodeLargeBlocksBounce>},
+     .sent = suture::rpc::sentIn<wire::LargeBlocks::BounceParams>,
+     .arguments = suture::rpc::messageOf<wire::LargeBlocks::BounceParams,
+                                         LargeBlocksBounceArguments, encodeLargeBlocksBounce,
+                                         decodeLargeBlocksBounce>},
 };
 
-constexpr EventCodec kLargeBlocksEventCodecs[] = {
+constexpr suture::rpc::EventCodec kLargeBlocksEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::LargeBlocksEvents::EchoParams>,
-     .payload = messageOf<wire::LargeBlocksEvents::EchoParams, LargeBlockSlot,
-                          encodeLargeBlocksEchoEvent, decodeLargeBlocksEchoEvent>},
+     .stamp = suture::rpc::stampIn<wire::LargeBlocksEvents::EchoParams>,
+     .payload = suture::rpc::messageOf<wire::LargeBlocksEvents::EchoParams, LargeBlockSlot,
+                                       encodeLargeBlocksEchoEvent, decodeLargeBlocksEchoEvent>},
 };
 
 const suture::rpc::Codec& largeBlocksCodec() {
@@ -245,29 +231,29 @@ const suture::rpc::Codec& largeBlocksCodec() {
   return kCodec;
 }
 
-constexpr BoundedLevel kLargeBlocksBounceArgumentsLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(LargeBlocksBounceArguments,
-                                                                 block.bytes)),
+constexpr suture::BoundedLevel kLargeBlocksBounceArgumentsLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(LargeBlocksBounceArguments,
+                                                                         block.bytes)),
 };
 
-constexpr CommandInfo kLargeBlocksCommands[] = {
+constexpr suture::CommandInfo kLargeBlocksCommands[] = {
     {.name = "bounce",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<LargeBlocksBounceArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<LargeBlocksBounceArguments>,
      .depth = 2,
-     .accepts = checkSlot<LargeBlocksBounceArguments, acceptsLargeBlocksBounce>,
+     .accepts = suture::checkSlot<LargeBlocksBounceArguments, acceptsLargeBlocksBounce>,
      .argumentsLevels = kLargeBlocksBounceArgumentsLevels},
 };
 
-constexpr BoundedLevel kLargeBlocksEchoPayloadLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(LargeBlockSlot, bytes)),
+constexpr suture::BoundedLevel kLargeBlocksEchoPayloadLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(LargeBlockSlot, bytes)),
 };
 
-constexpr EventInfo kLargeBlocksEvents[] = {
+constexpr suture::EventInfo kLargeBlocksEvents[] = {
     {.name = "echo",
-     .payloadSize = slotSize<LargeBlockSlot>,
+     .payloadSize = suture::slotSize<LargeBlockSlot>,
      .depth = 2,
-     .accepts = checkSlot<LargeBlockSlot, isValid>,
+     .accepts = suture::checkSlot<LargeBlockSlot, isValid>,
      .payloadLevels = kLargeBlocksEchoPayloadLevels},
 };
 

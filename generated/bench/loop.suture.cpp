@@ -17,50 +17,36 @@ bool isValid(const PosePrmSlot& slot, suture::FieldPath* path);
 
 namespace bench {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const robots::PosePrm& value, LoopServerPutArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(LoopServerPutArguments& slot, Duration shift) { shiftStamps(slot.value, shift); }
+void shiftStamps(LoopServerPutArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
 
 bool store(const robots::PosePrm& value, LoopServerBounceArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(LoopServerBounceArguments& slot, Duration shift) {
+void shiftStamps(LoopServerBounceArguments& slot, suture::Duration shift) {
   shiftStamps(slot.value, shift);
 }
 
 namespace {
 
-bool acceptsLoopServerPut(const LoopServerPutArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsLoopServerPut(const LoopServerPutArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsLoopServerBounce(const LoopServerBounceArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
 // --- LoopServer as Cap'n Proto
@@ -69,45 +55,45 @@ void encodeLoopServerPut(const LoopServerPutArguments& slot,
                          wire::LoopServer::PutParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeLoopServerPut(wire::LoopServer::PutParams::Reader in, LoopServerPutArguments& slot,
-                         suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeLoopServerPut(wire::LoopServer::PutParams::Reader in,
+                                 LoopServerPutArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeLoopServerBounce(const LoopServerBounceArguments& slot,
                             wire::LoopServer::BounceParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeLoopServerBounce(wire::LoopServer::BounceParams::Reader in,
-                            LoopServerBounceArguments& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeLoopServerBounce(wire::LoopServer::BounceParams::Reader in,
+                                    LoopServerBounceArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeLoopServerValueResult(const robots::PosePrmSlot& slot,
                                  wire::LoopServer::ValueResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeLoopServerValueResult(wire::LoopServer::ValueResults::Reader in,
-                                 robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeLoopServerValueResult(wire::LoopServer::ValueResults::Reader in,
+                                         robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeLoopServerEchoEvent(const robots::PosePrmSlot& slot,
                                wire::LoopServerEvents::EchoParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeLoopServerEchoEvent(wire::LoopServerEvents::EchoParams::Reader in,
-                               robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeLoopServerEchoEvent(wire::LoopServerEvents::EchoParams::Reader in,
+                                       robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeLoopServerValueColumn(const robots::PosePrmSlot& slot,
                                  wire::LoopServerStateRow::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeLoopServerValueColumn(wire::LoopServerStateRow::Reader in, robots::PosePrmSlot& slot,
-                                 suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeLoopServerValueColumn(wire::LoopServerStateRow::Reader in,
+                                         robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -115,42 +101,42 @@ void encodeLoopServerColumn(unsigned column, const std::byte* memory,
                             wire::LoopServerStateRow::Builder out) {
   switch (static_cast<LoopServerColumn>(column)) {
     case LoopServerColumn::value:
-      return encodeLoopServerValueColumn(slotIn<robots::PosePrmSlot>(memory), out);
+      return encodeLoopServerValueColumn(suture::slotIn<robots::PosePrmSlot>(memory), out);
   }
 }
-Errc decodeLoopServerColumn(wire::LoopServerStateRow::Reader in, unsigned column, std::byte* memory,
-                            suture::Duration shift) {
+suture::Errc decodeLoopServerColumn(wire::LoopServerStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
   switch (static_cast<LoopServerColumn>(column)) {
     case LoopServerColumn::value:
-      return decodeLoopServerValueColumn(in, newSlot<robots::PosePrmSlot>(memory), shift);
+      return decodeLoopServerValueColumn(in, suture::newSlot<robots::PosePrmSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kLoopServerCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kLoopServerCommandCodecs[] = {
     {.interface = capnp::typeId<wire::LoopServer>(),
      .method = 1,
-     .sent = sentIn<wire::LoopServer::PutParams>,
-     .arguments = messageOf<wire::LoopServer::PutParams, LoopServerPutArguments,
-                            encodeLoopServerPut, decodeLoopServerPut>},
+     .sent = suture::rpc::sentIn<wire::LoopServer::PutParams>,
+     .arguments = suture::rpc::messageOf<wire::LoopServer::PutParams, LoopServerPutArguments,
+                                         encodeLoopServerPut, decodeLoopServerPut>},
     {.interface = capnp::typeId<wire::LoopServer>(),
      .method = 2,
-     .sent = sentIn<wire::LoopServer::BounceParams>,
-     .arguments = messageOf<wire::LoopServer::BounceParams, LoopServerBounceArguments,
-                            encodeLoopServerBounce, decodeLoopServerBounce>},
+     .sent = suture::rpc::sentIn<wire::LoopServer::BounceParams>,
+     .arguments = suture::rpc::messageOf<wire::LoopServer::BounceParams, LoopServerBounceArguments,
+                                         encodeLoopServerBounce, decodeLoopServerBounce>},
     {.interface = capnp::typeId<wire::LoopServer>(),
      .method = 3,
-     .sent = sentIn<wire::LoopServer::ValueParams>,
-     .result = messageOf<wire::LoopServer::ValueResults, robots::PosePrmSlot,
-                         encodeLoopServerValueResult, decodeLoopServerValueResult>,
-     .stamp = stampIn<wire::LoopServer::ValueResults>},
+     .sent = suture::rpc::sentIn<wire::LoopServer::ValueParams>,
+     .result = suture::rpc::messageOf<wire::LoopServer::ValueResults, robots::PosePrmSlot,
+                                      encodeLoopServerValueResult, decodeLoopServerValueResult>,
+     .stamp = suture::rpc::stampIn<wire::LoopServer::ValueResults>},
 };
 
-constexpr EventCodec kLoopServerEventCodecs[] = {
+constexpr suture::rpc::EventCodec kLoopServerEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::LoopServerEvents::EchoParams>,
-     .payload = messageOf<wire::LoopServerEvents::EchoParams, robots::PosePrmSlot,
-                          encodeLoopServerEchoEvent, decodeLoopServerEchoEvent>},
+     .stamp = suture::rpc::stampIn<wire::LoopServerEvents::EchoParams>,
+     .payload = suture::rpc::messageOf<wire::LoopServerEvents::EchoParams, robots::PosePrmSlot,
+                                       encodeLoopServerEchoEvent, decodeLoopServerEchoEvent>},
 };
 
 const suture::rpc::Codec& loopServerCodec() {
@@ -166,34 +152,34 @@ const suture::rpc::Codec& loopServerCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kLoopServerCommands[] = {
+constexpr suture::CommandInfo kLoopServerCommands[] = {
     {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<LoopServerPutArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<LoopServerPutArguments>,
      .depth = 16,
-     .accepts = checkSlot<LoopServerPutArguments, acceptsLoopServerPut>,
-     .shiftArguments = shiftSlot<LoopServerPutArguments>},
+     .accepts = suture::checkSlot<LoopServerPutArguments, acceptsLoopServerPut>,
+     .shiftArguments = suture::shiftSlot<LoopServerPutArguments>},
     {.name = "bounce",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<LoopServerBounceArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<LoopServerBounceArguments>,
      .depth = 16,
-     .accepts = checkSlot<LoopServerBounceArguments, acceptsLoopServerBounce>,
-     .shiftArguments = shiftSlot<LoopServerBounceArguments>},
+     .accepts = suture::checkSlot<LoopServerBounceArguments, acceptsLoopServerBounce>,
+     .shiftArguments = suture::shiftSlot<LoopServerBounceArguments>},
     {.name = "value",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<robots::PosePrmSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
      .column = static_cast<int>(LoopServerColumn::value),
-     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+     .acceptsResult = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftResult = suture::shiftSlot<robots::PosePrmSlot>},
 };
 
-constexpr EventInfo kLoopServerEvents[] = {
+constexpr suture::EventInfo kLoopServerEvents[] = {
     {.name = "echo",
-     .payloadSize = slotSize<robots::PosePrmSlot>,
+     .payloadSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .accepts = checkSlot<robots::PosePrmSlot, robots::isValid>,
-     .shiftPayload = shiftSlot<robots::PosePrmSlot>},
+     .accepts = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftPayload = suture::shiftSlot<robots::PosePrmSlot>},
 };
 
 // The self-description, as in bench/loop.suture.json.

@@ -17,50 +17,36 @@ bool isValid(const PoseSampleSlot& slot, suture::FieldPath* path);
 
 namespace bench {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const robots::PoseSample& value, SampleServerPutArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(SampleServerPutArguments& slot, Duration shift) { shiftStamps(slot.value, shift); }
+void shiftStamps(SampleServerPutArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
 
 bool store(const robots::PoseSample& value, SampleServerBounceArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(SampleServerBounceArguments& slot, Duration shift) {
+void shiftStamps(SampleServerBounceArguments& slot, suture::Duration shift) {
   shiftStamps(slot.value, shift);
 }
 
 namespace {
 
-bool acceptsSampleServerPut(const SampleServerPutArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsSampleServerPut(const SampleServerPutArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsSampleServerBounce(const SampleServerBounceArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
 // --- SampleServer as Cap'n Proto
@@ -69,45 +55,45 @@ void encodeSampleServerPut(const SampleServerPutArguments& slot,
                            wire::SampleServer::PutParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeSampleServerPut(wire::SampleServer::PutParams::Reader in, SampleServerPutArguments& slot,
-                           suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeSampleServerPut(wire::SampleServer::PutParams::Reader in,
+                                   SampleServerPutArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeSampleServerBounce(const SampleServerBounceArguments& slot,
                               wire::SampleServer::BounceParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeSampleServerBounce(wire::SampleServer::BounceParams::Reader in,
-                              SampleServerBounceArguments& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeSampleServerBounce(wire::SampleServer::BounceParams::Reader in,
+                                      SampleServerBounceArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeSampleServerValueResult(const robots::PoseSampleSlot& slot,
                                    wire::SampleServer::ValueResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeSampleServerValueResult(wire::SampleServer::ValueResults::Reader in,
-                                   robots::PoseSampleSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeSampleServerValueResult(wire::SampleServer::ValueResults::Reader in,
+                                           robots::PoseSampleSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeSampleServerEchoEvent(const robots::PoseSampleSlot& slot,
                                  wire::SampleServerEvents::EchoParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeSampleServerEchoEvent(wire::SampleServerEvents::EchoParams::Reader in,
-                                 robots::PoseSampleSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeSampleServerEchoEvent(wire::SampleServerEvents::EchoParams::Reader in,
+                                         robots::PoseSampleSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeSampleServerValueColumn(const robots::PoseSampleSlot& slot,
                                    wire::SampleServerStateRow::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeSampleServerValueColumn(wire::SampleServerStateRow::Reader in,
-                                   robots::PoseSampleSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeSampleServerValueColumn(wire::SampleServerStateRow::Reader in,
+                                           robots::PoseSampleSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -115,42 +101,44 @@ void encodeSampleServerColumn(unsigned column, const std::byte* memory,
                               wire::SampleServerStateRow::Builder out) {
   switch (static_cast<SampleServerColumn>(column)) {
     case SampleServerColumn::value:
-      return encodeSampleServerValueColumn(slotIn<robots::PoseSampleSlot>(memory), out);
+      return encodeSampleServerValueColumn(suture::slotIn<robots::PoseSampleSlot>(memory), out);
   }
 }
-Errc decodeSampleServerColumn(wire::SampleServerStateRow::Reader in, unsigned column,
-                              std::byte* memory, suture::Duration shift) {
+suture::Errc decodeSampleServerColumn(wire::SampleServerStateRow::Reader in, unsigned column,
+                                      std::byte* memory, suture::Duration shift) {
   switch (static_cast<SampleServerColumn>(column)) {
     case SampleServerColumn::value:
-      return decodeSampleServerValueColumn(in, newSlot<robots::PoseSampleSlot>(memory), shift);
+      return decodeSampleServerValueColumn(in, suture::newSlot<robots::PoseSampleSlot>(memory),
+                                           shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kSampleServerCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kSampleServerCommandCodecs[] = {
     {.interface = capnp::typeId<wire::SampleServer>(),
      .method = 1,
-     .sent = sentIn<wire::SampleServer::PutParams>,
-     .arguments = messageOf<wire::SampleServer::PutParams, SampleServerPutArguments,
-                            encodeSampleServerPut, decodeSampleServerPut>},
+     .sent = suture::rpc::sentIn<wire::SampleServer::PutParams>,
+     .arguments = suture::rpc::messageOf<wire::SampleServer::PutParams, SampleServerPutArguments,
+                                         encodeSampleServerPut, decodeSampleServerPut>},
     {.interface = capnp::typeId<wire::SampleServer>(),
      .method = 2,
-     .sent = sentIn<wire::SampleServer::BounceParams>,
-     .arguments = messageOf<wire::SampleServer::BounceParams, SampleServerBounceArguments,
-                            encodeSampleServerBounce, decodeSampleServerBounce>},
+     .sent = suture::rpc::sentIn<wire::SampleServer::BounceParams>,
+     .arguments = suture::rpc::messageOf<wire::SampleServer::BounceParams,
+                                         SampleServerBounceArguments, encodeSampleServerBounce,
+                                         decodeSampleServerBounce>},
     {.interface = capnp::typeId<wire::SampleServer>(),
      .method = 3,
-     .sent = sentIn<wire::SampleServer::ValueParams>,
-     .result = messageOf<wire::SampleServer::ValueResults, robots::PoseSampleSlot,
-                         encodeSampleServerValueResult, decodeSampleServerValueResult>,
-     .stamp = stampIn<wire::SampleServer::ValueResults>},
+     .sent = suture::rpc::sentIn<wire::SampleServer::ValueParams>,
+     .result = suture::rpc::messageOf<wire::SampleServer::ValueResults, robots::PoseSampleSlot,
+                                      encodeSampleServerValueResult, decodeSampleServerValueResult>,
+     .stamp = suture::rpc::stampIn<wire::SampleServer::ValueResults>},
 };
 
-constexpr EventCodec kSampleServerEventCodecs[] = {
+constexpr suture::rpc::EventCodec kSampleServerEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::SampleServerEvents::EchoParams>,
-     .payload = messageOf<wire::SampleServerEvents::EchoParams, robots::PoseSampleSlot,
-                          encodeSampleServerEchoEvent, decodeSampleServerEchoEvent>},
+     .stamp = suture::rpc::stampIn<wire::SampleServerEvents::EchoParams>,
+     .payload = suture::rpc::messageOf<wire::SampleServerEvents::EchoParams, robots::PoseSampleSlot,
+                                       encodeSampleServerEchoEvent, decodeSampleServerEchoEvent>},
 };
 
 const suture::rpc::Codec& sampleServerCodec() {
@@ -166,34 +154,34 @@ const suture::rpc::Codec& sampleServerCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kSampleServerCommands[] = {
+constexpr suture::CommandInfo kSampleServerCommands[] = {
     {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<SampleServerPutArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<SampleServerPutArguments>,
      .depth = 4096,
-     .accepts = checkSlot<SampleServerPutArguments, acceptsSampleServerPut>,
-     .shiftArguments = shiftSlot<SampleServerPutArguments>},
+     .accepts = suture::checkSlot<SampleServerPutArguments, acceptsSampleServerPut>,
+     .shiftArguments = suture::shiftSlot<SampleServerPutArguments>},
     {.name = "bounce",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<SampleServerBounceArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<SampleServerBounceArguments>,
      .depth = 16,
-     .accepts = checkSlot<SampleServerBounceArguments, acceptsSampleServerBounce>,
-     .shiftArguments = shiftSlot<SampleServerBounceArguments>},
+     .accepts = suture::checkSlot<SampleServerBounceArguments, acceptsSampleServerBounce>,
+     .shiftArguments = suture::shiftSlot<SampleServerBounceArguments>},
     {.name = "value",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<robots::PoseSampleSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<robots::PoseSampleSlot>,
      .depth = 16,
      .column = static_cast<int>(SampleServerColumn::value),
-     .acceptsResult = checkSlot<robots::PoseSampleSlot, robots::isValid>,
-     .shiftResult = shiftSlot<robots::PoseSampleSlot>},
+     .acceptsResult = suture::checkSlot<robots::PoseSampleSlot, robots::isValid>,
+     .shiftResult = suture::shiftSlot<robots::PoseSampleSlot>},
 };
 
-constexpr EventInfo kSampleServerEvents[] = {
+constexpr suture::EventInfo kSampleServerEvents[] = {
     {.name = "echo",
-     .payloadSize = slotSize<robots::PoseSampleSlot>,
+     .payloadSize = suture::slotSize<robots::PoseSampleSlot>,
      .depth = 16,
-     .accepts = checkSlot<robots::PoseSampleSlot, robots::isValid>,
-     .shiftPayload = shiftSlot<robots::PoseSampleSlot>},
+     .accepts = suture::checkSlot<robots::PoseSampleSlot, robots::isValid>,
+     .shiftPayload = suture::shiftSlot<robots::PoseSampleSlot>},
 };
 
 // The self-description, as in bench/sample_loop.suture.json.

@@ -17,22 +17,11 @@ bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
+using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::slotIn;
-using suture::slotSize;
+using suture::store;
 
 namespace {
 
@@ -74,30 +63,31 @@ bool isKnownConsoleState(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::ConsoleState in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::ConsoleState in, std::uint8_t& slot) {
   switch (in) {
     case wire::ConsoleState::DOWN: return slot =
-        static_cast<std::uint8_t>(ConsoleState::Down), Errc{};
+        static_cast<std::uint8_t>(ConsoleState::Down), suture::Errc{};
     case wire::ConsoleState::ENABLING: return slot =
-        static_cast<std::uint8_t>(ConsoleState::Enabling), Errc{};
+        static_cast<std::uint8_t>(ConsoleState::Enabling), suture::Errc{};
     case wire::ConsoleState::HOMING: return slot =
-        static_cast<std::uint8_t>(ConsoleState::Homing), Errc{};
-    case wire::ConsoleState::UP: return slot = static_cast<std::uint8_t>(ConsoleState::Up), Errc{};
+        static_cast<std::uint8_t>(ConsoleState::Homing), suture::Errc{};
+    case wire::ConsoleState::UP: return slot =
+        static_cast<std::uint8_t>(ConsoleState::Up), suture::Errc{};
     case wire::ConsoleState::INCOMPLETE: return slot =
-        static_cast<std::uint8_t>(ConsoleState::Incomplete), Errc{};
+        static_cast<std::uint8_t>(ConsoleState::Incomplete), suture::Errc{};
     case wire::ConsoleState::LEAVING: return slot =
-        static_cast<std::uint8_t>(ConsoleState::Leaving), Errc{};
+        static_cast<std::uint8_t>(ConsoleState::Leaving), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 namespace {
 
-bool acceptsConsoleConsoleStateResult(const std::uint8_t& slot, FieldPath*) {
+bool acceptsConsoleConsoleStateResult(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownConsoleState(slot);
 }
 
-bool acceptsConsoleConsoleStateEvent(const std::uint8_t& slot, FieldPath*) {
+bool acceptsConsoleConsoleStateEvent(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownConsoleState(slot);
 }
 
@@ -107,8 +97,8 @@ void encodeConsoleConsoleStateResult(const std::uint8_t& slot,
                                      wire::Console::ConsoleStateResults::Builder out) {
   out.setValue(wireConsoleState(slot));
 }
-Errc decodeConsoleConsoleStateResult(wire::Console::ConsoleStateResults::Reader in,
-                                     std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeConsoleConsoleStateResult(wire::Console::ConsoleStateResults::Reader in,
+                                             std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -116,43 +106,43 @@ void encodeConsoleStatusEvent(const suture::MessageSlot& slot,
                               wire::ConsoleEvents::StatusParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeConsoleStatusEvent(wire::ConsoleEvents::StatusParams::Reader in,
-                              suture::MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeConsoleStatusEvent(wire::ConsoleEvents::StatusParams::Reader in,
+                                      suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeConsoleWarningEvent(const suture::MessageSlot& slot,
                                wire::ConsoleEvents::WarningParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeConsoleWarningEvent(wire::ConsoleEvents::WarningParams::Reader in,
-                               suture::MessageSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeConsoleWarningEvent(wire::ConsoleEvents::WarningParams::Reader in,
+                                       suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeConsoleErrorEvent(const suture::MessageSlot& slot,
                              wire::ConsoleEvents::ErrorParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeConsoleErrorEvent(wire::ConsoleEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
-                             suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeConsoleErrorEvent(wire::ConsoleEvents::ErrorParams::Reader in,
+                                     suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeConsoleConsoleStateEvent(const std::uint8_t& slot,
                                     wire::ConsoleEvents::ConsoleStateParams::Builder out) {
   out.setValue(wireConsoleState(slot));
 }
-Errc decodeConsoleConsoleStateEvent(wire::ConsoleEvents::ConsoleStateParams::Reader in,
-                                    std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeConsoleConsoleStateEvent(wire::ConsoleEvents::ConsoleStateParams::Reader in,
+                                            std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
 void encodeConsoleConsoleStateColumn(const std::uint8_t& slot, wire::ConsoleStateRow::Builder out) {
   out.setConsoleState(wireConsoleState(slot));
 }
-Errc decodeConsoleConsoleStateColumn(wire::ConsoleStateRow::Reader in, std::uint8_t& slot,
-                                     suture::Duration) {
+suture::Errc decodeConsoleConsoleStateColumn(wire::ConsoleStateRow::Reader in, std::uint8_t& slot,
+                                             suture::Duration) {
   return fromWire(in.getConsoleState(), slot);
 }
 
@@ -161,50 +151,52 @@ void encodeConsoleColumn(unsigned column, const std::byte* memory,
                          wire::ConsoleStateRow::Builder out) {
   switch (static_cast<ConsoleColumn>(column)) {
     case ConsoleColumn::console_state:
-      return encodeConsoleConsoleStateColumn(slotIn<std::uint8_t>(memory), out);
+      return encodeConsoleConsoleStateColumn(suture::slotIn<std::uint8_t>(memory), out);
   }
 }
-Errc decodeConsoleColumn(wire::ConsoleStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeConsoleColumn(wire::ConsoleStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<ConsoleColumn>(column)) {
     case ConsoleColumn::console_state:
-      return decodeConsoleConsoleStateColumn(in, newSlot<std::uint8_t>(memory), shift);
+      return decodeConsoleConsoleStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kConsoleCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kConsoleCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Console>(),
      .method = 1,
-     .sent = sentIn<wire::Console::BringUpParams>},
+     .sent = suture::rpc::sentIn<wire::Console::BringUpParams>},
     {.interface = capnp::typeId<wire::Console>(),
      .method = 2,
-     .sent = sentIn<wire::Console::BringDownParams>},
+     .sent = suture::rpc::sentIn<wire::Console::BringDownParams>},
     {.interface = capnp::typeId<wire::Console>(),
      .method = 3,
-     .sent = sentIn<wire::Console::ConsoleStateParams>,
-     .result = messageOf<wire::Console::ConsoleStateResults, std::uint8_t,
-                         encodeConsoleConsoleStateResult, decodeConsoleConsoleStateResult>,
-     .stamp = stampIn<wire::Console::ConsoleStateResults>},
+     .sent = suture::rpc::sentIn<wire::Console::ConsoleStateParams>,
+     .result = suture::rpc::messageOf<wire::Console::ConsoleStateResults, std::uint8_t,
+                                      encodeConsoleConsoleStateResult,
+                                      decodeConsoleConsoleStateResult>,
+     .stamp = suture::rpc::stampIn<wire::Console::ConsoleStateResults>},
 };
 
-constexpr EventCodec kConsoleEventCodecs[] = {
+constexpr suture::rpc::EventCodec kConsoleEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::ConsoleEvents::StatusParams>,
-     .payload = messageOf<wire::ConsoleEvents::StatusParams, suture::MessageSlot,
-                          encodeConsoleStatusEvent, decodeConsoleStatusEvent>},
+     .stamp = suture::rpc::stampIn<wire::ConsoleEvents::StatusParams>,
+     .payload = suture::rpc::messageOf<wire::ConsoleEvents::StatusParams, suture::MessageSlot,
+                                       encodeConsoleStatusEvent, decodeConsoleStatusEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::ConsoleEvents::WarningParams>,
-     .payload = messageOf<wire::ConsoleEvents::WarningParams, suture::MessageSlot,
-                          encodeConsoleWarningEvent, decodeConsoleWarningEvent>},
+     .stamp = suture::rpc::stampIn<wire::ConsoleEvents::WarningParams>,
+     .payload = suture::rpc::messageOf<wire::ConsoleEvents::WarningParams, suture::MessageSlot,
+                                       encodeConsoleWarningEvent, decodeConsoleWarningEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::ConsoleEvents::ErrorParams>,
-     .payload = messageOf<wire::ConsoleEvents::ErrorParams, suture::MessageSlot,
-                          encodeConsoleErrorEvent, decodeConsoleErrorEvent>},
+     .stamp = suture::rpc::stampIn<wire::ConsoleEvents::ErrorParams>,
+     .payload = suture::rpc::messageOf<wire::ConsoleEvents::ErrorParams, suture::MessageSlot,
+                                       encodeConsoleErrorEvent, decodeConsoleErrorEvent>},
     {.method = 4,
-     .stamp = stampIn<wire::ConsoleEvents::ConsoleStateParams>,
-     .payload = messageOf<wire::ConsoleEvents::ConsoleStateParams, std::uint8_t,
-                          encodeConsoleConsoleStateEvent, decodeConsoleConsoleStateEvent>},
+     .stamp = suture::rpc::stampIn<wire::ConsoleEvents::ConsoleStateParams>,
+     .payload = suture::rpc::messageOf<wire::ConsoleEvents::ConsoleStateParams, std::uint8_t,
+                                       encodeConsoleConsoleStateEvent,
+                                       decodeConsoleConsoleStateEvent>},
 };
 
 const suture::rpc::Codec& consoleCodec() {
@@ -220,23 +212,23 @@ const suture::rpc::Codec& consoleCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kConsoleCommands[] = {
-    {.name = "bring_up", .kind = CommandKind::Void, .depth = 16},
-    {.name = "bring_down", .kind = CommandKind::Void, .depth = 16},
+constexpr suture::CommandInfo kConsoleCommands[] = {
+    {.name = "bring_up", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "bring_down", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "console_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .column = static_cast<int>(ConsoleColumn::console_state),
-     .acceptsResult = checkSlot<std::uint8_t, acceptsConsoleConsoleStateResult>},
+     .acceptsResult = suture::checkSlot<std::uint8_t, acceptsConsoleConsoleStateResult>},
 };
 
-constexpr EventInfo kConsoleEvents[] = {
+constexpr suture::EventInfo kConsoleEvents[] = {
     {.name = "console_state",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsConsoleConsoleStateEvent>},
+     .accepts = suture::checkSlot<std::uint8_t, acceptsConsoleConsoleStateEvent>},
 };
 
 // The self-description, as in console/console.suture.json.

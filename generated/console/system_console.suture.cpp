@@ -10,9 +10,6 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -59,14 +56,15 @@ void toWire(const SystemConsoleParametersSlot& slot, wire::SystemConsoleParamete
   out.setBringUpByItself(slot.bring_up_by_itself != 0);
 }
 
-Errc fromWire(wire::SystemConsoleParameters::Reader in, SystemConsoleParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::SystemConsoleParameters::Reader in, SystemConsoleParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.patience = in.getPatience();
   slot.bring_up_by_itself = in.getBringUpByItself();
   return fromWire(in.getSystem(), slot.system);
 }
 
-bool isValid(const SystemConsoleParametersSlot&, FieldPath*) {
+bool isValid(const SystemConsoleParametersSlot&, suture::FieldPath*) {
   return true;
 }
 

@@ -10,9 +10,6 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -42,12 +39,13 @@ void toWire(const CoordinatorParametersSlot& slot, wire::CoordinatorParameters::
   out.setPeriod(slot.period);
 }
 
-Errc fromWire(wire::CoordinatorParameters::Reader in, CoordinatorParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::CoordinatorParameters::Reader in, CoordinatorParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const CoordinatorParametersSlot&, FieldPath*) {
+bool isValid(const CoordinatorParametersSlot&, suture::FieldPath*) {
   return true;
 }
 

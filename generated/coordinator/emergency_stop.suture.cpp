@@ -10,27 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -55,7 +38,9 @@ void load(const PermitSlot& slot, Permit& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(PermitSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(PermitSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const StopNews& value, StopNewsSlot& slot) {
   bool fits = true;
@@ -69,7 +54,9 @@ void load(const StopNewsSlot& slot, StopNews& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(StopNewsSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(StopNewsSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -78,13 +65,13 @@ void toWire(const PermitSlot& slot, wire::Permit::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::Permit::Reader in, PermitSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Permit::Reader in, PermitSlot& slot, suture::Duration shift) {
   slot.granted = in.getGranted();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const PermitSlot&, FieldPath*) {
+bool isValid(const PermitSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -93,13 +80,13 @@ void toWire(const StopNewsSlot& slot, wire::StopNews::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::StopNews::Reader in, StopNewsSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::StopNews::Reader in, StopNewsSlot& slot, suture::Duration shift) {
   slot.pressed = in.getPressed();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const StopNewsSlot&, FieldPath*) {
+bool isValid(const StopNewsSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -111,27 +98,27 @@ void encodeEmergencyStopPermitResult(const PermitSlot& slot,
                                      wire::EmergencyStop::PermitResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeEmergencyStopPermitResult(wire::EmergencyStop::PermitResults::Reader in,
-                                     PermitSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeEmergencyStopPermitResult(wire::EmergencyStop::PermitResults::Reader in,
+                                             PermitSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeEmergencyStopStopEvent(const StopNewsSlot& slot,
                                   wire::EmergencyStopEvents::StopParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeEmergencyStopStopEvent(wire::EmergencyStopEvents::StopParams::Reader in,
-                                  StopNewsSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeEmergencyStopStopEvent(wire::EmergencyStopEvents::StopParams::Reader in,
+                                          StopNewsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeEmergencyStopPermitColumn(const PermitSlot& slot,
                                      wire::EmergencyStopStateRow::Builder out) {
   toWire(slot, out.initPermit());
 }
-Errc decodeEmergencyStopPermitColumn(wire::EmergencyStopStateRow::Reader in, PermitSlot& slot,
-                                     suture::Duration shift) {
-  return in.hasPermit() ? fromWire(in.getPermit(), slot, shift) : Errc::Invalid;
+suture::Errc decodeEmergencyStopPermitColumn(wire::EmergencyStopStateRow::Reader in,
+                                             PermitSlot& slot, suture::Duration shift) {
+  return in.hasPermit() ? fromWire(in.getPermit(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -139,38 +126,39 @@ void encodeEmergencyStopColumn(unsigned column, const std::byte* memory,
                                wire::EmergencyStopStateRow::Builder out) {
   switch (static_cast<EmergencyStopColumn>(column)) {
     case EmergencyStopColumn::permit:
-      return encodeEmergencyStopPermitColumn(slotIn<PermitSlot>(memory), out);
+      return encodeEmergencyStopPermitColumn(suture::slotIn<PermitSlot>(memory), out);
   }
 }
-Errc decodeEmergencyStopColumn(wire::EmergencyStopStateRow::Reader in, unsigned column,
-                               std::byte* memory, suture::Duration shift) {
+suture::Errc decodeEmergencyStopColumn(wire::EmergencyStopStateRow::Reader in, unsigned column,
+                                       std::byte* memory, suture::Duration shift) {
   switch (static_cast<EmergencyStopColumn>(column)) {
     case EmergencyStopColumn::permit:
-      return decodeEmergencyStopPermitColumn(in, newSlot<PermitSlot>(memory), shift);
+      return decodeEmergencyStopPermitColumn(in, suture::newSlot<PermitSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kEmergencyStopCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kEmergencyStopCommandCodecs[] = {
     {.interface = capnp::typeId<wire::EmergencyStop>(),
      .method = 1,
-     .sent = sentIn<wire::EmergencyStop::PressParams>},
+     .sent = suture::rpc::sentIn<wire::EmergencyStop::PressParams>},
     {.interface = capnp::typeId<wire::EmergencyStop>(),
      .method = 2,
-     .sent = sentIn<wire::EmergencyStop::ReleaseParams>},
+     .sent = suture::rpc::sentIn<wire::EmergencyStop::ReleaseParams>},
     {.interface = capnp::typeId<wire::EmergencyStop>(),
      .method = 3,
-     .sent = sentIn<wire::EmergencyStop::PermitParams>,
-     .result = messageOf<wire::EmergencyStop::PermitResults, PermitSlot,
-                         encodeEmergencyStopPermitResult, decodeEmergencyStopPermitResult>,
-     .stamp = stampIn<wire::EmergencyStop::PermitResults>},
+     .sent = suture::rpc::sentIn<wire::EmergencyStop::PermitParams>,
+     .result = suture::rpc::messageOf<wire::EmergencyStop::PermitResults, PermitSlot,
+                                      encodeEmergencyStopPermitResult,
+                                      decodeEmergencyStopPermitResult>,
+     .stamp = suture::rpc::stampIn<wire::EmergencyStop::PermitResults>},
 };
 
-constexpr EventCodec kEmergencyStopEventCodecs[] = {
+constexpr suture::rpc::EventCodec kEmergencyStopEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::EmergencyStopEvents::StopParams>,
-     .payload = messageOf<wire::EmergencyStopEvents::StopParams, StopNewsSlot,
-                          encodeEmergencyStopStopEvent, decodeEmergencyStopStopEvent>},
+     .stamp = suture::rpc::stampIn<wire::EmergencyStopEvents::StopParams>,
+     .payload = suture::rpc::messageOf<wire::EmergencyStopEvents::StopParams, StopNewsSlot,
+                                       encodeEmergencyStopStopEvent, decodeEmergencyStopStopEvent>},
 };
 
 const suture::rpc::Codec& emergencyStopCodec() {
@@ -186,25 +174,25 @@ const suture::rpc::Codec& emergencyStopCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kEmergencyStopCommands[] = {
-    {.name = "press", .kind = CommandKind::Void, .depth = 16},
-    {.name = "release", .kind = CommandKind::Void, .depth = 16},
+constexpr suture::CommandInfo kEmergencyStopCommands[] = {
+    {.name = "press", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "release", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "permit",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PermitSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PermitSlot>,
      .depth = 16,
      .column = static_cast<int>(EmergencyStopColumn::permit),
-     .acceptsResult = checkSlot<PermitSlot, isValid>,
-     .shiftResult = shiftSlot<PermitSlot>},
+     .acceptsResult = suture::checkSlot<PermitSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PermitSlot>},
 };
 
-constexpr EventInfo kEmergencyStopEvents[] = {
+constexpr suture::EventInfo kEmergencyStopEvents[] = {
     {.name = "stop",
-     .payloadSize = slotSize<StopNewsSlot>,
+     .payloadSize = suture::slotSize<StopNewsSlot>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<StopNewsSlot, isValid>,
-     .shiftPayload = shiftSlot<StopNewsSlot>},
+     .accepts = suture::checkSlot<StopNewsSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<StopNewsSlot>},
 };
 
 // The self-description, as in coordinator/emergency_stop.suture.json.

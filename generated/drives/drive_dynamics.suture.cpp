@@ -10,13 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -75,14 +70,14 @@ bool isKnownDriveDynamics(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::DriveDynamics in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::DriveDynamics in, std::uint8_t& slot) {
   switch (in) {
     case wire::DriveDynamics::LAG: return slot =
-        static_cast<std::uint8_t>(DriveDynamics::Lag), Errc{};
+        static_cast<std::uint8_t>(DriveDynamics::Lag), suture::Errc{};
     case wire::DriveDynamics::RIGID_BODY: return slot =
-        static_cast<std::uint8_t>(DriveDynamics::RigidBody), Errc{};
+        static_cast<std::uint8_t>(DriveDynamics::RigidBody), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder out) {
@@ -94,19 +89,21 @@ void toWire(const RigidBodyOptionsSlot& slot, wire::RigidBodyOptions::Builder ou
   out.setCurrentGain(slot.current_gain);
 }
 
-Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot, Duration) {
+suture::Errc fromWire(wire::RigidBodyOptions::Reader in, RigidBodyOptionsSlot& slot,
+                      suture::Duration) {
   slot.gravity_compensation = in.getGravityCompensation();
   slot.quantisation = in.getQuantisation();
   slot.noise = in.getNoise();
   slot.seed = in.getSeed();
   slot.brakes = in.getBrakes();
   slot.current_gain = in.getCurrentGain();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const RigidBodyOptionsSlot& slot, FieldPath* path) {
-  if (!inRange(slot.noise, 0, 1000)) return refusedAt(path, "noise");
-  return inRange(slot.current_gain, 0.1, 100) || refusedAt(path, "current_gain");
+bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.noise, 0, 1000)) return suture::refusedAt(path, "noise");
+  return suture::rpc::inRange(slot.current_gain, 0.1, 100) ||
+      suture::refusedAt(path, "current_gain");
 }
 
 }  // namespace robots

@@ -10,29 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -82,9 +63,9 @@ void load(const DriveFeedbackSlot& slot, DriveFeedback& value) {
   load(slot.measures_effort, value.measures_effort);
 }
 
-void shiftStamps(DriveFeedbackSlot& slot, Duration shift) {
-  slot.permitted = shifted(slot.permitted, shift);
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift) {
+  slot.permitted = suture::rpc::shifted(slot.permitted, shift);
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const DriveGoal& value, DriveGoalSlot& slot) {
@@ -103,8 +84,8 @@ bool store(const std::chrono::steady_clock::time_point& permitted, DrivesPowerOn
   return store(permitted, slot.permitted);
 }
 
-void shiftStamps(DrivesPowerOnArguments& slot, Duration shift) {
-  slot.permitted = shifted(slot.permitted, shift);
+void shiftStamps(DrivesPowerOnArguments& slot, suture::Duration shift) {
+  slot.permitted = suture::rpc::shifted(slot.permitted, shift);
 }
 
 bool store(const DriveGoal& goal, DrivesServoJpArguments& slot) { return store(goal, slot.goal); }
@@ -132,16 +113,18 @@ bool isKnownDrivePower(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::DrivePower in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::DrivePower in, std::uint8_t& slot) {
   switch (in) {
     case wire::DrivePower::NOT_READY: return slot =
-        static_cast<std::uint8_t>(DrivePower::NotReady), Errc{};
+        static_cast<std::uint8_t>(DrivePower::NotReady), suture::Errc{};
     case wire::DrivePower::STOPPED: return slot =
-        static_cast<std::uint8_t>(DrivePower::Stopped), Errc{};
-    case wire::DrivePower::OFF: return slot = static_cast<std::uint8_t>(DrivePower::Off), Errc{};
-    case wire::DrivePower::ON: return slot = static_cast<std::uint8_t>(DrivePower::On), Errc{};
+        static_cast<std::uint8_t>(DrivePower::Stopped), suture::Errc{};
+    case wire::DrivePower::OFF: return slot =
+        static_cast<std::uint8_t>(DrivePower::Off), suture::Errc{};
+    case wire::DrivePower::ON: return slot =
+        static_cast<std::uint8_t>(DrivePower::On), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
@@ -155,12 +138,13 @@ void toWire(const DriveFeedbackSlot& slot, wire::DriveFeedback::Builder out) {
   out.setMeasuresEffort(slot.measures_effort != 0);
 }
 
-Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot,
+                      suture::Duration shift) {
   slot.joints = in.getJoints();
   slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.measures_effort = in.getMeasuresEffort();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getPosition(), slot.position),
       fromWire(in.getVelocity(), slot.velocity),
       fromWire(in.getPower(), slot.power),
@@ -168,11 +152,11 @@ Errc fromWire(wire::DriveFeedback::Reader in, DriveFeedbackSlot& slot, Duration 
   });
 }
 
-bool isValid(const DriveFeedbackSlot& slot, FieldPath* path) {
-  if (!isValid(slot.position, path)) return refusedAt(path, "position");
-  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
-  if (!isKnownDrivePower(slot.power)) return refusedAt(path, "power");
-  return isValid(slot.effort, path) || refusedAt(path, "effort");
+bool isValid(const DriveFeedbackSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
+  if (!isValid(slot.velocity, path)) return suture::refusedAt(path, "velocity");
+  if (!isKnownDrivePower(slot.power)) return suture::refusedAt(path, "power");
+  return isValid(slot.effort, path) || suture::refusedAt(path, "effort");
 }
 
 void toWire(const DriveGoalSlot& slot, wire::DriveGoal::Builder out) {
@@ -180,22 +164,22 @@ void toWire(const DriveGoalSlot& slot, wire::DriveGoal::Builder out) {
   out.setJoints(slot.joints);
 }
 
-Errc fromWire(wire::DriveGoal::Reader in, DriveGoalSlot& slot, Duration) {
+suture::Errc fromWire(wire::DriveGoal::Reader in, DriveGoalSlot& slot, suture::Duration) {
   slot.joints = in.getJoints();
   return fromWire(in.getPosition(), slot.position);
 }
 
-bool isValid(const DriveGoalSlot& slot, FieldPath* path) {
-  return isValid(slot.position, path) || refusedAt(path, "position");
+bool isValid(const DriveGoalSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.position, path) || suture::refusedAt(path, "position");
 }
 
 namespace {
 
-bool acceptsDrivesServoJp(const DrivesServoJpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsDrivesServoJp(const DrivesServoJpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsDrivesPowerEvent(const std::uint8_t& slot, FieldPath*) {
+bool acceptsDrivesPowerEvent(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownDrivePower(slot);
 }
 
@@ -205,45 +189,45 @@ void encodeDrivesPowerOn(const DrivesPowerOnArguments& slot,
                          wire::Drives::PowerOnParams::Builder out) {
   out.setPermitted(slot.permitted);
 }
-Errc decodeDrivesPowerOn(wire::Drives::PowerOnParams::Reader in, DrivesPowerOnArguments& slot,
-                         suture::Duration shift) {
+suture::Errc decodeDrivesPowerOn(wire::Drives::PowerOnParams::Reader in,
+                                 DrivesPowerOnArguments& slot, suture::Duration shift) {
   slot.permitted = suture::rpc::shifted(in.getPermitted(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeDrivesServoJp(const DrivesServoJpArguments& slot,
                          wire::Drives::ServoJpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeDrivesServoJp(wire::Drives::ServoJpParams::Reader in, DrivesServoJpArguments& slot,
-                         suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeDrivesServoJp(wire::Drives::ServoJpParams::Reader in,
+                                 DrivesServoJpArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeDrivesFeedbackResult(const DriveFeedbackSlot& slot,
                                 wire::Drives::FeedbackResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeDrivesFeedbackResult(wire::Drives::FeedbackResults::Reader in, DriveFeedbackSlot& slot,
-                                suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeDrivesFeedbackResult(wire::Drives::FeedbackResults::Reader in,
+                                        DriveFeedbackSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeDrivesPowerEvent(const std::uint8_t& slot,
                             wire::DrivesEvents::PowerParams::Builder out) {
   out.setValue(wireDrivePower(slot));
 }
-Errc decodeDrivesPowerEvent(wire::DrivesEvents::PowerParams::Reader in, std::uint8_t& slot,
-                            suture::Duration) {
+suture::Errc decodeDrivesPowerEvent(wire::DrivesEvents::PowerParams::Reader in, std::uint8_t& slot,
+                                    suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
 void encodeDrivesFeedbackColumn(const DriveFeedbackSlot& slot, wire::DrivesStateRow::Builder out) {
   toWire(slot, out.initFeedback());
 }
-Errc decodeDrivesFeedbackColumn(wire::DrivesStateRow::Reader in, DriveFeedbackSlot& slot,
-                                suture::Duration shift) {
-  return in.hasFeedback() ? fromWire(in.getFeedback(), slot, shift) : Errc::Invalid;
+suture::Errc decodeDrivesFeedbackColumn(wire::DrivesStateRow::Reader in, DriveFeedbackSlot& slot,
+                                        suture::Duration shift) {
+  return in.hasFeedback() ? fromWire(in.getFeedback(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -251,45 +235,45 @@ void encodeDrivesColumn(unsigned column, const std::byte* memory,
                         wire::DrivesStateRow::Builder out) {
   switch (static_cast<DrivesColumn>(column)) {
     case DrivesColumn::feedback:
-      return encodeDrivesFeedbackColumn(slotIn<DriveFeedbackSlot>(memory), out);
+      return encodeDrivesFeedbackColumn(suture::slotIn<DriveFeedbackSlot>(memory), out);
   }
 }
-Errc decodeDrivesColumn(wire::DrivesStateRow::Reader in, unsigned column, std::byte* memory,
-                        suture::Duration shift) {
+suture::Errc decodeDrivesColumn(wire::DrivesStateRow::Reader in, unsigned column, std::byte* memory,
+                                suture::Duration shift) {
   switch (static_cast<DrivesColumn>(column)) {
     case DrivesColumn::feedback:
-      return decodeDrivesFeedbackColumn(in, newSlot<DriveFeedbackSlot>(memory), shift);
+      return decodeDrivesFeedbackColumn(in, suture::newSlot<DriveFeedbackSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kDrivesCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kDrivesCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Drives>(),
      .method = 1,
-     .sent = sentIn<wire::Drives::PowerOnParams>,
-     .arguments = messageOf<wire::Drives::PowerOnParams, DrivesPowerOnArguments,
-                            encodeDrivesPowerOn, decodeDrivesPowerOn>},
+     .sent = suture::rpc::sentIn<wire::Drives::PowerOnParams>,
+     .arguments = suture::rpc::messageOf<wire::Drives::PowerOnParams, DrivesPowerOnArguments,
+                                         encodeDrivesPowerOn, decodeDrivesPowerOn>},
     {.interface = capnp::typeId<wire::Drives>(),
      .method = 2,
-     .sent = sentIn<wire::Drives::PowerOffParams>},
+     .sent = suture::rpc::sentIn<wire::Drives::PowerOffParams>},
     {.interface = capnp::typeId<wire::Drives>(),
      .method = 3,
-     .sent = sentIn<wire::Drives::ServoJpParams>,
-     .arguments = messageOf<wire::Drives::ServoJpParams, DrivesServoJpArguments,
-                            encodeDrivesServoJp, decodeDrivesServoJp>},
+     .sent = suture::rpc::sentIn<wire::Drives::ServoJpParams>,
+     .arguments = suture::rpc::messageOf<wire::Drives::ServoJpParams, DrivesServoJpArguments,
+                                         encodeDrivesServoJp, decodeDrivesServoJp>},
     {.interface = capnp::typeId<wire::Drives>(),
      .method = 4,
-     .sent = sentIn<wire::Drives::FeedbackParams>,
-     .result = messageOf<wire::Drives::FeedbackResults, DriveFeedbackSlot,
-                         encodeDrivesFeedbackResult, decodeDrivesFeedbackResult>,
-     .stamp = stampIn<wire::Drives::FeedbackResults>},
+     .sent = suture::rpc::sentIn<wire::Drives::FeedbackParams>,
+     .result = suture::rpc::messageOf<wire::Drives::FeedbackResults, DriveFeedbackSlot,
+                                      encodeDrivesFeedbackResult, decodeDrivesFeedbackResult>,
+     .stamp = suture::rpc::stampIn<wire::Drives::FeedbackResults>},
 };
 
-constexpr EventCodec kDrivesEventCodecs[] = {
+constexpr suture::rpc::EventCodec kDrivesEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::DrivesEvents::PowerParams>,
-     .payload = messageOf<wire::DrivesEvents::PowerParams, std::uint8_t, encodeDrivesPowerEvent,
-                          decodeDrivesPowerEvent>},
+     .stamp = suture::rpc::stampIn<wire::DrivesEvents::PowerParams>,
+     .payload = suture::rpc::messageOf<wire::DrivesEvents::PowerParams, std::uint8_t,
+                                       encodeDrivesPowerEvent, decodeDrivesPowerEvent>},
 };
 
 const suture::rpc::Codec& drivesCodec() {
@@ -305,35 +289,35 @@ const suture::rpc::Codec& drivesCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kDrivesCommands[] = {
+constexpr suture::CommandInfo kDrivesCommands[] = {
     {.name = "power_on",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<DrivesPowerOnArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<DrivesPowerOnArguments>,
      .depth = 16,
-     .shiftArguments = shiftSlot<DrivesPowerOnArguments>},
-    {.name = "power_off", .kind = CommandKind::Void, .depth = 16},
+     .shiftArguments = suture::shiftSlot<DrivesPowerOnArguments>},
+    {.name = "power_off", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "servo_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<DrivesServoJpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<DrivesServoJpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<DrivesServoJpArguments, acceptsDrivesServoJp>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<DrivesServoJpArguments, acceptsDrivesServoJp>},
     {.name = "feedback",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<DriveFeedbackSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<DriveFeedbackSlot>,
      .depth = 16,
      .column = static_cast<int>(DrivesColumn::feedback),
-     .acceptsResult = checkSlot<DriveFeedbackSlot, isValid>,
-     .shiftResult = shiftSlot<DriveFeedbackSlot>},
+     .acceptsResult = suture::checkSlot<DriveFeedbackSlot, isValid>,
+     .shiftResult = suture::shiftSlot<DriveFeedbackSlot>},
 };
 
-constexpr EventInfo kDrivesEvents[] = {
+constexpr suture::EventInfo kDrivesEvents[] = {
     {.name = "power",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsDrivesPowerEvent>},
+     .accepts = suture::checkSlot<std::uint8_t, acceptsDrivesPowerEvent>},
 };
 
 // The self-description, as in drives/drives.suture.json.

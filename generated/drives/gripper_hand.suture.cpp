@@ -10,18 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
+using suture::load;
+using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::slotSize;
+using suture::rpc::toWire;
 using suture::store;
 
 bool store(const double& angle, GripperHandSqueezeArguments& slot) {
@@ -30,8 +22,8 @@ bool store(const double& angle, GripperHandSqueezeArguments& slot) {
 
 namespace {
 
-bool acceptsGripperHandSqueeze(const GripperHandSqueezeArguments& slot, FieldPath* path) {
-  return isValid(slot.angle) || refusedAt(path, "angle");
+bool acceptsGripperHandSqueeze(const GripperHandSqueezeArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.angle) || suture::refusedAt(path, "angle");
 }
 
 // --- GripperHand as Cap'n Proto
@@ -40,18 +32,19 @@ void encodeGripperHandSqueeze(const GripperHandSqueezeArguments& slot,
                               wire::GripperHand::SqueezeParams::Builder out) {
   out.setAngle(slot.angle);
 }
-Errc decodeGripperHandSqueeze(wire::GripperHand::SqueezeParams::Reader in,
-                              GripperHandSqueezeArguments& slot, suture::Duration) {
+suture::Errc decodeGripperHandSqueeze(wire::GripperHand::SqueezeParams::Reader in,
+                                      GripperHandSqueezeArguments& slot, suture::Duration) {
   slot.angle = in.getAngle();
-  return Errc{};
+  return suture::Errc{};
 }
 
-constexpr CommandCodec kGripperHandCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kGripperHandCommandCodecs[] = {
     {.interface = capnp::typeId<wire::GripperHand>(),
      .method = 1,
-     .sent = sentIn<wire::GripperHand::SqueezeParams>,
-     .arguments = messageOf<wire::GripperHand::SqueezeParams, GripperHandSqueezeArguments,
-                            encodeGripperHandSqueeze, decodeGripperHandSqueeze>},
+     .sent = suture::rpc::sentIn<wire::GripperHand::SqueezeParams>,
+     .arguments = suture::rpc::messageOf<wire::GripperHand::SqueezeParams,
+                                         GripperHandSqueezeArguments, encodeGripperHandSqueeze,
+                                         decodeGripperHandSqueeze>},
 };
 
 const suture::rpc::Codec& gripperHandCodec() {
@@ -66,14 +59,14 @@ const suture::rpc::Codec& gripperHandCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kGripperHandCommands[] = {
+constexpr suture::CommandInfo kGripperHandCommands[] = {
     {.name = "squeeze",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<GripperHandSqueezeArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<GripperHandSqueezeArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(100'000'000),
-     .accepts = checkSlot<GripperHandSqueezeArguments, acceptsGripperHandSqueeze>},
+     .ttl = suture::Duration(100'000'000),
+     .accepts = suture::checkSlot<GripperHandSqueezeArguments, acceptsGripperHandSqueeze>},
 };
 
 // The self-description, as in drives/gripper_hand.suture.json.

@@ -28,14 +28,8 @@ suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -87,24 +81,29 @@ void toWire(const MtmDrivesParametersSlot& slot, wire::MtmDrivesParameters::Buil
   toWire(slot.rigid_body, out.initRigidBody());
 }
 
-Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::MtmDrivesParameters::Reader in, MtmDrivesParametersSlot& slot,
+                      suture::Duration shift) {
   slot.period = in.getPeriod();
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.permit = in.getPermit();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getSide(), slot.side),
       fromWire(in.getDynamics(), slot.dynamics),
       fromWire(in.getRigidBody(), slot.rigid_body, shift),
   });
 }
 
-bool isValid(const MtmDrivesParametersSlot& slot, FieldPath* path) {
-  if (!isKnownSide(slot.side)) return refusedAt(path, "side");
-  if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
-  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
-  if (!isKnownDriveDynamics(slot.dynamics)) return refusedAt(path, "dynamics");
-  return isValid(slot.rigid_body, path) || refusedAt(path, "rigid_body");
+bool isValid(const MtmDrivesParametersSlot& slot, suture::FieldPath* path) {
+  if (!isKnownSide(slot.side)) return suture::refusedAt(path, "side");
+  if (!suture::rpc::inRange(slot.time_constant, 0.0001, 10)) {
+    return suture::refusedAt(path, "time_constant");
+  }
+  if (!suture::rpc::inRange(slot.angular_rate, 0.01, 20)) {
+    return suture::refusedAt(path, "angular_rate");
+  }
+  if (!isKnownDriveDynamics(slot.dynamics)) return suture::refusedAt(path, "dynamics");
+  return isValid(slot.rigid_body, path) || suture::refusedAt(path, "rigid_body");
 }
 
 }  // namespace robots

@@ -21,14 +21,8 @@ bool isValid(const RigidBodyOptionsSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -84,26 +78,33 @@ void toWire(const PsmDrivesParametersSlot& slot, wire::PsmDrivesParameters::Buil
   toWire(slot.rigid_body, out.initRigidBody());
 }
 
-Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::PsmDrivesParameters::Reader in, PsmDrivesParametersSlot& slot,
+                      suture::Duration shift) {
   slot.period = in.getPeriod();
   slot.time_constant = in.getTimeConstant();
   slot.angular_rate = in.getAngularRate();
   slot.insertion_rate = in.getInsertionRate();
   slot.jaw_rate = in.getJawRate();
   slot.permit = in.getPermit();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getDynamics(), slot.dynamics),
       fromWire(in.getRigidBody(), slot.rigid_body, shift),
   });
 }
 
-bool isValid(const PsmDrivesParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.time_constant, 0.0001, 10)) return refusedAt(path, "time_constant");
-  if (!inRange(slot.angular_rate, 0.01, 20)) return refusedAt(path, "angular_rate");
-  if (!inRange(slot.insertion_rate, 0.001, 2)) return refusedAt(path, "insertion_rate");
-  if (!inRange(slot.jaw_rate, 0.01, 50)) return refusedAt(path, "jaw_rate");
-  if (!isKnownDriveDynamics(slot.dynamics)) return refusedAt(path, "dynamics");
-  return isValid(slot.rigid_body, path) || refusedAt(path, "rigid_body");
+bool isValid(const PsmDrivesParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.time_constant, 0.0001, 10)) {
+    return suture::refusedAt(path, "time_constant");
+  }
+  if (!suture::rpc::inRange(slot.angular_rate, 0.01, 20)) {
+    return suture::refusedAt(path, "angular_rate");
+  }
+  if (!suture::rpc::inRange(slot.insertion_rate, 0.001, 2)) {
+    return suture::refusedAt(path, "insertion_rate");
+  }
+  if (!suture::rpc::inRange(slot.jaw_rate, 0.01, 50)) return suture::refusedAt(path, "jaw_rate");
+  if (!isKnownDriveDynamics(slot.dynamics)) return suture::refusedAt(path, "dynamics");
+  return isValid(slot.rigid_body, path) || suture::refusedAt(path, "rigid_body");
 }
 
 }  // namespace robots

@@ -10,29 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -71,8 +52,8 @@ void load(const GuidanceProgressSlot& slot, GuidanceProgress& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(GuidanceProgressSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(GuidanceProgressSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto
@@ -100,20 +81,20 @@ bool isKnownGuidanceState(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::GuidanceState in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::GuidanceState in, std::uint8_t& slot) {
   switch (in) {
     case wire::GuidanceState::PREPARING: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Preparing), Errc{};
+        static_cast<std::uint8_t>(GuidanceState::Preparing), suture::Errc{};
     case wire::GuidanceState::BLIND: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Blind), Errc{};
+        static_cast<std::uint8_t>(GuidanceState::Blind), suture::Errc{};
     case wire::GuidanceState::GUIDING: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Guiding), Errc{};
+        static_cast<std::uint8_t>(GuidanceState::Guiding), suture::Errc{};
     case wire::GuidanceState::DISABLED: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Disabled), Errc{};
+        static_cast<std::uint8_t>(GuidanceState::Disabled), suture::Errc{};
     case wire::GuidanceState::CLUTCHED: return slot =
-        static_cast<std::uint8_t>(GuidanceState::Clutched), Errc{};
+        static_cast<std::uint8_t>(GuidanceState::Clutched), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const GuidanceProgressSlot& slot, wire::GuidanceProgress::Builder out) {
@@ -124,28 +105,29 @@ void toWire(const GuidanceProgressSlot& slot, wire::GuidanceProgress::Builder ou
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::GuidanceProgress::Reader in, GuidanceProgressSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::GuidanceProgress::Reader in, GuidanceProgressSlot& slot,
+                      suture::Duration shift) {
   slot.distance_to_target = in.getDistanceToTarget();
   slot.lateral_error = in.getLateralError();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
-      : fromDefault(GuidanceProgress().knot, slot.knot);
+      : suture::rpc::fromDefault(GuidanceProgress().knot, slot.knot);
 }
 
-bool isValid(const GuidanceProgressSlot& slot, FieldPath* path) {
-  if (!isValid(slot.knot, path)) return refusedAt(path, "knot");
-  if (!isValid(slot.distance_to_target)) return refusedAt(path, "distance_to_target");
-  return isValid(slot.lateral_error) || refusedAt(path, "lateral_error");
+bool isValid(const GuidanceProgressSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.knot, path)) return suture::refusedAt(path, "knot");
+  if (!isValid(slot.distance_to_target)) return suture::refusedAt(path, "distance_to_target");
+  return isValid(slot.lateral_error) || suture::refusedAt(path, "lateral_error");
 }
 
 namespace {
 
-bool acceptsGuidanceGuidanceStateResult(const std::uint8_t& slot, FieldPath*) {
+bool acceptsGuidanceGuidanceStateResult(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownGuidanceState(slot);
 }
 
-bool acceptsGuidanceGuidanceStateEvent(const std::uint8_t& slot, FieldPath*) {
+bool acceptsGuidanceGuidanceStateEvent(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownGuidanceState(slot);
 }
 
@@ -155,8 +137,8 @@ void encodeGuidanceGuidanceStateResult(const std::uint8_t& slot,
                                        wire::Guidance::GuidanceStateResults::Builder out) {
   out.setValue(wireGuidanceState(slot));
 }
-Errc decodeGuidanceGuidanceStateResult(wire::Guidance::GuidanceStateResults::Reader in,
-                                       std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeGuidanceGuidanceStateResult(wire::Guidance::GuidanceStateResults::Reader in,
+                                               std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -164,17 +146,17 @@ void encodeGuidanceProgressResult(const GuidanceProgressSlot& slot,
                                   wire::Guidance::ProgressResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGuidanceProgressResult(wire::Guidance::ProgressResults::Reader in,
-                                  GuidanceProgressSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGuidanceProgressResult(wire::Guidance::ProgressResults::Reader in,
+                                          GuidanceProgressSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGuidanceGuidanceStateEvent(const std::uint8_t& slot,
                                       wire::GuidanceEvents::GuidanceStateParams::Builder out) {
   out.setValue(wireGuidanceState(slot));
 }
-Errc decodeGuidanceGuidanceStateEvent(wire::GuidanceEvents::GuidanceStateParams::Reader in,
-                                      std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeGuidanceGuidanceStateEvent(wire::GuidanceEvents::GuidanceStateParams::Reader in,
+                                              std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -182,8 +164,8 @@ void encodeGuidanceGuidanceStateColumn(const std::uint8_t& slot,
                                        wire::GuidanceStateRow::Builder out) {
   out.setGuidanceState(wireGuidanceState(slot));
 }
-Errc decodeGuidanceGuidanceStateColumn(wire::GuidanceStateRow::Reader in, std::uint8_t& slot,
-                                       suture::Duration) {
+suture::Errc decodeGuidanceGuidanceStateColumn(wire::GuidanceStateRow::Reader in,
+                                               std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getGuidanceState(), slot);
 }
 
@@ -191,9 +173,9 @@ void encodeGuidanceProgressColumn(const GuidanceProgressSlot& slot,
                                   wire::GuidanceStateRow::Builder out) {
   toWire(slot, out.initProgress());
 }
-Errc decodeGuidanceProgressColumn(wire::GuidanceStateRow::Reader in, GuidanceProgressSlot& slot,
-                                  suture::Duration shift) {
-  return in.hasProgress() ? fromWire(in.getProgress(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGuidanceProgressColumn(wire::GuidanceStateRow::Reader in,
+                                          GuidanceProgressSlot& slot, suture::Duration shift) {
+  return in.hasProgress() ? fromWire(in.getProgress(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -201,48 +183,50 @@ void encodeGuidanceColumn(unsigned column, const std::byte* memory,
                           wire::GuidanceStateRow::Builder out) {
   switch (static_cast<GuidanceColumn>(column)) {
     case GuidanceColumn::guidance_state:
-      return encodeGuidanceGuidanceStateColumn(slotIn<std::uint8_t>(memory), out);
+      return encodeGuidanceGuidanceStateColumn(suture::slotIn<std::uint8_t>(memory), out);
     case GuidanceColumn::progress:
-      return encodeGuidanceProgressColumn(slotIn<GuidanceProgressSlot>(memory), out);
+      return encodeGuidanceProgressColumn(suture::slotIn<GuidanceProgressSlot>(memory), out);
   }
 }
-Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned column, std::byte* memory,
-                          suture::Duration shift) {
+suture::Errc decodeGuidanceColumn(wire::GuidanceStateRow::Reader in, unsigned column,
+                                  std::byte* memory, suture::Duration shift) {
   switch (static_cast<GuidanceColumn>(column)) {
     case GuidanceColumn::guidance_state:
-      return decodeGuidanceGuidanceStateColumn(in, newSlot<std::uint8_t>(memory), shift);
+      return decodeGuidanceGuidanceStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
     case GuidanceColumn::progress:
-      return decodeGuidanceProgressColumn(in, newSlot<GuidanceProgressSlot>(memory), shift);
+      return decodeGuidanceProgressColumn(in, suture::newSlot<GuidanceProgressSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kGuidanceCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kGuidanceCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 1,
-     .sent = sentIn<wire::Guidance::GuidanceStateParams>,
-     .result = messageOf<wire::Guidance::GuidanceStateResults, std::uint8_t,
-                         encodeGuidanceGuidanceStateResult, decodeGuidanceGuidanceStateResult>,
-     .stamp = stampIn<wire::Guidance::GuidanceStateResults>},
+     .sent = suture::rpc::sentIn<wire::Guidance::GuidanceStateParams>,
+     .result = suture::rpc::messageOf<wire::Guidance::GuidanceStateResults, std::uint8_t,
+                                      encodeGuidanceGuidanceStateResult,
+                                      decodeGuidanceGuidanceStateResult>,
+     .stamp = suture::rpc::stampIn<wire::Guidance::GuidanceStateResults>},
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 2,
-     .sent = sentIn<wire::Guidance::ProgressParams>,
-     .result = messageOf<wire::Guidance::ProgressResults, GuidanceProgressSlot,
-                         encodeGuidanceProgressResult, decodeGuidanceProgressResult>,
-     .stamp = stampIn<wire::Guidance::ProgressResults>},
+     .sent = suture::rpc::sentIn<wire::Guidance::ProgressParams>,
+     .result = suture::rpc::messageOf<wire::Guidance::ProgressResults, GuidanceProgressSlot,
+                                      encodeGuidanceProgressResult, decodeGuidanceProgressResult>,
+     .stamp = suture::rpc::stampIn<wire::Guidance::ProgressResults>},
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 3,
-     .sent = sentIn<wire::Guidance::EnableParams>},
+     .sent = suture::rpc::sentIn<wire::Guidance::EnableParams>},
     {.interface = capnp::typeId<wire::Guidance>(),
      .method = 4,
-     .sent = sentIn<wire::Guidance::DisableParams>},
+     .sent = suture::rpc::sentIn<wire::Guidance::DisableParams>},
 };
 
-constexpr EventCodec kGuidanceEventCodecs[] = {
+constexpr suture::rpc::EventCodec kGuidanceEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::GuidanceEvents::GuidanceStateParams>,
-     .payload = messageOf<wire::GuidanceEvents::GuidanceStateParams, std::uint8_t,
-                          encodeGuidanceGuidanceStateEvent, decodeGuidanceGuidanceStateEvent>},
+     .stamp = suture::rpc::stampIn<wire::GuidanceEvents::GuidanceStateParams>,
+     .payload = suture::rpc::messageOf<wire::GuidanceEvents::GuidanceStateParams, std::uint8_t,
+                                       encodeGuidanceGuidanceStateEvent,
+                                       decodeGuidanceGuidanceStateEvent>},
 };
 
 const suture::rpc::Codec& guidanceCodec() {
@@ -258,30 +242,30 @@ const suture::rpc::Codec& guidanceCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kGuidanceCommands[] = {
+constexpr suture::CommandInfo kGuidanceCommands[] = {
     {.name = "guidance_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .column = static_cast<int>(GuidanceColumn::guidance_state),
-     .acceptsResult = checkSlot<std::uint8_t, acceptsGuidanceGuidanceStateResult>},
+     .acceptsResult = suture::checkSlot<std::uint8_t, acceptsGuidanceGuidanceStateResult>},
     {.name = "progress",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<GuidanceProgressSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<GuidanceProgressSlot>,
      .depth = 16,
      .column = static_cast<int>(GuidanceColumn::progress),
-     .acceptsResult = checkSlot<GuidanceProgressSlot, isValid>,
-     .shiftResult = shiftSlot<GuidanceProgressSlot>},
-    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
+     .acceptsResult = suture::checkSlot<GuidanceProgressSlot, isValid>,
+     .shiftResult = suture::shiftSlot<GuidanceProgressSlot>},
+    {.name = "enable", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = suture::CommandKind::Void, .depth = 16},
 };
 
-constexpr EventInfo kGuidanceEvents[] = {
+constexpr suture::EventInfo kGuidanceEvents[] = {
     {.name = "guidance_state",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsGuidanceGuidanceStateEvent>},
+     .accepts = suture::checkSlot<std::uint8_t, acceptsGuidanceGuidanceStateEvent>},
 };
 
 // The self-description, as in guidance/guidance.suture.json.

@@ -10,15 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -99,7 +92,8 @@ void toWire(const GuideParametersSlot& slot, wire::GuideParameters::Builder out)
   out.setSeparation(slot.separation);
 }
 
-Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.scale = in.getScale();
   slot.max_age = in.getMaxAge();
@@ -112,22 +106,22 @@ Errc fromWire(wire::GuideParameters::Reader in, GuideParametersSlot& slot, Durat
   slot.slope = in.getSlope();
   slot.speed = in.getSpeed();
   slot.separation = in.getSeparation();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasTarget() ? fromWire(in.getTarget(), slot.target)
-          : fromDefault(GuideParameters().target, slot.target),
+          : suture::rpc::fromDefault(GuideParameters().target, slot.target),
       in.hasApproach() ? fromWire(in.getApproach(), slot.approach)
-          : fromDefault(GuideParameters().approach, slot.approach),
+          : suture::rpc::fromDefault(GuideParameters().approach, slot.approach),
   });
 }
 
-bool isValid(const GuideParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.scale, 0.01, 10)) return refusedAt(path, "scale");
-  if (!isValid(slot.target, path)) return refusedAt(path, "target");
-  if (!isValid(slot.approach, path)) return refusedAt(path, "approach");
-  if (!inRange(slot.radius, 0.0001, 0.1)) return refusedAt(path, "radius");
-  if (!inRange(slot.slope, 0, 1)) return refusedAt(path, "slope");
-  if (!inRange(slot.speed, 0.001, 1)) return refusedAt(path, "speed");
-  return inRange(slot.separation, 0, 0.1) || refusedAt(path, "separation");
+bool isValid(const GuideParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.scale, 0.01, 10)) return suture::refusedAt(path, "scale");
+  if (!isValid(slot.target, path)) return suture::refusedAt(path, "target");
+  if (!isValid(slot.approach, path)) return suture::refusedAt(path, "approach");
+  if (!suture::rpc::inRange(slot.radius, 0.0001, 0.1)) return suture::refusedAt(path, "radius");
+  if (!suture::rpc::inRange(slot.slope, 0, 1)) return suture::refusedAt(path, "slope");
+  if (!suture::rpc::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
+  return suture::rpc::inRange(slot.separation, 0, 0.1) || suture::refusedAt(path, "separation");
 }
 
 }  // namespace robots

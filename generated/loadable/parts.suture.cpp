@@ -10,12 +10,7 @@
 
 namespace loadable {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -66,13 +61,14 @@ void toWire(const PlatterParametersSlot& slot, wire::PlatterParameters::Builder 
   out.setAngle(slot.angle);
 }
 
-Errc fromWire(wire::PlatterParameters::Reader in, PlatterParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::PlatterParameters::Reader in, PlatterParametersSlot& slot,
+                      suture::Duration) {
   slot.angle = in.getAngle();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const PlatterParametersSlot& slot, FieldPath* path) {
-  return isValid(slot.angle) || refusedAt(path, "angle");
+bool isValid(const PlatterParametersSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.angle) || suture::refusedAt(path, "angle");
 }
 
 void toWire(const SpindleParametersSlot& slot, wire::SpindleParameters::Builder out) {
@@ -81,15 +77,16 @@ void toWire(const SpindleParametersSlot& slot, wire::SpindleParameters::Builder 
   toWire(slot.key, out.initKey(sizeOf(slot.key)));
 }
 
-Errc fromWire(wire::SpindleParameters::Reader in, SpindleParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::SpindleParameters::Reader in, SpindleParametersSlot& slot,
+                      suture::Duration) {
   slot.cycles = in.getCycles();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getBrake(), slot.brake),
       fromWire(in.getKey(), slot.key),
   });
 }
 
-bool isValid(const SpindleParametersSlot&, FieldPath*) {
+bool isValid(const SpindleParametersSlot&, suture::FieldPath*) {
   return true;
 }
 

@@ -10,31 +10,21 @@
 
 namespace loadable {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
+using suture::load;
+using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::slotIn;
-using suture::slotSize;
+using suture::rpc::toWire;
 using suture::store;
 
 bool store(const double& angle, TurntableTurnArguments& slot) { return store(angle, slot.angle); }
 
 namespace {
 
-bool acceptsTurntableTurn(const TurntableTurnArguments& slot, FieldPath* path) {
-  return isValid(slot.angle) || refusedAt(path, "angle");
+bool acceptsTurntableTurn(const TurntableTurnArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.angle) || suture::refusedAt(path, "angle");
 }
 
-bool acceptsTurntableAngleResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsTurntableAngleResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
 // --- Turntable as Cap'n Proto
 
@@ -42,58 +32,59 @@ void encodeTurntableTurn(const TurntableTurnArguments& slot,
                          wire::Turntable::TurnParams::Builder out) {
   out.setAngle(slot.angle);
 }
-Errc decodeTurntableTurn(wire::Turntable::TurnParams::Reader in, TurntableTurnArguments& slot,
-                         suture::Duration) {
+suture::Errc decodeTurntableTurn(wire::Turntable::TurnParams::Reader in,
+                                 TurntableTurnArguments& slot, suture::Duration) {
   slot.angle = in.getAngle();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeTurntableAngleResult(const double& slot, wire::Turntable::AngleResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeTurntableAngleResult(wire::Turntable::AngleResults::Reader in, double& slot,
-                                suture::Duration) {
+suture::Errc decodeTurntableAngleResult(wire::Turntable::AngleResults::Reader in, double& slot,
+                                        suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeTurntableAngleColumn(const double& slot, wire::TurntableStateRow::Builder out) {
   out.setAngle(slot);
 }
-Errc decodeTurntableAngleColumn(wire::TurntableStateRow::Reader in, double& slot,
-                                suture::Duration) {
+suture::Errc decodeTurntableAngleColumn(wire::TurntableStateRow::Reader in, double& slot,
+                                        suture::Duration) {
   slot = in.getAngle();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeTurntableColumn(unsigned column, const std::byte* memory,
                            wire::TurntableStateRow::Builder out) {
   switch (static_cast<TurntableColumn>(column)) {
-    case TurntableColumn::angle: return encodeTurntableAngleColumn(slotIn<double>(memory), out);
+    case TurntableColumn::angle:
+      return encodeTurntableAngleColumn(suture::slotIn<double>(memory), out);
   }
 }
-Errc decodeTurntableColumn(wire::TurntableStateRow::Reader in, unsigned column, std::byte* memory,
-                           suture::Duration shift) {
+suture::Errc decodeTurntableColumn(wire::TurntableStateRow::Reader in, unsigned column,
+                                   std::byte* memory, suture::Duration shift) {
   switch (static_cast<TurntableColumn>(column)) {
     case TurntableColumn::angle:
-      return decodeTurntableAngleColumn(in, newSlot<double>(memory), shift);
+      return decodeTurntableAngleColumn(in, suture::newSlot<double>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kTurntableCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kTurntableCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Turntable>(),
      .method = 1,
-     .sent = sentIn<wire::Turntable::TurnParams>,
-     .arguments = messageOf<wire::Turntable::TurnParams, TurntableTurnArguments,
-                            encodeTurntableTurn, decodeTurntableTurn>},
+     .sent = suture::rpc::sentIn<wire::Turntable::TurnParams>,
+     .arguments = suture::rpc::messageOf<wire::Turntable::TurnParams, TurntableTurnArguments,
+                                         encodeTurntableTurn, decodeTurntableTurn>},
     {.interface = capnp::typeId<wire::Turntable>(),
      .method = 2,
-     .sent = sentIn<wire::Turntable::AngleParams>,
-     .result = messageOf<wire::Turntable::AngleResults, double, encodeTurntableAngleResult,
-                         decodeTurntableAngleResult>,
-     .stamp = stampIn<wire::Turntable::AngleResults>},
+     .sent = suture::rpc::sentIn<wire::Turntable::AngleParams>,
+     .result = suture::rpc::messageOf<wire::Turntable::AngleResults, double,
+                                      encodeTurntableAngleResult, decodeTurntableAngleResult>,
+     .stamp = suture::rpc::stampIn<wire::Turntable::AngleResults>},
 };
 
 const suture::rpc::Codec& turntableCodec() {
@@ -109,18 +100,18 @@ const suture::rpc::Codec& turntableCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kTurntableCommands[] = {
+constexpr suture::CommandInfo kTurntableCommands[] = {
     {.name = "turn",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<TurntableTurnArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<TurntableTurnArguments>,
      .depth = 16,
-     .accepts = checkSlot<TurntableTurnArguments, acceptsTurntableTurn>},
+     .accepts = suture::checkSlot<TurntableTurnArguments, acceptsTurntableTurn>},
     {.name = "angle",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(TurntableColumn::angle),
-     .acceptsResult = checkSlot<double, acceptsTurntableAngleResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsTurntableAngleResult>},
 };
 
 // The self-description, as in loadable/turntable.suture.json.

@@ -10,27 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -59,7 +42,9 @@ void load(const PedalStateSlot& slot, PedalState& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(PedalStateSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(PedalStateSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -70,15 +55,15 @@ void toWire(const PedalStateSlot& slot, wire::PedalState::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::PedalState::Reader in, PedalStateSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::PedalState::Reader in, PedalStateSlot& slot, suture::Duration shift) {
   slot.clutch = in.getClutch();
   slot.camera = in.getCamera();
   slot.coagulation = in.getCoagulation();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const PedalStateSlot&, FieldPath*) {
+bool isValid(const PedalStateSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -90,48 +75,48 @@ void encodeFootPedalsPedalsResult(const PedalStateSlot& slot,
                                   wire::FootPedals::PedalsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeFootPedalsPedalsResult(wire::FootPedals::PedalsResults::Reader in, PedalStateSlot& slot,
-                                  suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeFootPedalsPedalsResult(wire::FootPedals::PedalsResults::Reader in,
+                                          PedalStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeFootPedalsClutchEvent(const std::uint8_t& slot,
                                  wire::FootPedalsEvents::ClutchParams::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeFootPedalsClutchEvent(wire::FootPedalsEvents::ClutchParams::Reader in,
-                                 std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeFootPedalsClutchEvent(wire::FootPedalsEvents::ClutchParams::Reader in,
+                                         std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeFootPedalsCameraEvent(const std::uint8_t& slot,
                                  wire::FootPedalsEvents::CameraParams::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeFootPedalsCameraEvent(wire::FootPedalsEvents::CameraParams::Reader in,
-                                 std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeFootPedalsCameraEvent(wire::FootPedalsEvents::CameraParams::Reader in,
+                                         std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeFootPedalsCoagulationEvent(const std::uint8_t& slot,
                                       wire::FootPedalsEvents::CoagulationParams::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeFootPedalsCoagulationEvent(wire::FootPedalsEvents::CoagulationParams::Reader in,
-                                      std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeFootPedalsCoagulationEvent(wire::FootPedalsEvents::CoagulationParams::Reader in,
+                                              std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeFootPedalsPedalsColumn(const PedalStateSlot& slot,
                                   wire::FootPedalsStateRow::Builder out) {
   toWire(slot, out.initPedals());
 }
-Errc decodeFootPedalsPedalsColumn(wire::FootPedalsStateRow::Reader in, PedalStateSlot& slot,
-                                  suture::Duration shift) {
-  return in.hasPedals() ? fromWire(in.getPedals(), slot, shift) : Errc::Invalid;
+suture::Errc decodeFootPedalsPedalsColumn(wire::FootPedalsStateRow::Reader in, PedalStateSlot& slot,
+                                          suture::Duration shift) {
+  return in.hasPedals() ? fromWire(in.getPedals(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -139,40 +124,41 @@ void encodeFootPedalsColumn(unsigned column, const std::byte* memory,
                             wire::FootPedalsStateRow::Builder out) {
   switch (static_cast<FootPedalsColumn>(column)) {
     case FootPedalsColumn::pedals:
-      return encodeFootPedalsPedalsColumn(slotIn<PedalStateSlot>(memory), out);
+      return encodeFootPedalsPedalsColumn(suture::slotIn<PedalStateSlot>(memory), out);
   }
 }
-Errc decodeFootPedalsColumn(wire::FootPedalsStateRow::Reader in, unsigned column, std::byte* memory,
-                            suture::Duration shift) {
+suture::Errc decodeFootPedalsColumn(wire::FootPedalsStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
   switch (static_cast<FootPedalsColumn>(column)) {
     case FootPedalsColumn::pedals:
-      return decodeFootPedalsPedalsColumn(in, newSlot<PedalStateSlot>(memory), shift);
+      return decodeFootPedalsPedalsColumn(in, suture::newSlot<PedalStateSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kFootPedalsCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kFootPedalsCommandCodecs[] = {
     {.interface = capnp::typeId<wire::FootPedals>(),
      .method = 1,
-     .sent = sentIn<wire::FootPedals::PedalsParams>,
-     .result = messageOf<wire::FootPedals::PedalsResults, PedalStateSlot,
-                         encodeFootPedalsPedalsResult, decodeFootPedalsPedalsResult>,
-     .stamp = stampIn<wire::FootPedals::PedalsResults>},
+     .sent = suture::rpc::sentIn<wire::FootPedals::PedalsParams>,
+     .result = suture::rpc::messageOf<wire::FootPedals::PedalsResults, PedalStateSlot,
+                                      encodeFootPedalsPedalsResult, decodeFootPedalsPedalsResult>,
+     .stamp = suture::rpc::stampIn<wire::FootPedals::PedalsResults>},
 };
 
-constexpr EventCodec kFootPedalsEventCodecs[] = {
+constexpr suture::rpc::EventCodec kFootPedalsEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::FootPedalsEvents::ClutchParams>,
-     .payload = messageOf<wire::FootPedalsEvents::ClutchParams, std::uint8_t,
-                          encodeFootPedalsClutchEvent, decodeFootPedalsClutchEvent>},
+     .stamp = suture::rpc::stampIn<wire::FootPedalsEvents::ClutchParams>,
+     .payload = suture::rpc::messageOf<wire::FootPedalsEvents::ClutchParams, std::uint8_t,
+                                       encodeFootPedalsClutchEvent, decodeFootPedalsClutchEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::FootPedalsEvents::CameraParams>,
-     .payload = messageOf<wire::FootPedalsEvents::CameraParams, std::uint8_t,
-                          encodeFootPedalsCameraEvent, decodeFootPedalsCameraEvent>},
+     .stamp = suture::rpc::stampIn<wire::FootPedalsEvents::CameraParams>,
+     .payload = suture::rpc::messageOf<wire::FootPedalsEvents::CameraParams, std::uint8_t,
+                                       encodeFootPedalsCameraEvent, decodeFootPedalsCameraEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::FootPedalsEvents::CoagulationParams>,
-     .payload = messageOf<wire::FootPedalsEvents::CoagulationParams, std::uint8_t,
-                          encodeFootPedalsCoagulationEvent, decodeFootPedalsCoagulationEvent>},
+     .stamp = suture::rpc::stampIn<wire::FootPedalsEvents::CoagulationParams>,
+     .payload = suture::rpc::messageOf<wire::FootPedalsEvents::CoagulationParams, std::uint8_t,
+                                       encodeFootPedalsCoagulationEvent,
+                                       decodeFootPedalsCoagulationEvent>},
 };
 
 const suture::rpc::Codec& footPedalsCodec() {
@@ -188,20 +174,23 @@ const suture::rpc::Codec& footPedalsCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kFootPedalsCommands[] = {
+constexpr suture::CommandInfo kFootPedalsCommands[] = {
     {.name = "pedals",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PedalStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PedalStateSlot>,
      .depth = 16,
      .column = static_cast<int>(FootPedalsColumn::pedals),
-     .acceptsResult = checkSlot<PedalStateSlot, isValid>,
-     .shiftResult = shiftSlot<PedalStateSlot>},
+     .acceptsResult = suture::checkSlot<PedalStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PedalStateSlot>},
 };
 
-constexpr EventInfo kFootPedalsEvents[] = {
-    {.name = "clutch", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
-    {.name = "camera", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
-    {.name = "coagulation", .payloadSize = slotSize<std::uint8_t>, .depth = 16, .latched = true},
+constexpr suture::EventInfo kFootPedalsEvents[] = {
+    {.name = "clutch", .payloadSize = suture::slotSize<std::uint8_t>, .depth = 16, .latched = true},
+    {.name = "camera", .payloadSize = suture::slotSize<std::uint8_t>, .depth = 16, .latched = true},
+    {.name = "coagulation",
+     .payloadSize = suture::slotSize<std::uint8_t>,
+     .depth = 16,
+     .latched = true},
 };
 
 // The self-description, as in pedals/foot_pedals.suture.json.

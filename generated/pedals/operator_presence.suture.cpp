@@ -10,27 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -53,7 +36,9 @@ void load(const PresenceSlot& slot, Presence& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(PresenceSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(PresenceSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -62,13 +47,13 @@ void toWire(const PresenceSlot& slot, wire::Presence::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::Presence::Reader in, PresenceSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Presence::Reader in, PresenceSlot& slot, suture::Duration shift) {
   slot.present = in.getPresent();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const PresenceSlot&, FieldPath*) {
+bool isValid(const PresenceSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -80,29 +65,30 @@ void encodeOperatorPresencePresenceResult(const PresenceSlot& slot,
                                           wire::OperatorPresence::PresenceResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeOperatorPresencePresenceResult(wire::OperatorPresence::PresenceResults::Reader in,
-                                          PresenceSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeOperatorPresencePresenceResult(
+    wire::OperatorPresence::PresenceResults::Reader in, PresenceSlot& slot,
+                                                  suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeOperatorPresenceOperatorPresentEvent(const std::uint8_t& slot,
                                                 wire::OperatorPresenceEvents::OperatorPresentParams::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeOperatorPresenceOperatorPresentEvent(
+suture::Errc decodeOperatorPresenceOperatorPresentEvent(
     wire::OperatorPresenceEvents::OperatorPresentParams::Reader in, std::uint8_t& slot,
-                                                suture::Duration) {
+                                                        suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeOperatorPresencePresenceColumn(const PresenceSlot& slot,
                                           wire::OperatorPresenceStateRow::Builder out) {
   toWire(slot, out.initPresence());
 }
-Errc decodeOperatorPresencePresenceColumn(wire::OperatorPresenceStateRow::Reader in,
-                                          PresenceSlot& slot, suture::Duration shift) {
-  return in.hasPresence() ? fromWire(in.getPresence(), slot, shift) : Errc::Invalid;
+suture::Errc decodeOperatorPresencePresenceColumn(wire::OperatorPresenceStateRow::Reader in,
+                                                  PresenceSlot& slot, suture::Duration shift) {
+  return in.hasPresence() ? fromWire(in.getPresence(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -110,34 +96,35 @@ void encodeOperatorPresenceColumn(unsigned column, const std::byte* memory,
                                   wire::OperatorPresenceStateRow::Builder out) {
   switch (static_cast<OperatorPresenceColumn>(column)) {
     case OperatorPresenceColumn::presence:
-      return encodeOperatorPresencePresenceColumn(slotIn<PresenceSlot>(memory), out);
+      return encodeOperatorPresencePresenceColumn(suture::slotIn<PresenceSlot>(memory), out);
   }
 }
-Errc decodeOperatorPresenceColumn(wire::OperatorPresenceStateRow::Reader in, unsigned column,
-                                  std::byte* memory, suture::Duration shift) {
+suture::Errc decodeOperatorPresenceColumn(wire::OperatorPresenceStateRow::Reader in,
+                                          unsigned column, std::byte* memory,
+                                          suture::Duration shift) {
   switch (static_cast<OperatorPresenceColumn>(column)) {
     case OperatorPresenceColumn::presence:
-      return decodeOperatorPresencePresenceColumn(in, newSlot<PresenceSlot>(memory), shift);
+      return decodeOperatorPresencePresenceColumn(in, suture::newSlot<PresenceSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kOperatorPresenceCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kOperatorPresenceCommandCodecs[] = {
     {.interface = capnp::typeId<wire::OperatorPresence>(),
      .method = 1,
-     .sent = sentIn<wire::OperatorPresence::PresenceParams>,
-     .result = messageOf<wire::OperatorPresence::PresenceResults, PresenceSlot,
-                         encodeOperatorPresencePresenceResult,
-                         decodeOperatorPresencePresenceResult>,
-     .stamp = stampIn<wire::OperatorPresence::PresenceResults>},
+     .sent = suture::rpc::sentIn<wire::OperatorPresence::PresenceParams>,
+     .result = suture::rpc::messageOf<wire::OperatorPresence::PresenceResults, PresenceSlot,
+                                      encodeOperatorPresencePresenceResult,
+                                      decodeOperatorPresencePresenceResult>,
+     .stamp = suture::rpc::stampIn<wire::OperatorPresence::PresenceResults>},
 };
 
-constexpr EventCodec kOperatorPresenceEventCodecs[] = {
+constexpr suture::rpc::EventCodec kOperatorPresenceEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::OperatorPresenceEvents::OperatorPresentParams>,
-     .payload = messageOf<wire::OperatorPresenceEvents::OperatorPresentParams, std::uint8_t,
-                          encodeOperatorPresenceOperatorPresentEvent,
-                          decodeOperatorPresenceOperatorPresentEvent>},
+     .stamp = suture::rpc::stampIn<wire::OperatorPresenceEvents::OperatorPresentParams>,
+     .payload = suture::rpc::messageOf<wire::OperatorPresenceEvents::OperatorPresentParams,
+                                       std::uint8_t, encodeOperatorPresenceOperatorPresentEvent,
+                                       decodeOperatorPresenceOperatorPresentEvent>},
 };
 
 const suture::rpc::Codec& operatorPresenceCodec() {
@@ -154,19 +141,19 @@ const suture::rpc::Codec& operatorPresenceCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kOperatorPresenceCommands[] = {
+constexpr suture::CommandInfo kOperatorPresenceCommands[] = {
     {.name = "presence",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PresenceSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PresenceSlot>,
      .depth = 16,
      .column = static_cast<int>(OperatorPresenceColumn::presence),
-     .acceptsResult = checkSlot<PresenceSlot, isValid>,
-     .shiftResult = shiftSlot<PresenceSlot>},
+     .acceptsResult = suture::checkSlot<PresenceSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PresenceSlot>},
 };
 
-constexpr EventInfo kOperatorPresenceEvents[] = {
+constexpr suture::EventInfo kOperatorPresenceEvents[] = {
     {.name = "operator_present",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true},
 };

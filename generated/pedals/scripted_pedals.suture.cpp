@@ -10,9 +10,6 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -62,16 +59,17 @@ void toWire(const ScriptedPedalsParametersSlot& slot, wire::ScriptedPedalsParame
   out.setLeaveFor(slot.leave_for);
 }
 
-Errc fromWire(wire::ScriptedPedalsParameters::Reader in, ScriptedPedalsParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::ScriptedPedalsParameters::Reader in, ScriptedPedalsParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.clutch_after = in.getClutchAfter();
   slot.clutch_for = in.getClutchFor();
   slot.leave_after = in.getLeaveAfter();
   slot.leave_for = in.getLeaveFor();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const ScriptedPedalsParametersSlot&, FieldPath*) {
+bool isValid(const ScriptedPedalsParametersSlot&, suture::FieldPath*) {
   return true;
 }
 

@@ -10,9 +10,6 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
@@ -46,13 +43,13 @@ void toWire(const AxisRangeSlot& slot, wire::AxisRange::Builder out) {
   out.setHighest(slot.highest);
 }
 
-Errc fromWire(wire::AxisRange::Reader in, AxisRangeSlot& slot, Duration) {
+suture::Errc fromWire(wire::AxisRange::Reader in, AxisRangeSlot& slot, suture::Duration) {
   slot.lowest = in.getLowest();
   slot.highest = in.getHighest();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const AxisRangeSlot&, FieldPath*) {
+bool isValid(const AxisRangeSlot&, suture::FieldPath*) {
   return true;
 }
 

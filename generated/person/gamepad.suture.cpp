@@ -17,15 +17,8 @@ bool isValid(const AxisRangeSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -89,30 +82,33 @@ void toWire(const GamepadParametersSlot& slot, wire::GamepadParameters::Builder 
   out.setRetry(slot.retry);
 }
 
-Errc fromWire(wire::GamepadParameters::Reader in, GamepadParametersSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::GamepadParameters::Reader in, GamepadParametersSlot& slot,
+                      suture::Duration shift) {
   slot.period = in.getPeriod();
   slot.dead_zone = in.getDeadZone();
   slot.speed = in.getSpeed();
   slot.turning_speed = in.getTurningSpeed();
   slot.opening = in.getOpening();
   slot.retry = in.getRetry();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasFile() ? fromWire(in.getFile(), slot.file)
-          : fromDefault(GamepadParameters().file, slot.file),
+          : suture::rpc::fromDefault(GamepadParameters().file, slot.file),
       in.hasStick() ? fromWire(in.getStick(), slot.stick, shift)
-          : fromDefault(GamepadParameters().stick, slot.stick),
+          : suture::rpc::fromDefault(GamepadParameters().stick, slot.stick),
       in.hasTrigger() ? fromWire(in.getTrigger(), slot.trigger, shift)
-          : fromDefault(GamepadParameters().trigger, slot.trigger),
+          : suture::rpc::fromDefault(GamepadParameters().trigger, slot.trigger),
   });
 }
 
-bool isValid(const GamepadParametersSlot& slot, FieldPath* path) {
-  if (!isValid(slot.stick, path)) return refusedAt(path, "stick");
-  if (!isValid(slot.trigger, path)) return refusedAt(path, "trigger");
-  if (!inRange(slot.dead_zone, 0.01, 0.9)) return refusedAt(path, "dead_zone");
-  if (!inRange(slot.speed, 0.001, 0.25)) return refusedAt(path, "speed");
-  if (!inRange(slot.turning_speed, 0.01, 2)) return refusedAt(path, "turning_speed");
-  return inRange(slot.opening, 0, 1.047) || refusedAt(path, "opening");
+bool isValid(const GamepadParametersSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.stick, path)) return suture::refusedAt(path, "stick");
+  if (!isValid(slot.trigger, path)) return suture::refusedAt(path, "trigger");
+  if (!suture::rpc::inRange(slot.dead_zone, 0.01, 0.9)) return suture::refusedAt(path, "dead_zone");
+  if (!suture::rpc::inRange(slot.speed, 0.001, 0.25)) return suture::refusedAt(path, "speed");
+  if (!suture::rpc::inRange(slot.turning_speed, 0.01, 2)) {
+    return suture::refusedAt(path, "turning_speed");
+  }
+  return suture::rpc::inRange(slot.opening, 0, 1.047) || suture::refusedAt(path, "opening");
 }
 
 }  // namespace robots

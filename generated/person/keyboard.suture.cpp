@@ -10,14 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -69,20 +63,23 @@ void toWire(const KeyboardParametersSlot& slot, wire::KeyboardParameters::Builde
   out.setHold(slot.hold);
 }
 
-Errc fromWire(wire::KeyboardParameters::Reader in, KeyboardParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::KeyboardParameters::Reader in, KeyboardParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.speed = in.getSpeed();
   slot.turning_speed = in.getTurningSpeed();
   slot.opening = in.getOpening();
   slot.hold = in.getHold();
   return in.hasTerminal() ? fromWire(in.getTerminal(), slot.terminal)
-      : fromDefault(KeyboardParameters().terminal, slot.terminal);
+      : suture::rpc::fromDefault(KeyboardParameters().terminal, slot.terminal);
 }
 
-bool isValid(const KeyboardParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.speed, 0.001, 0.25)) return refusedAt(path, "speed");
-  if (!inRange(slot.turning_speed, 0.01, 2)) return refusedAt(path, "turning_speed");
-  return inRange(slot.opening, 0, 1.047) || refusedAt(path, "opening");
+bool isValid(const KeyboardParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.speed, 0.001, 0.25)) return suture::refusedAt(path, "speed");
+  if (!suture::rpc::inRange(slot.turning_speed, 0.01, 2)) {
+    return suture::refusedAt(path, "turning_speed");
+  }
+  return suture::rpc::inRange(slot.opening, 0, 1.047) || suture::refusedAt(path, "opening");
 }
 
 }  // namespace robots

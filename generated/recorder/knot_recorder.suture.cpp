@@ -10,11 +10,7 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -51,13 +47,14 @@ void toWire(const KnotRecorderParametersSlot& slot, wire::KnotRecorderParameters
   toWire(slot.file, out.initFile(sizeOf(slot.file)));
 }
 
-Errc fromWire(wire::KnotRecorderParameters::Reader in, KnotRecorderParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::KnotRecorderParameters::Reader in, KnotRecorderParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   return in.hasFile() ? fromWire(in.getFile(), slot.file)
-      : fromDefault(KnotRecorderParameters().file, slot.file);
+      : suture::rpc::fromDefault(KnotRecorderParameters().file, slot.file);
 }
 
-bool isValid(const KnotRecorderParametersSlot&, FieldPath*) {
+bool isValid(const KnotRecorderParametersSlot&, suture::FieldPath*) {
   return true;
 }
 

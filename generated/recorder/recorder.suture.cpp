@@ -10,11 +10,7 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -51,13 +47,14 @@ void toWire(const RecorderParametersSlot& slot, wire::RecorderParameters::Builde
   toWire(slot.file, out.initFile(sizeOf(slot.file)));
 }
 
-Errc fromWire(wire::RecorderParameters::Reader in, RecorderParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::RecorderParameters::Reader in, RecorderParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   return in.hasFile() ? fromWire(in.getFile(), slot.file)
-      : fromDefault(RecorderParameters().file, slot.file);
+      : suture::rpc::fromDefault(RecorderParameters().file, slot.file);
 }
 
-bool isValid(const RecorderParametersSlot&, FieldPath*) {
+bool isValid(const RecorderParametersSlot&, suture::FieldPath*) {
   return true;
 }
 

@@ -10,26 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -83,38 +67,39 @@ void toWire(const SceneFramesSlot& slot, wire::SceneFrames::Builder out) {
   toWire(slot.display, out.initDisplay());
 }
 
-Errc fromWire(wire::SceneFrames::Reader in, SceneFramesSlot& slot, Duration) {
+suture::Errc fromWire(wire::SceneFrames::Reader in, SceneFramesSlot& slot, suture::Duration) {
   slot.tissue = in.getTissue();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasLeftBase() ? fromWire(in.getLeftBase(), slot.left_base)
-          : fromDefault(SceneFrames().left_base, slot.left_base),
+          : suture::rpc::fromDefault(SceneFrames().left_base, slot.left_base),
       in.hasRightBase() ? fromWire(in.getRightBase(), slot.right_base)
-          : fromDefault(SceneFrames().right_base, slot.right_base),
+          : suture::rpc::fromDefault(SceneFrames().right_base, slot.right_base),
       in.hasCamera() ? fromWire(in.getCamera(), slot.camera)
-          : fromDefault(SceneFrames().camera, slot.camera),
+          : suture::rpc::fromDefault(SceneFrames().camera, slot.camera),
       in.hasLeftMaster() ? fromWire(in.getLeftMaster(), slot.left_master)
-          : fromDefault(SceneFrames().left_master, slot.left_master),
+          : suture::rpc::fromDefault(SceneFrames().left_master, slot.left_master),
       in.hasRightMaster() ? fromWire(in.getRightMaster(), slot.right_master)
-          : fromDefault(SceneFrames().right_master, slot.right_master),
+          : suture::rpc::fromDefault(SceneFrames().right_master, slot.right_master),
       in.hasDisplay() ? fromWire(in.getDisplay(), slot.display)
-          : fromDefault(SceneFrames().display, slot.display),
+          : suture::rpc::fromDefault(SceneFrames().display, slot.display),
   });
 }
 
-bool isValid(const SceneFramesSlot& slot, FieldPath* path) {
-  if (!isValid(slot.left_base)) return refusedAt(path, "left_base");
-  if (!isValid(slot.right_base)) return refusedAt(path, "right_base");
-  if (!isValid(slot.camera)) return refusedAt(path, "camera");
-  if (!isValid(slot.tissue)) return refusedAt(path, "tissue");
-  if (!isValid(slot.left_master)) return refusedAt(path, "left_master");
-  if (!isValid(slot.right_master)) return refusedAt(path, "right_master");
-  return isValid(slot.display) || refusedAt(path, "display");
+bool isValid(const SceneFramesSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.left_base)) return suture::refusedAt(path, "left_base");
+  if (!isValid(slot.right_base)) return suture::refusedAt(path, "right_base");
+  if (!isValid(slot.camera)) return suture::refusedAt(path, "camera");
+  if (!isValid(slot.tissue)) return suture::refusedAt(path, "tissue");
+  if (!isValid(slot.left_master)) return suture::refusedAt(path, "left_master");
+  if (!isValid(slot.right_master)) return suture::refusedAt(path, "right_master");
+  return isValid(slot.display) || suture::refusedAt(path, "display");
 }
 
 namespace {
 
-bool acceptsRegistrationSetCamera(const RegistrationSetCameraArguments& slot, FieldPath* path) {
-  return isValid(slot.camera) || refusedAt(path, "camera");
+bool acceptsRegistrationSetCamera(const RegistrationSetCameraArguments& slot,
+                                  suture::FieldPath* path) {
+  return isValid(slot.camera) || suture::refusedAt(path, "camera");
 }
 
 // --- Registration as Cap'n Proto
@@ -123,27 +108,27 @@ void encodeRegistrationFramesResult(const SceneFramesSlot& slot,
                                     wire::Registration::FramesResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeRegistrationFramesResult(wire::Registration::FramesResults::Reader in,
-                                    SceneFramesSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeRegistrationFramesResult(wire::Registration::FramesResults::Reader in,
+                                            SceneFramesSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeRegistrationSetCamera(const RegistrationSetCameraArguments& slot,
                                  wire::Registration::SetCameraParams::Builder out) {
   toWire(slot.camera, out.initCamera());
 }
-Errc decodeRegistrationSetCamera(wire::Registration::SetCameraParams::Reader in,
-                                 RegistrationSetCameraArguments& slot, suture::Duration) {
-  return in.hasCamera() ? fromWire(in.getCamera(), slot.camera) : Errc::Invalid;
+suture::Errc decodeRegistrationSetCamera(wire::Registration::SetCameraParams::Reader in,
+                                         RegistrationSetCameraArguments& slot, suture::Duration) {
+  return in.hasCamera() ? fromWire(in.getCamera(), slot.camera) : suture::Errc::Invalid;
 }
 
 void encodeRegistrationFramesColumn(const SceneFramesSlot& slot,
                                     wire::RegistrationStateRow::Builder out) {
   toWire(slot, out.initFrames());
 }
-Errc decodeRegistrationFramesColumn(wire::RegistrationStateRow::Reader in, SceneFramesSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasFrames() ? fromWire(in.getFrames(), slot, shift) : Errc::Invalid;
+suture::Errc decodeRegistrationFramesColumn(wire::RegistrationStateRow::Reader in,
+                                            SceneFramesSlot& slot, suture::Duration shift) {
+  return in.hasFrames() ? fromWire(in.getFrames(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -151,30 +136,32 @@ void encodeRegistrationColumn(unsigned column, const std::byte* memory,
                               wire::RegistrationStateRow::Builder out) {
   switch (static_cast<RegistrationColumn>(column)) {
     case RegistrationColumn::frames:
-      return encodeRegistrationFramesColumn(slotIn<SceneFramesSlot>(memory), out);
+      return encodeRegistrationFramesColumn(suture::slotIn<SceneFramesSlot>(memory), out);
   }
 }
-Errc decodeRegistrationColumn(wire::RegistrationStateRow::Reader in, unsigned column,
-                              std::byte* memory, suture::Duration shift) {
+suture::Errc decodeRegistrationColumn(wire::RegistrationStateRow::Reader in, unsigned column,
+                                      std::byte* memory, suture::Duration shift) {
   switch (static_cast<RegistrationColumn>(column)) {
     case RegistrationColumn::frames:
-      return decodeRegistrationFramesColumn(in, newSlot<SceneFramesSlot>(memory), shift);
+      return decodeRegistrationFramesColumn(in, suture::newSlot<SceneFramesSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kRegistrationCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kRegistrationCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Registration>(),
      .method = 1,
-     .sent = sentIn<wire::Registration::FramesParams>,
-     .result = messageOf<wire::Registration::FramesResults, SceneFramesSlot,
-                         encodeRegistrationFramesResult, decodeRegistrationFramesResult>,
-     .stamp = stampIn<wire::Registration::FramesResults>},
+     .sent = suture::rpc::sentIn<wire::Registration::FramesParams>,
+     .result = suture::rpc::messageOf<wire::Registration::FramesResults, SceneFramesSlot,
+                                      encodeRegistrationFramesResult,
+                                      decodeRegistrationFramesResult>,
+     .stamp = suture::rpc::stampIn<wire::Registration::FramesResults>},
     {.interface = capnp::typeId<wire::Registration>(),
      .method = 2,
-     .sent = sentIn<wire::Registration::SetCameraParams>,
-     .arguments = messageOf<wire::Registration::SetCameraParams, RegistrationSetCameraArguments,
-                            encodeRegistrationSetCamera, decodeRegistrationSetCamera>},
+     .sent = suture::rpc::sentIn<wire::Registration::SetCameraParams>,
+     .arguments = suture::rpc::messageOf<wire::Registration::SetCameraParams,
+                                         RegistrationSetCameraArguments,
+                                         encodeRegistrationSetCamera, decodeRegistrationSetCamera>},
 };
 
 const suture::rpc::Codec& registrationCodec() {
@@ -190,18 +177,18 @@ const suture::rpc::Codec& registrationCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kRegistrationCommands[] = {
+constexpr suture::CommandInfo kRegistrationCommands[] = {
     {.name = "frames",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<SceneFramesSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<SceneFramesSlot>,
      .depth = 16,
      .column = static_cast<int>(RegistrationColumn::frames),
-     .acceptsResult = checkSlot<SceneFramesSlot, isValid>},
+     .acceptsResult = suture::checkSlot<SceneFramesSlot, isValid>},
     {.name = "set_camera",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<RegistrationSetCameraArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<RegistrationSetCameraArguments>,
      .depth = 16,
-     .accepts = checkSlot<RegistrationSetCameraArguments, acceptsRegistrationSetCamera>},
+     .accepts = suture::checkSlot<RegistrationSetCameraArguments, acceptsRegistrationSetCamera>},
 };
 
 // The self-description, as in registration/registration.suture.json.

@@ -9,20 +9,10 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
 using suture::store;
 
 namespace {
@@ -135,7 +125,9 @@ void load(const TwistSlot& slot, Twist& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(TwistSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(TwistSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const TwistGoal& value, TwistGoalSlot& slot) {
   bool fits = true;
@@ -157,7 +149,9 @@ void load(const TwistGoalSlot& slot, TwistGoal& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(TwistGoalSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(TwistGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const Wrench& value, WrenchSlot& slot) {
   bool fits = true;
@@ -181,7 +175,9 @@ void load(const WrenchSlot& slot, Wrench& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(WrenchSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(WrenchSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const WrenchGoal& value, WrenchGoalSlot& slot) {
   bool fits = true;
@@ -199,7 +195,9 @@ void load(const WrenchGoalSlot& slot, WrenchGoal& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(WrenchGoalSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const CartesianState& value, CartesianStateSlot& slot) {
   bool fits = true;
@@ -231,8 +229,8 @@ void load(const CartesianStateSlot& slot, CartesianState& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(CartesianStateSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(CartesianStateSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const CartesianGoal& value, CartesianGoalSlot& slot) {
@@ -263,8 +261,8 @@ void load(const CartesianGoalSlot& slot, CartesianGoal& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(CartesianGoalSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const ServoCartesian& value, ServoCartesianSlot& slot) {
@@ -291,8 +289,8 @@ void load(const ServoCartesianSlot& slot, ServoCartesian& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(ServoCartesianSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(ServoCartesianSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const HalfPlaneGains& value, HalfPlaneGainsSlot& slot) {
@@ -351,8 +349,8 @@ void load(const CartesianImpedanceSlot& slot, CartesianImpedance& value) {
   load(slot.stamp, value.stamp);
 }
 
-void shiftStamps(CartesianImpedanceSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(CartesianImpedanceSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto
@@ -386,24 +384,26 @@ bool isKnownServoMode(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::ServoMode in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::ServoMode in, std::uint8_t& slot) {
   switch (in) {
-    case wire::ServoMode::NONE: return slot = static_cast<std::uint8_t>(ServoMode::None), Errc{};
+    case wire::ServoMode::NONE: return slot =
+        static_cast<std::uint8_t>(ServoMode::None), suture::Errc{};
     case wire::ServoMode::POSITION: return slot =
-        static_cast<std::uint8_t>(ServoMode::Position), Errc{};
+        static_cast<std::uint8_t>(ServoMode::Position), suture::Errc{};
     case wire::ServoMode::VELOCITY: return slot =
-        static_cast<std::uint8_t>(ServoMode::Velocity), Errc{};
+        static_cast<std::uint8_t>(ServoMode::Velocity), suture::Errc{};
     case wire::ServoMode::POSITION_VELOCITY: return slot =
-        static_cast<std::uint8_t>(ServoMode::PositionVelocity), Errc{};
+        static_cast<std::uint8_t>(ServoMode::PositionVelocity), suture::Errc{};
     case wire::ServoMode::EFFORT: return slot =
-        static_cast<std::uint8_t>(ServoMode::Effort), Errc{};
+        static_cast<std::uint8_t>(ServoMode::Effort), suture::Errc{};
     case wire::ServoMode::POSITION_EFFORT: return slot =
-        static_cast<std::uint8_t>(ServoMode::PositionEffort), Errc{};
+        static_cast<std::uint8_t>(ServoMode::PositionEffort), suture::Errc{};
     case wire::ServoMode::VELOCITY_EFFORT: return slot =
-        static_cast<std::uint8_t>(ServoMode::VelocityEffort), Errc{};
-    case wire::ServoMode::ALL: return slot = static_cast<std::uint8_t>(ServoMode::All), Errc{};
+        static_cast<std::uint8_t>(ServoMode::VelocityEffort), suture::Errc{};
+    case wire::ServoMode::ALL: return slot =
+        static_cast<std::uint8_t>(ServoMode::All), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const TwistSlot& slot, wire::Twist::Builder out) {
@@ -415,22 +415,22 @@ void toWire(const TwistSlot& slot, wire::Twist::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Twist::Reader in, TwistSlot& slot, suture::Duration shift) {
   slot.moving_frame = in.getMovingFrame();
   slot.reference_frame = in.getReferenceFrame();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasLinear() ? fromWire(in.getLinear(), slot.linear)
-          : fromDefault(Twist().linear, slot.linear),
+          : suture::rpc::fromDefault(Twist().linear, slot.linear),
       in.hasAngular() ? fromWire(in.getAngular(), slot.angular)
-          : fromDefault(Twist().angular, slot.angular),
+          : suture::rpc::fromDefault(Twist().angular, slot.angular),
   });
 }
 
-bool isValid(const TwistSlot& slot, FieldPath* path) {
-  if (!isValid(slot.linear, path)) return refusedAt(path, "linear");
-  return isValid(slot.angular, path) || refusedAt(path, "angular");
+bool isValid(const TwistSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.linear, path)) return suture::refusedAt(path, "linear");
+  return isValid(slot.angular, path) || suture::refusedAt(path, "angular");
 }
 
 void toWire(const TwistGoalSlot& slot, wire::TwistGoal::Builder out) {
@@ -442,27 +442,30 @@ void toWire(const TwistGoalSlot& slot, wire::TwistGoal::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::TwistGoal::Reader in, TwistGoalSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       in.hasLinear() ? fromWire(in.getLinear(), slot.linear)
-          : fromDefault(TwistGoal().linear, slot.linear),
+          : suture::rpc::fromDefault(TwistGoal().linear, slot.linear),
       in.hasAngular() ? fromWire(in.getAngular(), slot.angular)
-          : fromDefault(TwistGoal().angular, slot.angular),
+          : suture::rpc::fromDefault(TwistGoal().angular, slot.angular),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : fromDefault(TwistGoal().linear_acceleration, slot.linear_acceleration),
+          : suture::rpc::fromDefault(TwistGoal().linear_acceleration, slot.linear_acceleration),
       in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
-          : fromDefault(TwistGoal().angular_acceleration, slot.angular_acceleration),
+          : suture::rpc::fromDefault(TwistGoal().angular_acceleration, slot.angular_acceleration),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
-          : fromDefault(TwistGoal().mask, slot.mask),
+          : suture::rpc::fromDefault(TwistGoal().mask, slot.mask),
   });
 }
 
-bool isValid(const TwistGoalSlot& slot, FieldPath* path) {
-  if (!isValid(slot.linear, path)) return refusedAt(path, "linear");
-  if (!isValid(slot.angular, path)) return refusedAt(path, "angular");
-  if (!isValid(slot.linear_acceleration, path)) return refusedAt(path, "linear_acceleration");
-  return isValid(slot.angular_acceleration, path) || refusedAt(path, "angular_acceleration");
+bool isValid(const TwistGoalSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.linear, path)) return suture::refusedAt(path, "linear");
+  if (!isValid(slot.angular, path)) return suture::refusedAt(path, "angular");
+  if (!isValid(slot.linear_acceleration, path)) {
+    return suture::refusedAt(path, "linear_acceleration");
+  }
+  return isValid(slot.angular_acceleration, path) ||
+      suture::refusedAt(path, "angular_acceleration");
 }
 
 void toWire(const WrenchSlot& slot, wire::Wrench::Builder out) {
@@ -475,23 +478,24 @@ void toWire(const WrenchSlot& slot, wire::Wrench::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Wrench::Reader in, WrenchSlot& slot, suture::Duration shift) {
   slot.moving_frame = in.getMovingFrame();
   slot.reference_frame = in.getReferenceFrame();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
-      in.hasForce() ? fromWire(in.getForce(), slot.force) : fromDefault(Wrench().force, slot.force),
+  return suture::rpc::firstError({
+      in.hasForce() ? fromWire(in.getForce(), slot.force)
+          : suture::rpc::fromDefault(Wrench().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
-          : fromDefault(Wrench().torque, slot.torque),
+          : suture::rpc::fromDefault(Wrench().torque, slot.torque),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
-          : fromDefault(Wrench().mask, slot.mask),
+          : suture::rpc::fromDefault(Wrench().mask, slot.mask),
   });
 }
 
-bool isValid(const WrenchSlot& slot, FieldPath* path) {
-  if (!isValid(slot.force, path)) return refusedAt(path, "force");
-  return isValid(slot.torque, path) || refusedAt(path, "torque");
+bool isValid(const WrenchSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.force, path)) return suture::refusedAt(path, "force");
+  return isValid(slot.torque, path) || suture::refusedAt(path, "torque");
 }
 
 void toWire(const WrenchGoalSlot& slot, wire::WrenchGoal::Builder out) {
@@ -501,21 +505,21 @@ void toWire(const WrenchGoalSlot& slot, wire::WrenchGoal::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::WrenchGoal::Reader in, WrenchGoalSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       in.hasForce() ? fromWire(in.getForce(), slot.force)
-          : fromDefault(WrenchGoal().force, slot.force),
+          : suture::rpc::fromDefault(WrenchGoal().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
-          : fromDefault(WrenchGoal().torque, slot.torque),
+          : suture::rpc::fromDefault(WrenchGoal().torque, slot.torque),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
-          : fromDefault(WrenchGoal().mask, slot.mask),
+          : suture::rpc::fromDefault(WrenchGoal().mask, slot.mask),
   });
 }
 
-bool isValid(const WrenchGoalSlot& slot, FieldPath* path) {
-  if (!isValid(slot.force, path)) return refusedAt(path, "force");
-  return isValid(slot.torque, path) || refusedAt(path, "torque");
+bool isValid(const WrenchGoalSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.force, path)) return suture::refusedAt(path, "force");
+  return isValid(slot.torque, path) || suture::refusedAt(path, "torque");
 }
 
 void toWire(const CartesianStateSlot& slot, wire::CartesianState::Builder out) {
@@ -532,33 +536,34 @@ void toWire(const CartesianStateSlot& slot, wire::CartesianState::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::CartesianState::Reader in, CartesianStateSlot& slot,
+                      suture::Duration shift) {
   slot.moving_frame = in.getMovingFrame();
   slot.reference_frame = in.getReferenceFrame();
   slot.position_is_valid = in.getPositionIsValid();
   slot.velocity_is_valid = in.getVelocityIsValid();
   slot.force_is_valid = in.getForceIsValid();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : fromDefault(CartesianState().position, slot.position),
+          : suture::rpc::fromDefault(CartesianState().position, slot.position),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : fromDefault(CartesianState().linear_velocity, slot.linear_velocity),
+          : suture::rpc::fromDefault(CartesianState().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : fromDefault(CartesianState().angular_velocity, slot.angular_velocity),
+          : suture::rpc::fromDefault(CartesianState().angular_velocity, slot.angular_velocity),
       in.hasForce() ? fromWire(in.getForce(), slot.force)
-          : fromDefault(CartesianState().force, slot.force),
+          : suture::rpc::fromDefault(CartesianState().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
-          : fromDefault(CartesianState().torque, slot.torque),
+          : suture::rpc::fromDefault(CartesianState().torque, slot.torque),
   });
 }
 
-bool isValid(const CartesianStateSlot& slot, FieldPath* path) {
-  if (!isValid(slot.position)) return refusedAt(path, "position");
-  if (!isValid(slot.linear_velocity, path)) return refusedAt(path, "linear_velocity");
-  if (!isValid(slot.angular_velocity, path)) return refusedAt(path, "angular_velocity");
-  if (!isValid(slot.force, path)) return refusedAt(path, "force");
-  return isValid(slot.torque, path) || refusedAt(path, "torque");
+bool isValid(const CartesianStateSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.position)) return suture::refusedAt(path, "position");
+  if (!isValid(slot.linear_velocity, path)) return suture::refusedAt(path, "linear_velocity");
+  if (!isValid(slot.angular_velocity, path)) return suture::refusedAt(path, "angular_velocity");
+  if (!isValid(slot.force, path)) return suture::refusedAt(path, "force");
+  return isValid(slot.torque, path) || suture::refusedAt(path, "torque");
 }
 
 void toWire(const CartesianGoalSlot& slot, wire::CartesianGoal::Builder out) {
@@ -574,33 +579,37 @@ void toWire(const CartesianGoalSlot& slot, wire::CartesianGoal::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::CartesianGoal::Reader in, CartesianGoalSlot& slot,
+                      suture::Duration shift) {
   slot.moving_frame = in.getMovingFrame();
   slot.reference_frame = in.getReferenceFrame();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasGoal() ? fromWire(in.getGoal(), slot.goal)
-          : fromDefault(CartesianGoal().goal, slot.goal),
+          : suture::rpc::fromDefault(CartesianGoal().goal, slot.goal),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : fromDefault(CartesianGoal().linear_velocity, slot.linear_velocity),
+          : suture::rpc::fromDefault(CartesianGoal().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : fromDefault(CartesianGoal().angular_velocity, slot.angular_velocity),
+          : suture::rpc::fromDefault(CartesianGoal().angular_velocity, slot.angular_velocity),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : fromDefault(CartesianGoal().linear_acceleration, slot.linear_acceleration),
+          : suture::rpc::fromDefault(CartesianGoal().linear_acceleration, slot.linear_acceleration),
       in.hasAngularAcceleration() ? fromWire(in.getAngularAcceleration(), slot.angular_acceleration)
-          : fromDefault(CartesianGoal().angular_acceleration, slot.angular_acceleration),
+          : suture::rpc::fromDefault(CartesianGoal().angular_acceleration, slot.angular_acceleration),
       in.getMask().size() != 0 ? fromWire(in.getMask(), slot.mask)
-          : fromDefault(CartesianGoal().mask, slot.mask),
+          : suture::rpc::fromDefault(CartesianGoal().mask, slot.mask),
   });
 }
 
-bool isValid(const CartesianGoalSlot& slot, FieldPath* path) {
-  if (!isValid(slot.goal)) return refusedAt(path, "goal");
-  if (!isValid(slot.linear_velocity, path)) return refusedAt(path, "linear_velocity");
-  if (!isValid(slot.angular_velocity, path)) return refusedAt(path, "angular_velocity");
-  if (!isValid(slot.linear_acceleration, path)) return refusedAt(path, "linear_acceleration");
-  return isValid(slot.angular_acceleration, path) || refusedAt(path, "angular_acceleration");
+bool isValid(const CartesianGoalSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.goal)) return suture::refusedAt(path, "goal");
+  if (!isValid(slot.linear_velocity, path)) return suture::refusedAt(path, "linear_velocity");
+  if (!isValid(slot.angular_velocity, path)) return suture::refusedAt(path, "angular_velocity");
+  if (!isValid(slot.linear_acceleration, path)) {
+    return suture::refusedAt(path, "linear_acceleration");
+  }
+  return isValid(slot.angular_acceleration, path) ||
+      suture::refusedAt(path, "angular_acceleration");
 }
 
 void toWire(const ServoCartesianSlot& slot, wire::ServoCartesian::Builder out) {
@@ -610,45 +619,47 @@ void toWire(const ServoCartesianSlot& slot, wire::ServoCartesian::Builder out) {
   toWire(slot.angular_velocity, out.initAngularVelocity());
   toWire(slot.force, out.initForce());
   toWire(slot.torque, out.initTorque());
-  toWireList(slot.axis_mode, out.initAxisMode(6),
-             [](const std::uint8_t& element, auto list, std::uint32_t i) {
-               list.set(i, wireServoMode(element));
-             });
+  suture::rpc::toWireList(slot.axis_mode, out.initAxisMode(6),
+                          [](const std::uint8_t& element, auto list, std::uint32_t i) {
+                            list.set(i, wireServoMode(element));
+                          });
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::ServoCartesian::Reader in, ServoCartesianSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::ServoCartesian::Reader in, ServoCartesianSlot& slot,
+                      suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       in.hasTaskFrame() ? fromWire(in.getTaskFrame(), slot.task_frame)
-          : fromDefault(ServoCartesian().task_frame, slot.task_frame),
+          : suture::rpc::fromDefault(ServoCartesian().task_frame, slot.task_frame),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : fromDefault(ServoCartesian().position, slot.position),
+          : suture::rpc::fromDefault(ServoCartesian().position, slot.position),
       in.hasLinearVelocity() ? fromWire(in.getLinearVelocity(), slot.linear_velocity)
-          : fromDefault(ServoCartesian().linear_velocity, slot.linear_velocity),
+          : suture::rpc::fromDefault(ServoCartesian().linear_velocity, slot.linear_velocity),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : fromDefault(ServoCartesian().angular_velocity, slot.angular_velocity),
+          : suture::rpc::fromDefault(ServoCartesian().angular_velocity, slot.angular_velocity),
       in.hasForce() ? fromWire(in.getForce(), slot.force)
-          : fromDefault(ServoCartesian().force, slot.force),
+          : suture::rpc::fromDefault(ServoCartesian().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque)
-          : fromDefault(ServoCartesian().torque, slot.torque),
-      fromWireList(in.getAxisMode(), slot.axis_mode, [](auto item, std::uint8_t& target) {
-        return fromWire(item, target);
-      }),
+          : suture::rpc::fromDefault(ServoCartesian().torque, slot.torque),
+      suture::rpc::fromWireList(in.getAxisMode(), slot.axis_mode,
+                                [](auto item, std::uint8_t& target) {
+                                  return fromWire(item, target);
+                                }),
   });
 }
 
-bool isValid(const ServoCartesianSlot& slot, FieldPath* path) {
-  if (!isValid(slot.task_frame)) return refusedAt(path, "task_frame");
-  if (!isValid(slot.position)) return refusedAt(path, "position");
-  if (!isValid(slot.linear_velocity, path)) return refusedAt(path, "linear_velocity");
-  if (!isValid(slot.angular_velocity, path)) return refusedAt(path, "angular_velocity");
-  if (!isValid(slot.force, path)) return refusedAt(path, "force");
-  if (!isValid(slot.torque, path)) return refusedAt(path, "torque");
-  if (!allOf(slot.axis_mode, path, [](const std::uint8_t& element) {
+bool isValid(const ServoCartesianSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.task_frame)) return suture::refusedAt(path, "task_frame");
+  if (!isValid(slot.position)) return suture::refusedAt(path, "position");
+  if (!isValid(slot.linear_velocity, path)) return suture::refusedAt(path, "linear_velocity");
+  if (!isValid(slot.angular_velocity, path)) return suture::refusedAt(path, "angular_velocity");
+  if (!isValid(slot.force, path)) return suture::refusedAt(path, "force");
+  if (!isValid(slot.torque, path)) return suture::refusedAt(path, "torque");
+  if (!suture::rpc::allOf(slot.axis_mode, path, [](const std::uint8_t& element) {
     return isKnownServoMode(element);
   })) {
-    return refusedAt(path, "axis_mode");
+    return suture::refusedAt(path, "axis_mode");
   }
   return true;
 }
@@ -660,22 +671,24 @@ void toWire(const HalfPlaneGainsSlot& slot, wire::HalfPlaneGains::Builder out) {
   toWire(slot.deadband, out.initDeadband());
 }
 
-Errc fromWire(wire::HalfPlaneGains::Reader in, HalfPlaneGainsSlot& slot, Duration) {
-  return firstError({
-      in.hasP() ? fromWire(in.getP(), slot.p) : fromDefault(HalfPlaneGains().p, slot.p),
-      in.hasD() ? fromWire(in.getD(), slot.d) : fromDefault(HalfPlaneGains().d, slot.d),
+suture::Errc fromWire(wire::HalfPlaneGains::Reader in, HalfPlaneGainsSlot& slot, suture::Duration) {
+  return suture::rpc::firstError({
+      in.hasP() ? fromWire(in.getP(), slot.p)
+          : suture::rpc::fromDefault(HalfPlaneGains().p, slot.p),
+      in.hasD() ? fromWire(in.getD(), slot.d)
+          : suture::rpc::fromDefault(HalfPlaneGains().d, slot.d),
       in.hasBias() ? fromWire(in.getBias(), slot.bias)
-          : fromDefault(HalfPlaneGains().bias, slot.bias),
+          : suture::rpc::fromDefault(HalfPlaneGains().bias, slot.bias),
       in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband)
-          : fromDefault(HalfPlaneGains().deadband, slot.deadband),
+          : suture::rpc::fromDefault(HalfPlaneGains().deadband, slot.deadband),
   });
 }
 
-bool isValid(const HalfPlaneGainsSlot& slot, FieldPath* path) {
-  if (!isValid(slot.p, path)) return refusedAt(path, "p");
-  if (!isValid(slot.d, path)) return refusedAt(path, "d");
-  if (!isValid(slot.bias, path)) return refusedAt(path, "bias");
-  return isValid(slot.deadband, path) || refusedAt(path, "deadband");
+bool isValid(const HalfPlaneGainsSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.p, path)) return suture::refusedAt(path, "p");
+  if (!isValid(slot.d, path)) return suture::refusedAt(path, "d");
+  if (!isValid(slot.bias, path)) return suture::refusedAt(path, "bias");
+  return isValid(slot.deadband, path) || suture::refusedAt(path, "deadband");
 }
 
 void toWire(const AngularHalfPlaneGainsSlot& slot, wire::AngularHalfPlaneGains::Builder out) {
@@ -685,22 +698,25 @@ void toWire(const AngularHalfPlaneGainsSlot& slot, wire::AngularHalfPlaneGains::
   toWire(slot.deadband, out.initDeadband());
 }
 
-Errc fromWire(wire::AngularHalfPlaneGains::Reader in, AngularHalfPlaneGainsSlot& slot, Duration) {
-  return firstError({
-      in.hasP() ? fromWire(in.getP(), slot.p) : fromDefault(AngularHalfPlaneGains().p, slot.p),
-      in.hasD() ? fromWire(in.getD(), slot.d) : fromDefault(AngularHalfPlaneGains().d, slot.d),
+suture::Errc fromWire(wire::AngularHalfPlaneGains::Reader in, AngularHalfPlaneGainsSlot& slot,
+                      suture::Duration) {
+  return suture::rpc::firstError({
+      in.hasP() ? fromWire(in.getP(), slot.p)
+          : suture::rpc::fromDefault(AngularHalfPlaneGains().p, slot.p),
+      in.hasD() ? fromWire(in.getD(), slot.d)
+          : suture::rpc::fromDefault(AngularHalfPlaneGains().d, slot.d),
       in.hasBias() ? fromWire(in.getBias(), slot.bias)
-          : fromDefault(AngularHalfPlaneGains().bias, slot.bias),
+          : suture::rpc::fromDefault(AngularHalfPlaneGains().bias, slot.bias),
       in.hasDeadband() ? fromWire(in.getDeadband(), slot.deadband)
-          : fromDefault(AngularHalfPlaneGains().deadband, slot.deadband),
+          : suture::rpc::fromDefault(AngularHalfPlaneGains().deadband, slot.deadband),
   });
 }
 
-bool isValid(const AngularHalfPlaneGainsSlot& slot, FieldPath* path) {
-  if (!isValid(slot.p, path)) return refusedAt(path, "p");
-  if (!isValid(slot.d, path)) return refusedAt(path, "d");
-  if (!isValid(slot.bias, path)) return refusedAt(path, "bias");
-  return isValid(slot.deadband, path) || refusedAt(path, "deadband");
+bool isValid(const AngularHalfPlaneGainsSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.p, path)) return suture::refusedAt(path, "p");
+  if (!isValid(slot.d, path)) return suture::refusedAt(path, "d");
+  if (!isValid(slot.bias, path)) return suture::refusedAt(path, "bias");
+  return isValid(slot.deadband, path) || suture::refusedAt(path, "deadband");
 }
 
 void toWire(const CartesianImpedanceSlot& slot, wire::CartesianImpedance::Builder out) {
@@ -714,15 +730,16 @@ void toWire(const CartesianImpedanceSlot& slot, wire::CartesianImpedance::Builde
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::CartesianImpedance::Reader in, CartesianImpedanceSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::CartesianImpedance::Reader in, CartesianImpedanceSlot& slot,
+                      suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       in.hasForceOrientation() ? fromWire(in.getForceOrientation(), slot.force_orientation)
-          : fromDefault(CartesianImpedance().force_orientation, slot.force_orientation),
+          : suture::rpc::fromDefault(CartesianImpedance().force_orientation, slot.force_orientation),
       in.hasForcePosition() ? fromWire(in.getForcePosition(), slot.force_position)
-          : fromDefault(CartesianImpedance().force_position, slot.force_position),
+          : suture::rpc::fromDefault(CartesianImpedance().force_position, slot.force_position),
       in.hasTorqueOrientation() ? fromWire(in.getTorqueOrientation(), slot.torque_orientation)
-          : fromDefault(CartesianImpedance().torque_orientation, slot.torque_orientation),
+          : suture::rpc::fromDefault(CartesianImpedance().torque_orientation, slot.torque_orientation),
       fromWire(in.getPositionPositive(), slot.position_positive, shift),
       fromWire(in.getPositionNegative(), slot.position_negative, shift),
       fromWire(in.getOrientationPositive(), slot.orientation_positive, shift),
@@ -730,14 +747,17 @@ Errc fromWire(wire::CartesianImpedance::Reader in, CartesianImpedanceSlot& slot,
   });
 }
 
-bool isValid(const CartesianImpedanceSlot& slot, FieldPath* path) {
-  if (!isValid(slot.force_orientation)) return refusedAt(path, "force_orientation");
-  if (!isValid(slot.force_position, path)) return refusedAt(path, "force_position");
-  if (!isValid(slot.torque_orientation)) return refusedAt(path, "torque_orientation");
-  if (!isValid(slot.position_positive, path)) return refusedAt(path, "position_positive");
-  if (!isValid(slot.position_negative, path)) return refusedAt(path, "position_negative");
-  if (!isValid(slot.orientation_positive, path)) return refusedAt(path, "orientation_positive");
-  return isValid(slot.orientation_negative, path) || refusedAt(path, "orientation_negative");
+bool isValid(const CartesianImpedanceSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.force_orientation)) return suture::refusedAt(path, "force_orientation");
+  if (!isValid(slot.force_position, path)) return suture::refusedAt(path, "force_position");
+  if (!isValid(slot.torque_orientation)) return suture::refusedAt(path, "torque_orientation");
+  if (!isValid(slot.position_positive, path)) return suture::refusedAt(path, "position_positive");
+  if (!isValid(slot.position_negative, path)) return suture::refusedAt(path, "position_negative");
+  if (!isValid(slot.orientation_positive, path)) {
+    return suture::refusedAt(path, "orientation_positive");
+  }
+  return isValid(slot.orientation_negative, path) ||
+      suture::refusedAt(path, "orientation_negative");
 }
 
 }  // namespace robots

@@ -9,16 +9,9 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -60,7 +53,9 @@ void load(const ButtonEventSlot& slot, ButtonEvent& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(ButtonEventSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(ButtonEventSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const InputData& value, InputDataSlot& slot) {
   bool fits = true;
@@ -83,7 +78,9 @@ void reserve(const InputDataSlot*, InputData& value) {
   suture::reserveFor<decltype(InputDataSlot::digital_inputs)>(value.digital_inputs);
 }
 
-void shiftStamps(InputDataSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(InputDataSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const ImuSample& value, ImuSampleSlot& slot) {
   bool fits = true;
@@ -103,7 +100,9 @@ void load(const ImuSampleSlot& slot, ImuSample& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(ImuSampleSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(ImuSampleSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -130,20 +129,20 @@ bool isKnownButtonAction(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::ButtonAction in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::ButtonAction in, std::uint8_t& slot) {
   switch (in) {
     case wire::ButtonAction::UNDEFINED: return slot =
-        static_cast<std::uint8_t>(ButtonAction::Undefined), Errc{};
+        static_cast<std::uint8_t>(ButtonAction::Undefined), suture::Errc{};
     case wire::ButtonAction::PRESSED: return slot =
-        static_cast<std::uint8_t>(ButtonAction::Pressed), Errc{};
+        static_cast<std::uint8_t>(ButtonAction::Pressed), suture::Errc{};
     case wire::ButtonAction::RELEASED: return slot =
-        static_cast<std::uint8_t>(ButtonAction::Released), Errc{};
+        static_cast<std::uint8_t>(ButtonAction::Released), suture::Errc{};
     case wire::ButtonAction::CLICKED: return slot =
-        static_cast<std::uint8_t>(ButtonAction::Clicked), Errc{};
+        static_cast<std::uint8_t>(ButtonAction::Clicked), suture::Errc{};
     case wire::ButtonAction::DOUBLE_CLICKED: return slot =
-        static_cast<std::uint8_t>(ButtonAction::DoubleClicked), Errc{};
+        static_cast<std::uint8_t>(ButtonAction::DoubleClicked), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const ButtonEventSlot& slot, wire::ButtonEvent::Builder out) {
@@ -152,14 +151,14 @@ void toWire(const ButtonEventSlot& slot, wire::ButtonEvent::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::ButtonEvent::Reader in, ButtonEventSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::ButtonEvent::Reader in, ButtonEventSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return fromWire(in.getType(), slot.type);
 }
 
-bool isValid(const ButtonEventSlot& slot, FieldPath* path) {
-  return isKnownButtonAction(slot.type) || refusedAt(path, "type");
+bool isValid(const ButtonEventSlot& slot, suture::FieldPath* path) {
+  return isKnownButtonAction(slot.type) || suture::refusedAt(path, "type");
 }
 
 void toWire(const InputDataSlot& slot, wire::InputData::Builder out) {
@@ -169,17 +168,17 @@ void toWire(const InputDataSlot& slot, wire::InputData::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::InputData::Reader in, InputDataSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::InputData::Reader in, InputDataSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getAnalogInputs(), slot.analog_inputs),
       fromWire(in.getDigitalInputs(), slot.digital_inputs),
   });
 }
 
-bool isValid(const InputDataSlot& slot, FieldPath* path) {
-  return isValid(slot.analog_inputs, path) || refusedAt(path, "analog_inputs");
+bool isValid(const InputDataSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.analog_inputs, path) || suture::refusedAt(path, "analog_inputs");
 }
 
 void toWire(const ImuSampleSlot& slot, wire::ImuSample::Builder out) {
@@ -190,23 +189,23 @@ void toWire(const ImuSampleSlot& slot, wire::ImuSample::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::ImuSample::Reader in, ImuSampleSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::ImuSample::Reader in, ImuSampleSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation)
-          : fromDefault(ImuSample().orientation, slot.orientation),
+          : suture::rpc::fromDefault(ImuSample().orientation, slot.orientation),
       in.hasAngularVelocity() ? fromWire(in.getAngularVelocity(), slot.angular_velocity)
-          : fromDefault(ImuSample().angular_velocity, slot.angular_velocity),
+          : suture::rpc::fromDefault(ImuSample().angular_velocity, slot.angular_velocity),
       in.hasLinearAcceleration() ? fromWire(in.getLinearAcceleration(), slot.linear_acceleration)
-          : fromDefault(ImuSample().linear_acceleration, slot.linear_acceleration),
+          : suture::rpc::fromDefault(ImuSample().linear_acceleration, slot.linear_acceleration),
   });
 }
 
-bool isValid(const ImuSampleSlot& slot, FieldPath* path) {
-  if (!isValid(slot.orientation)) return refusedAt(path, "orientation");
-  if (!isValid(slot.angular_velocity, path)) return refusedAt(path, "angular_velocity");
-  return isValid(slot.linear_acceleration, path) || refusedAt(path, "linear_acceleration");
+bool isValid(const ImuSampleSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.orientation)) return suture::refusedAt(path, "orientation");
+  if (!isValid(slot.angular_velocity, path)) return suture::refusedAt(path, "angular_velocity");
+  return isValid(slot.linear_acceleration, path) || suture::refusedAt(path, "linear_acceleration");
 }
 
 }  // namespace robots

@@ -9,20 +9,10 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::elementsIn;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
 using suture::store;
 
 namespace {
@@ -119,11 +109,11 @@ void reserve(const JointPositionSlot*, JointPosition& value) {
   suture::reserveFor<decltype(JointPositionSlot::stamps)>(value.stamps);
 }
 
-void shiftStamps(JointPositionSlot& slot, Duration shift) {
-  for (auto& element : elementsIn(slot.stamps)) {
-    element = shifted(element, shift);
+void shiftStamps(JointPositionSlot& slot, suture::Duration shift) {
+  for (auto& element : suture::elementsIn(slot.stamps)) {
+    element = suture::rpc::shifted(element, shift);
   }
-  slot.stamp = shifted(slot.stamp, shift);
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const JointPositionGoal& value, JointPositionGoalSlot& slot) {
@@ -152,8 +142,8 @@ void reserve(const JointPositionGoalSlot*, JointPositionGoal& value) {
   suture::reserveFor<decltype(JointPositionGoalSlot::acceleration)>(value.acceleration);
 }
 
-void shiftStamps(JointPositionGoalSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(JointPositionGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const JointVelocity& value, JointVelocitySlot& slot) {
@@ -174,8 +164,8 @@ void reserve(const JointVelocitySlot*, JointVelocity& value) {
   suture::reserveFor<decltype(JointVelocitySlot::velocity)>(value.velocity);
 }
 
-void shiftStamps(JointVelocitySlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(JointVelocitySlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const JointVelocityGoal& value, JointVelocityGoalSlot& slot) {
@@ -206,8 +196,8 @@ void reserve(const JointVelocityGoalSlot*, JointVelocityGoal& value) {
   suture::reserveFor<decltype(JointVelocityGoalSlot::mask)>(value.mask);
 }
 
-void shiftStamps(JointVelocityGoalSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(JointVelocityGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const JointEffortGoal& value, JointEffortGoalSlot& slot) {
@@ -229,8 +219,8 @@ void reserve(const JointEffortGoalSlot*, JointEffortGoal& value) {
   suture::reserveFor<decltype(JointEffortGoalSlot::mask)>(value.mask);
 }
 
-void shiftStamps(JointEffortGoalSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(JointEffortGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const JointConfiguration& value, JointConfigurationSlot& slot) {
@@ -307,7 +297,9 @@ void reserve(const ServoJointSlot*, ServoJoint& value) {
   suture::reserveFor<decltype(ServoJointSlot::position_projection)>(value.position_projection);
 }
 
-void shiftStamps(ServoJointSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(ServoJointSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot) {
   bool fits = true;
@@ -360,7 +352,9 @@ void reserve(const JacobianSlot*, Jacobian& value) {
   suture::reserveFor<decltype(JacobianSlot::coefficients)>(value.coefficients);
 }
 
-void shiftStamps(JacobianSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(JacobianSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -389,22 +383,22 @@ bool isKnownJointType(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::JointType in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::JointType in, std::uint8_t& slot) {
   switch (in) {
     case wire::JointType::UNDEFINED: return slot =
-        static_cast<std::uint8_t>(JointType::Undefined), Errc{};
+        static_cast<std::uint8_t>(JointType::Undefined), suture::Errc{};
     case wire::JointType::PRISMATIC: return slot =
-        static_cast<std::uint8_t>(JointType::Prismatic), Errc{};
+        static_cast<std::uint8_t>(JointType::Prismatic), suture::Errc{};
     case wire::JointType::REVOLUTE: return slot =
-        static_cast<std::uint8_t>(JointType::Revolute), Errc{};
+        static_cast<std::uint8_t>(JointType::Revolute), suture::Errc{};
     case wire::JointType::UNIVERSAL: return slot =
-        static_cast<std::uint8_t>(JointType::Universal), Errc{};
+        static_cast<std::uint8_t>(JointType::Universal), suture::Errc{};
     case wire::JointType::BALL_SOCKET: return slot =
-        static_cast<std::uint8_t>(JointType::BallSocket), Errc{};
+        static_cast<std::uint8_t>(JointType::BallSocket), suture::Errc{};
     case wire::JointType::INACTIVE: return slot =
-        static_cast<std::uint8_t>(JointType::Inactive), Errc{};
+        static_cast<std::uint8_t>(JointType::Inactive), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const JointPositionSlot& slot, wire::JointPosition::Builder out) {
@@ -414,19 +408,20 @@ void toWire(const JointPositionSlot& slot, wire::JointPosition::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::JointPosition::Reader in, JointPositionSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::JointPosition::Reader in, JointPositionSlot& slot,
+                      suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getPosition(), slot.position),
-      fromWireList(in.getStamps(), slot.stamps, [&](auto item, std::int64_t& target) {
-        return target = suture::rpc::shifted(item, shift), Errc{};
+      suture::rpc::fromWireList(in.getStamps(), slot.stamps, [&](auto item, std::int64_t& target) {
+        return target = suture::rpc::shifted(item, shift), suture::Errc{};
       }),
   });
 }
 
-bool isValid(const JointPositionSlot& slot, FieldPath* path) {
-  return isValid(slot.position, path) || refusedAt(path, "position");
+bool isValid(const JointPositionSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.position, path) || suture::refusedAt(path, "position");
 }
 
 void toWire(const JointPositionGoalSlot& slot, wire::JointPositionGoal::Builder out) {
@@ -438,21 +433,22 @@ void toWire(const JointPositionGoalSlot& slot, wire::JointPositionGoal::Builder 
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::JointPositionGoal::Reader in, JointPositionGoalSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::JointPositionGoal::Reader in, JointPositionGoalSlot& slot,
+                      suture::Duration shift) {
   slot.time_limit = in.getTimeLimit();
   slot.is_coordinated = in.getIsCoordinated();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getGoal(), slot.goal),
       fromWire(in.getVelocity(), slot.velocity),
       fromWire(in.getAcceleration(), slot.acceleration),
   });
 }
 
-bool isValid(const JointPositionGoalSlot& slot, FieldPath* path) {
-  if (!isValid(slot.goal, path)) return refusedAt(path, "goal");
-  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
-  return isValid(slot.acceleration, path) || refusedAt(path, "acceleration");
+bool isValid(const JointPositionGoalSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.goal, path)) return suture::refusedAt(path, "goal");
+  if (!isValid(slot.velocity, path)) return suture::refusedAt(path, "velocity");
+  return isValid(slot.acceleration, path) || suture::refusedAt(path, "acceleration");
 }
 
 void toWire(const JointVelocitySlot& slot, wire::JointVelocity::Builder out) {
@@ -461,14 +457,15 @@ void toWire(const JointVelocitySlot& slot, wire::JointVelocity::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::JointVelocity::Reader in, JointVelocitySlot& slot, Duration shift) {
+suture::Errc fromWire(wire::JointVelocity::Reader in, JointVelocitySlot& slot,
+                      suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return fromWire(in.getVelocity(), slot.velocity);
 }
 
-bool isValid(const JointVelocitySlot& slot, FieldPath* path) {
-  return isValid(slot.velocity, path) || refusedAt(path, "velocity");
+bool isValid(const JointVelocitySlot& slot, suture::FieldPath* path) {
+  return isValid(slot.velocity, path) || suture::refusedAt(path, "velocity");
 }
 
 void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder out) {
@@ -480,9 +477,10 @@ void toWire(const JointVelocityGoalSlot& slot, wire::JointVelocityGoal::Builder 
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot,
+                      suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getGoal(), slot.goal),
       fromWire(in.getAcceleration(), slot.acceleration),
       fromWire(in.getDeceleration(), slot.deceleration),
@@ -491,11 +489,11 @@ Errc fromWire(wire::JointVelocityGoal::Reader in, JointVelocityGoalSlot& slot, D
   });
 }
 
-bool isValid(const JointVelocityGoalSlot& slot, FieldPath* path) {
-  if (!isValid(slot.goal, path)) return refusedAt(path, "goal");
-  if (!isValid(slot.acceleration, path)) return refusedAt(path, "acceleration");
-  if (!isValid(slot.deceleration, path)) return refusedAt(path, "deceleration");
-  return isValid(slot.guard, path) || refusedAt(path, "guard");
+bool isValid(const JointVelocityGoalSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.goal, path)) return suture::refusedAt(path, "goal");
+  if (!isValid(slot.acceleration, path)) return suture::refusedAt(path, "acceleration");
+  if (!isValid(slot.deceleration, path)) return suture::refusedAt(path, "deceleration");
+  return isValid(slot.guard, path) || suture::refusedAt(path, "guard");
 }
 
 void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out) {
@@ -504,24 +502,25 @@ void toWire(const JointEffortGoalSlot& slot, wire::JointEffortGoal::Builder out)
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::JointEffortGoal::Reader in, JointEffortGoalSlot& slot,
+                      suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getEffort(), slot.effort),
       fromWire(in.getMask(), slot.mask),
   });
 }
 
-bool isValid(const JointEffortGoalSlot& slot, FieldPath* path) {
-  return isValid(slot.effort, path) || refusedAt(path, "effort");
+bool isValid(const JointEffortGoalSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.effort, path) || suture::refusedAt(path, "effort");
 }
 
 void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builder out) {
   toWire(slot.name, out.initName(sizeOf(slot.name)));
-  toWireList(slot.type, out.initType(sizeOf(slot.type)),
-             [](const std::uint8_t& element, auto list, std::uint32_t i) {
-               list.set(i, wireJointType(element));
-             });
+  suture::rpc::toWireList(slot.type, out.initType(sizeOf(slot.type)),
+                          [](const std::uint8_t& element, auto list, std::uint32_t i) {
+                            list.set(i, wireJointType(element));
+                          });
   toWire(slot.position_min, out.initPositionMin(sizeOf(slot.position_min)));
   toWire(slot.position_max, out.initPositionMax(sizeOf(slot.position_max)));
   toWire(slot.velocity_min, out.initVelocityMin(sizeOf(slot.velocity_min)));
@@ -533,11 +532,12 @@ void toWire(const JointConfigurationSlot& slot, wire::JointConfiguration::Builde
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot, Duration) {
+suture::Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
+                      suture::Duration) {
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getName(), slot.name),
-      fromWireList(in.getType(), slot.type, [](auto item, std::uint8_t& target) {
+      suture::rpc::fromWireList(in.getType(), slot.type, [](auto item, std::uint8_t& target) {
         return fromWire(item, target);
       }),
       fromWire(in.getPositionMin(), slot.position_min),
@@ -551,20 +551,20 @@ Errc fromWire(wire::JointConfiguration::Reader in, JointConfigurationSlot& slot,
   });
 }
 
-bool isValid(const JointConfigurationSlot& slot, FieldPath* path) {
-  if (!allOf(slot.type, path, [](const std::uint8_t& element) {
+bool isValid(const JointConfigurationSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::allOf(slot.type, path, [](const std::uint8_t& element) {
     return isKnownJointType(element);
   })) {
-    return refusedAt(path, "type");
+    return suture::refusedAt(path, "type");
   }
-  if (!isValid(slot.position_min, path)) return refusedAt(path, "position_min");
-  if (!isValid(slot.position_max, path)) return refusedAt(path, "position_max");
-  if (!isValid(slot.velocity_min, path)) return refusedAt(path, "velocity_min");
-  if (!isValid(slot.velocity_max, path)) return refusedAt(path, "velocity_max");
-  if (!isValid(slot.acceleration_min, path)) return refusedAt(path, "acceleration_min");
-  if (!isValid(slot.acceleration_max, path)) return refusedAt(path, "acceleration_max");
-  if (!isValid(slot.effort_min, path)) return refusedAt(path, "effort_min");
-  return isValid(slot.effort_max, path) || refusedAt(path, "effort_max");
+  if (!isValid(slot.position_min, path)) return suture::refusedAt(path, "position_min");
+  if (!isValid(slot.position_max, path)) return suture::refusedAt(path, "position_max");
+  if (!isValid(slot.velocity_min, path)) return suture::refusedAt(path, "velocity_min");
+  if (!isValid(slot.velocity_max, path)) return suture::refusedAt(path, "velocity_max");
+  if (!isValid(slot.acceleration_min, path)) return suture::refusedAt(path, "acceleration_min");
+  if (!isValid(slot.acceleration_max, path)) return suture::refusedAt(path, "acceleration_max");
+  if (!isValid(slot.effort_min, path)) return suture::refusedAt(path, "effort_min");
+  return isValid(slot.effort_max, path) || suture::refusedAt(path, "effort_max");
 }
 
 void toWire(const ServoJointSlot& slot, wire::ServoJoint::Builder out) {
@@ -577,9 +577,9 @@ void toWire(const ServoJointSlot& slot, wire::ServoJoint::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::ServoJoint::Reader in, ServoJointSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::ServoJoint::Reader in, ServoJointSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getMode(), slot.mode),
       fromWire(in.getPosition(), slot.position),
@@ -589,11 +589,11 @@ Errc fromWire(wire::ServoJoint::Reader in, ServoJointSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const ServoJointSlot& slot, FieldPath* path) {
-  if (!isValid(slot.position, path)) return refusedAt(path, "position");
-  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
-  if (!isValid(slot.effort, path)) return refusedAt(path, "effort");
-  return isValid(slot.position_projection, path) || refusedAt(path, "position_projection");
+bool isValid(const ServoJointSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
+  if (!isValid(slot.velocity, path)) return suture::refusedAt(path, "velocity");
+  if (!isValid(slot.effort, path)) return suture::refusedAt(path, "effort");
+  return isValid(slot.position_projection, path) || suture::refusedAt(path, "position_projection");
 }
 
 void toWire(const ActuatorJointCouplingSlot& slot, wire::ActuatorJointCoupling::Builder out) {
@@ -609,10 +609,11 @@ void toWire(const ActuatorJointCouplingSlot& slot, wire::ActuatorJointCoupling::
          out.initJointToActuatorEffort(sizeOf(slot.joint_to_actuator_effort)));
 }
 
-Errc fromWire(wire::ActuatorJointCoupling::Reader in, ActuatorJointCouplingSlot& slot, Duration) {
+suture::Errc fromWire(wire::ActuatorJointCoupling::Reader in, ActuatorJointCouplingSlot& slot,
+                      suture::Duration) {
   slot.joints = in.getJoints();
   slot.actuators = in.getActuators();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getActuatorToJointPosition(), slot.actuator_to_joint_position),
       fromWire(in.getJointToActuatorPosition(), slot.joint_to_actuator_position),
       fromWire(in.getActuatorToJointEffort(), slot.actuator_to_joint_effort),
@@ -620,18 +621,18 @@ Errc fromWire(wire::ActuatorJointCoupling::Reader in, ActuatorJointCouplingSlot&
   });
 }
 
-bool isValid(const ActuatorJointCouplingSlot& slot, FieldPath* path) {
+bool isValid(const ActuatorJointCouplingSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.actuator_to_joint_position, path)) {
-    return refusedAt(path, "actuator_to_joint_position");
+    return suture::refusedAt(path, "actuator_to_joint_position");
   }
   if (!isValid(slot.joint_to_actuator_position, path)) {
-    return refusedAt(path, "joint_to_actuator_position");
+    return suture::refusedAt(path, "joint_to_actuator_position");
   }
   if (!isValid(slot.actuator_to_joint_effort, path)) {
-    return refusedAt(path, "actuator_to_joint_effort");
+    return suture::refusedAt(path, "actuator_to_joint_effort");
   }
   return isValid(slot.joint_to_actuator_effort, path) ||
-      refusedAt(path, "joint_to_actuator_effort");
+      suture::refusedAt(path, "joint_to_actuator_effort");
 }
 
 void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out) {
@@ -641,15 +642,15 @@ void toWire(const JacobianSlot& slot, wire::Jacobian::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::Jacobian::Reader in, JacobianSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Jacobian::Reader in, JacobianSlot& slot, suture::Duration shift) {
   slot.joints = in.getJoints();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return fromWire(in.getCoefficients(), slot.coefficients);
 }
 
-bool isValid(const JacobianSlot& slot, FieldPath* path) {
-  return isValid(slot.coefficients, path) || refusedAt(path, "coefficients");
+bool isValid(const JacobianSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.coefficients, path) || suture::refusedAt(path, "coefficients");
 }
 
 }  // namespace robots

@@ -9,15 +9,9 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -65,7 +59,9 @@ void reserve(const JointStateSlot*, JointState& value) {
   suture::reserveFor<decltype(JointStateSlot::effort)>(value.effort);
 }
 
-void shiftStamps(JointStateSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(JointStateSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const JointGoal& value, JointGoalSlot& slot) {
   bool fits = true;
@@ -83,7 +79,9 @@ void reserve(const JointGoalSlot*, JointGoal& value) {
   suture::reserveFor<decltype(JointGoalSlot::position)>(value.position);
 }
 
-void shiftStamps(JointGoalSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(JointGoalSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const JointSolution& value, JointSolutionSlot& slot) {
   bool fits = true;
@@ -110,10 +108,10 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getPosition(), slot.position),
       fromWire(in.getVelocity(), slot.velocity),
@@ -121,10 +119,10 @@ Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift)
   });
 }
 
-bool isValid(const JointStateSlot& slot, FieldPath* path) {
-  if (!isValid(slot.position, path)) return refusedAt(path, "position");
-  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
-  return isValid(slot.effort, path) || refusedAt(path, "effort");
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
+  if (!isValid(slot.velocity, path)) return suture::refusedAt(path, "velocity");
+  return isValid(slot.effort, path) || suture::refusedAt(path, "effort");
 }
 
 void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out) {
@@ -132,13 +130,13 @@ void toWire(const JointGoalSlot& slot, wire::JointGoal::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::JointGoal::Reader in, JointGoalSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return fromWire(in.getPosition(), slot.position);
 }
 
-bool isValid(const JointGoalSlot& slot, FieldPath* path) {
-  return isValid(slot.position, path) || refusedAt(path, "position");
+bool isValid(const JointGoalSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.position, path) || suture::refusedAt(path, "position");
 }
 
 void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out) {
@@ -147,14 +145,14 @@ void toWire(const JointSolutionSlot& slot, wire::JointSolution::Builder out) {
   out.setFound(slot.found != 0);
 }
 
-Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot, Duration) {
+suture::Errc fromWire(wire::JointSolution::Reader in, JointSolutionSlot& slot, suture::Duration) {
   slot.joints = in.getJoints();
   slot.found = in.getFound();
   return fromWire(in.getPosition(), slot.position);
 }
 
-bool isValid(const JointSolutionSlot& slot, FieldPath* path) {
-  return isValid(slot.position, path) || refusedAt(path, "position");
+bool isValid(const JointSolutionSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.position, path) || suture::refusedAt(path, "position");
 }
 
 }  // namespace robots

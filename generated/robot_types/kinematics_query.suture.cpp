@@ -9,13 +9,7 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -109,12 +103,13 @@ void toWire(const ForwardKinematicsRequestSlot& slot, wire::ForwardKinematicsReq
   toWire(slot.jp, out.initJp(sizeOf(slot.jp)));
 }
 
-Errc fromWire(wire::ForwardKinematicsRequest::Reader in, ForwardKinematicsRequestSlot& slot, Duration) {
+suture::Errc fromWire(wire::ForwardKinematicsRequest::Reader in, ForwardKinematicsRequestSlot& slot,
+                      suture::Duration) {
   return fromWire(in.getJp(), slot.jp);
 }
 
-bool isValid(const ForwardKinematicsRequestSlot& slot, FieldPath* path) {
-  return isValid(slot.jp, path) || refusedAt(path, "jp");
+bool isValid(const ForwardKinematicsRequestSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.jp, path) || suture::refusedAt(path, "jp");
 }
 
 void toWire(const ForwardKinematicsResponseSlot& slot, wire::ForwardKinematicsResponse::Builder out) {
@@ -123,17 +118,18 @@ void toWire(const ForwardKinematicsResponseSlot& slot, wire::ForwardKinematicsRe
   toWire(slot.message, out.initMessage(sizeOf(slot.message)));
 }
 
-Errc fromWire(wire::ForwardKinematicsResponse::Reader in, ForwardKinematicsResponseSlot& slot, Duration) {
+suture::Errc fromWire(wire::ForwardKinematicsResponse::Reader in,
+                      ForwardKinematicsResponseSlot& slot, suture::Duration) {
   slot.result = in.getResult();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasCp() ? fromWire(in.getCp(), slot.cp)
-          : fromDefault(ForwardKinematicsResponse().cp, slot.cp),
+          : suture::rpc::fromDefault(ForwardKinematicsResponse().cp, slot.cp),
       fromWire(in.getMessage(), slot.message),
   });
 }
 
-bool isValid(const ForwardKinematicsResponseSlot& slot, FieldPath* path) {
-  return isValid(slot.cp) || refusedAt(path, "cp");
+bool isValid(const ForwardKinematicsResponseSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.cp) || suture::refusedAt(path, "cp");
 }
 
 void toWire(const InverseKinematicsRequestSlot& slot, wire::InverseKinematicsRequest::Builder out) {
@@ -141,17 +137,18 @@ void toWire(const InverseKinematicsRequestSlot& slot, wire::InverseKinematicsReq
   toWire(slot.jp, out.initJp(sizeOf(slot.jp)));
 }
 
-Errc fromWire(wire::InverseKinematicsRequest::Reader in, InverseKinematicsRequestSlot& slot, Duration) {
-  return firstError({
+suture::Errc fromWire(wire::InverseKinematicsRequest::Reader in, InverseKinematicsRequestSlot& slot,
+                      suture::Duration) {
+  return suture::rpc::firstError({
       in.hasCp() ? fromWire(in.getCp(), slot.cp)
-          : fromDefault(InverseKinematicsRequest().cp, slot.cp),
+          : suture::rpc::fromDefault(InverseKinematicsRequest().cp, slot.cp),
       fromWire(in.getJp(), slot.jp),
   });
 }
 
-bool isValid(const InverseKinematicsRequestSlot& slot, FieldPath* path) {
-  if (!isValid(slot.cp)) return refusedAt(path, "cp");
-  return isValid(slot.jp, path) || refusedAt(path, "jp");
+bool isValid(const InverseKinematicsRequestSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.cp)) return suture::refusedAt(path, "cp");
+  return isValid(slot.jp, path) || suture::refusedAt(path, "jp");
 }
 
 void toWire(const InverseKinematicsResponseSlot& slot, wire::InverseKinematicsResponse::Builder out) {
@@ -160,16 +157,17 @@ void toWire(const InverseKinematicsResponseSlot& slot, wire::InverseKinematicsRe
   toWire(slot.message, out.initMessage(sizeOf(slot.message)));
 }
 
-Errc fromWire(wire::InverseKinematicsResponse::Reader in, InverseKinematicsResponseSlot& slot, Duration) {
+suture::Errc fromWire(wire::InverseKinematicsResponse::Reader in,
+                      InverseKinematicsResponseSlot& slot, suture::Duration) {
   slot.result = in.getResult();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getJp(), slot.jp),
       fromWire(in.getMessage(), slot.message),
   });
 }
 
-bool isValid(const InverseKinematicsResponseSlot& slot, FieldPath* path) {
-  return isValid(slot.jp, path) || refusedAt(path, "jp");
+bool isValid(const InverseKinematicsResponseSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.jp, path) || suture::refusedAt(path, "jp");
 }
 
 }  // namespace robots

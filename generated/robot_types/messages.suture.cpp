@@ -9,15 +9,9 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -59,8 +53,8 @@ void load(const IntervalStatisticsSlot& slot, IntervalStatistics& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(IntervalStatisticsSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(IntervalStatisticsSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const KeyValue& value, KeyValueSlot& slot) {
@@ -92,7 +86,8 @@ void toWire(const IntervalStatisticsSlot& slot, wire::IntervalStatistics::Builde
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlot& slot,
+                      suture::Duration shift) {
   slot.period_average = in.getPeriodAverage();
   slot.period_deviation = in.getPeriodDeviation();
   slot.period_min = in.getPeriodMin();
@@ -100,14 +95,14 @@ Errc fromWire(wire::IntervalStatistics::Reader in, IntervalStatisticsSlot& slot,
   slot.samples = in.getSamples();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const IntervalStatisticsSlot& slot, FieldPath* path) {
-  if (!isValid(slot.period_average)) return refusedAt(path, "period_average");
-  if (!isValid(slot.period_deviation)) return refusedAt(path, "period_deviation");
-  if (!isValid(slot.period_min)) return refusedAt(path, "period_min");
-  return isValid(slot.period_max) || refusedAt(path, "period_max");
+bool isValid(const IntervalStatisticsSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.period_average)) return suture::refusedAt(path, "period_average");
+  if (!isValid(slot.period_deviation)) return suture::refusedAt(path, "period_deviation");
+  if (!isValid(slot.period_min)) return suture::refusedAt(path, "period_min");
+  return isValid(slot.period_max) || suture::refusedAt(path, "period_max");
 }
 
 void toWire(const KeyValueSlot& slot, wire::KeyValue::Builder out) {
@@ -115,14 +110,14 @@ void toWire(const KeyValueSlot& slot, wire::KeyValue::Builder out) {
   toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
 
-Errc fromWire(wire::KeyValue::Reader in, KeyValueSlot& slot, Duration) {
-  return firstError({
+suture::Errc fromWire(wire::KeyValue::Reader in, KeyValueSlot& slot, suture::Duration) {
+  return suture::rpc::firstError({
       fromWire(in.getKey(), slot.key),
       fromWire(in.getValue(), slot.value),
   });
 }
 
-bool isValid(const KeyValueSlot&, FieldPath*) {
+bool isValid(const KeyValueSlot&, suture::FieldPath*) {
   return true;
 }
 

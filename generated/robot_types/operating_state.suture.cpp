@@ -9,15 +9,9 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -61,8 +55,8 @@ void reserve(const OperatingStateSlot*, OperatingState& value) {
   suture::reserveFor<decltype(OperatingStateSlot::sub_state)>(value.sub_state);
 }
 
-void shiftStamps(OperatingStateSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(OperatingStateSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto
@@ -90,18 +84,20 @@ bool isKnownArmState(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::ArmState in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::ArmState in, std::uint8_t& slot) {
   switch (in) {
     case wire::ArmState::UNDEFINED: return slot =
-        static_cast<std::uint8_t>(ArmState::Undefined), Errc{};
+        static_cast<std::uint8_t>(ArmState::Undefined), suture::Errc{};
     case wire::ArmState::DISABLED: return slot =
-        static_cast<std::uint8_t>(ArmState::Disabled), Errc{};
+        static_cast<std::uint8_t>(ArmState::Disabled), suture::Errc{};
     case wire::ArmState::ENABLED: return slot =
-        static_cast<std::uint8_t>(ArmState::Enabled), Errc{};
-    case wire::ArmState::PAUSED: return slot = static_cast<std::uint8_t>(ArmState::Paused), Errc{};
-    case wire::ArmState::FAULT: return slot = static_cast<std::uint8_t>(ArmState::Fault), Errc{};
+        static_cast<std::uint8_t>(ArmState::Enabled), suture::Errc{};
+    case wire::ArmState::PAUSED: return slot =
+        static_cast<std::uint8_t>(ArmState::Paused), suture::Errc{};
+    case wire::ArmState::FAULT: return slot =
+        static_cast<std::uint8_t>(ArmState::Fault), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out) {
@@ -112,18 +108,19 @@ void toWire(const OperatingStateSlot& slot, wire::OperatingState::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::OperatingState::Reader in, OperatingStateSlot& slot,
+                      suture::Duration shift) {
   slot.is_homed = in.getIsHomed();
   slot.is_busy = in.getIsBusy();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getState(), slot.state),
       fromWire(in.getSubState(), slot.sub_state),
   });
 }
 
-bool isValid(const OperatingStateSlot& slot, FieldPath* path) {
-  return isKnownArmState(slot.state) || refusedAt(path, "state");
+bool isValid(const OperatingStateSlot& slot, suture::FieldPath* path) {
+  return isKnownArmState(slot.state) || suture::refusedAt(path, "state");
 }
 
 }  // namespace robots

@@ -9,16 +9,9 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -62,7 +55,9 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(PoseStampedSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const TransformStamped& value, TransformStampedSlot& slot) {
   bool fits = true;
@@ -82,8 +77,8 @@ void load(const TransformStampedSlot& slot, TransformStamped& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(TransformStampedSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(TransformStampedSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 bool store(const PoseSample& value, PoseSampleSlot& slot) {
@@ -104,7 +99,9 @@ void load(const PoseSampleSlot& slot, PoseSample& value) {
   load(slot.flags, value.flags);
 }
 
-void shiftStamps(PoseSampleSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(PoseSampleSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const PosePrm& value, PosePrmSlot& slot) {
   bool fits = true;
@@ -131,8 +128,8 @@ void reserve(const PosePrmSlot*, PosePrm& value) {
   suture::reserveFor<decltype(PosePrmSlot::reference_frame)>(value.reference_frame);
 }
 
-void shiftStamps(PosePrmSlot& slot, Duration shift) {
-  slot.timestamp = shifted(slot.timestamp, shift);
+void shiftStamps(PosePrmSlot& slot, suture::Duration shift) {
+  slot.timestamp = suture::rpc::shifted(slot.timestamp, shift);
 }
 
 // --- between slots and Cap'n Proto
@@ -143,15 +140,15 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : fromDefault(PoseStamped().pose, slot.pose);
+      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
 }
 
-bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot.pose) || refusedAt(path, "pose");
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.pose) || suture::refusedAt(path, "pose");
 }
 
 void toWire(const TransformStampedSlot& slot, wire::TransformStamped::Builder out) {
@@ -162,17 +159,18 @@ void toWire(const TransformStampedSlot& slot, wire::TransformStamped::Builder ou
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::TransformStamped::Reader in, TransformStampedSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::TransformStamped::Reader in, TransformStampedSlot& slot,
+                      suture::Duration shift) {
   slot.reference_frame = in.getReferenceFrame();
   slot.moving_frame = in.getMovingFrame();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasTransform() ? fromWire(in.getTransform(), slot.transform)
-      : fromDefault(TransformStamped().transform, slot.transform);
+      : suture::rpc::fromDefault(TransformStamped().transform, slot.transform);
 }
 
-bool isValid(const TransformStampedSlot& slot, FieldPath* path) {
-  return isValid(slot.transform) || refusedAt(path, "transform");
+bool isValid(const TransformStampedSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.transform) || suture::refusedAt(path, "transform");
 }
 
 void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out) {
@@ -183,21 +181,21 @@ void toWire(const PoseSampleSlot& slot, wire::PoseSample::Builder out) {
   out.setFlags(slot.flags);
 }
 
-Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::PoseSample::Reader in, PoseSampleSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.sequence = in.getSequence();
   slot.flags = in.getFlags();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasRotation() ? fromWire(in.getRotation(), slot.rotation)
-          : fromDefault(PoseSample().rotation, slot.rotation),
+          : suture::rpc::fromDefault(PoseSample().rotation, slot.rotation),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : fromDefault(PoseSample().position, slot.position),
+          : suture::rpc::fromDefault(PoseSample().position, slot.position),
   });
 }
 
-bool isValid(const PoseSampleSlot& slot, FieldPath* path) {
-  if (!isValid(slot.rotation)) return refusedAt(path, "rotation");
-  return isValid(slot.position, path) || refusedAt(path, "position");
+bool isValid(const PoseSampleSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.rotation)) return suture::refusedAt(path, "rotation");
+  return isValid(slot.position, path) || suture::refusedAt(path, "position");
 }
 
 void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out) {
@@ -209,20 +207,20 @@ void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out) {
   toWire(slot.position, out.initPosition());
 }
 
-Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift) {
   slot.timestamp = suture::rpc::shifted(in.getTimestamp(), shift);
   slot.automatic_timestamp = in.getAutomaticTimestamp();
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getMovingFrame(), slot.moving_frame),
       fromWire(in.getReferenceFrame(), slot.reference_frame),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : fromDefault(PosePrm().position, slot.position),
+          : suture::rpc::fromDefault(PosePrm().position, slot.position),
   });
 }
 
-bool isValid(const PosePrmSlot& slot, FieldPath* path) {
-  return isValid(slot.position) || refusedAt(path, "position");
+bool isValid(const PosePrmSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.position) || suture::refusedAt(path, "position");
 }
 
 }  // namespace robots

@@ -8,10 +8,6 @@
 #include "robot_types/side.capnp.h"
 
 namespace robots {
-
-using suture::Errc;
-using suture::rpc::fromWire;
-
 namespace {
 
 // What this compiler sees must be what suturec read.
@@ -40,12 +36,12 @@ bool isKnownSide(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::Side in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::Side in, std::uint8_t& slot) {
   switch (in) {
-    case wire::Side::LEFT: return slot = static_cast<std::uint8_t>(Side::Left), Errc{};
-    case wire::Side::RIGHT: return slot = static_cast<std::uint8_t>(Side::Right), Errc{};
+    case wire::Side::LEFT: return slot = static_cast<std::uint8_t>(Side::Left), suture::Errc{};
+    case wire::Side::RIGHT: return slot = static_cast<std::uint8_t>(Side::Right), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 }  // namespace robots

@@ -9,20 +9,10 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
 using suture::store;
 
 namespace {
@@ -85,7 +75,9 @@ void reserve(const PoseArraySlot*, PoseArray& value) {
   suture::reserveFor<decltype(PoseArraySlot::visible)>(value.visible);
 }
 
-void shiftStamps(PoseArraySlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(PoseArraySlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const ImageFrame& value, ImageFrameSlot& slot) {
   bool fits = true;
@@ -111,7 +103,9 @@ void reserve(const ImageFrameSlot*, ImageFrame& value) {
   suture::reserveFor<decltype(ImageFrameSlot::data)>(value.data);
 }
 
-void shiftStamps(ImageFrameSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(ImageFrameSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const CameraInfo& value, CameraInfoSlot& slot) {
   bool fits = true;
@@ -137,7 +131,9 @@ void load(const CameraInfoSlot& slot, CameraInfo& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(CameraInfoSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(CameraInfoSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const DepthMap& value, DepthMapSlot& slot) {
   bool fits = true;
@@ -167,41 +163,43 @@ void reserve(const DepthMapSlot*, DepthMap& value) {
   suture::reserveFor<decltype(DepthMapSlot::color)>(value.color);
 }
 
-void shiftStamps(DepthMapSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(DepthMapSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
 void toWire(const PoseArraySlot& slot, wire::PoseArray::Builder out) {
   toWire(slot.reference_frame, out.initReferenceFrame(sizeOf(slot.reference_frame)));
   toWire(slot.moving_frames, out.initMovingFrames(sizeOf(slot.moving_frames)));
-  toWireList(slot.positions, out.initPositions(sizeOf(slot.positions)),
-             [](const std::array<double, 12>& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.positions, out.initPositions(sizeOf(slot.positions)),
+                          [](const std::array<double, 12>& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.visible, out.initVisible(sizeOf(slot.visible)));
   out.setStamp(slot.stamp);
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::PoseArray::Reader in, PoseArraySlot& slot, Duration shift) {
+suture::Errc fromWire(wire::PoseArray::Reader in, PoseArraySlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getReferenceFrame(), slot.reference_frame),
       fromWire(in.getMovingFrames(), slot.moving_frames),
-      fromWireList(in.getPositions(), slot.positions,
-                   [](auto item, std::array<double, 12>& target) {
-                     return fromWire(item, target);
-                   }),
+      suture::rpc::fromWireList(in.getPositions(), slot.positions,
+                                [](auto item, std::array<double, 12>& target) {
+                                  return fromWire(item, target);
+                                }),
       fromWire(in.getVisible(), slot.visible),
   });
 }
 
-bool isValid(const PoseArraySlot& slot, FieldPath* path) {
-  if (!allOf(slot.positions, path, [](const std::array<double, 12>& element) {
+bool isValid(const PoseArraySlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::allOf(slot.positions, path, [](const std::array<double, 12>& element) {
     return isValid(element);
   })) {
-    return refusedAt(path, "positions");
+    return suture::refusedAt(path, "positions");
   }
   return true;
 }
@@ -215,7 +213,7 @@ void toWire(const ImageFrameSlot& slot, wire::ImageFrame::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::ImageFrame::Reader in, ImageFrameSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::ImageFrame::Reader in, ImageFrameSlot& slot, suture::Duration shift) {
   slot.width = in.getWidth();
   slot.height = in.getHeight();
   slot.channels = in.getChannels();
@@ -224,7 +222,7 @@ Errc fromWire(wire::ImageFrame::Reader in, ImageFrameSlot& slot, Duration shift)
   return fromWire(in.getData(), slot.data);
 }
 
-bool isValid(const ImageFrameSlot&, FieldPath*) {
+bool isValid(const ImageFrameSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -239,27 +237,27 @@ void toWire(const CameraInfoSlot& slot, wire::CameraInfo::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::CameraInfo::Reader in, CameraInfoSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::CameraInfo::Reader in, CameraInfoSlot& slot, suture::Duration shift) {
   slot.width = in.getWidth();
   slot.height = in.getHeight();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getDistortion(), slot.distortion),
       in.hasIntrinsic() ? fromWire(in.getIntrinsic(), slot.intrinsic)
-          : fromDefault(CameraInfo().intrinsic, slot.intrinsic),
+          : suture::rpc::fromDefault(CameraInfo().intrinsic, slot.intrinsic),
       in.hasRectification() ? fromWire(in.getRectification(), slot.rectification)
-          : fromDefault(CameraInfo().rectification, slot.rectification),
+          : suture::rpc::fromDefault(CameraInfo().rectification, slot.rectification),
       in.getProjection().size() != 0 ? fromWire(in.getProjection(), slot.projection)
-          : fromDefault(CameraInfo().projection, slot.projection),
+          : suture::rpc::fromDefault(CameraInfo().projection, slot.projection),
   });
 }
 
-bool isValid(const CameraInfoSlot& slot, FieldPath* path) {
-  if (!isValid(slot.distortion, path)) return refusedAt(path, "distortion");
-  if (!isValid(slot.intrinsic)) return refusedAt(path, "intrinsic");
-  if (!isValid(slot.rectification)) return refusedAt(path, "rectification");
-  return isValid(slot.projection) || refusedAt(path, "projection");
+bool isValid(const CameraInfoSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.distortion, path)) return suture::refusedAt(path, "distortion");
+  if (!isValid(slot.intrinsic)) return suture::refusedAt(path, "intrinsic");
+  if (!isValid(slot.rectification)) return suture::refusedAt(path, "rectification");
+  return isValid(slot.projection) || suture::refusedAt(path, "projection");
 }
 
 void toWire(const DepthMapSlot& slot, wire::DepthMap::Builder out) {
@@ -272,20 +270,20 @@ void toWire(const DepthMapSlot& slot, wire::DepthMap::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::DepthMap::Reader in, DepthMapSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::DepthMap::Reader in, DepthMapSlot& slot, suture::Duration shift) {
   slot.width = in.getWidth();
   slot.height = in.getHeight();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getReferenceFrame(), slot.reference_frame),
       fromWire(in.getPoints(), slot.points),
       fromWire(in.getColor(), slot.color),
   });
 }
 
-bool isValid(const DepthMapSlot& slot, FieldPath* path) {
-  return isValid(slot.points, path) || refusedAt(path, "points");
+bool isValid(const DepthMapSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.points, path) || suture::refusedAt(path, "points");
 }
 
 }  // namespace robots

@@ -10,13 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -56,18 +51,19 @@ void toWire(const StrandParametersSlot& slot, wire::StrandParameters::Builder ou
   out.setWrap(slot.wrap);
 }
 
-Errc fromWire(wire::StrandParameters::Reader in, StrandParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::StrandParameters::Reader in, StrandParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.length = in.getLength();
   slot.friction = in.getFriction();
   slot.wrap = in.getWrap();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const StrandParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.length, 0.02, 1)) return refusedAt(path, "length");
-  if (!inRange(slot.friction, 0, 1)) return refusedAt(path, "friction");
-  return inRange(slot.wrap, 0, 100) || refusedAt(path, "wrap");
+bool isValid(const StrandParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.length, 0.02, 1)) return suture::refusedAt(path, "length");
+  if (!suture::rpc::inRange(slot.friction, 0, 1)) return suture::refusedAt(path, "friction");
+  return suture::rpc::inRange(slot.wrap, 0, 100) || suture::refusedAt(path, "wrap");
 }
 
 }  // namespace robots

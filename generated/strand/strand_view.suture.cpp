@@ -10,27 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -65,7 +48,9 @@ void load(const StrandStateSlot& slot, StrandState& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(StrandStateSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(StrandStateSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -78,21 +63,21 @@ void toWire(const StrandStateSlot& slot, wire::StrandState::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::StrandState::Reader in, StrandStateSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::StrandState::Reader in, StrandStateSlot& slot, suture::Duration shift) {
   slot.left_length = in.getLeftLength();
   slot.left_tension = in.getLeftTension();
   slot.right_tension = in.getRightTension();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.getNodes().size() != 0 ? fromWire(in.getNodes(), slot.nodes)
-      : fromDefault(StrandState().nodes, slot.nodes);
+      : suture::rpc::fromDefault(StrandState().nodes, slot.nodes);
 }
 
-bool isValid(const StrandStateSlot& slot, FieldPath* path) {
-  if (!isValid(slot.nodes)) return refusedAt(path, "nodes");
-  if (!isValid(slot.left_length)) return refusedAt(path, "left_length");
-  if (!isValid(slot.left_tension)) return refusedAt(path, "left_tension");
-  return isValid(slot.right_tension) || refusedAt(path, "right_tension");
+bool isValid(const StrandStateSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.nodes)) return suture::refusedAt(path, "nodes");
+  if (!isValid(slot.left_length)) return suture::refusedAt(path, "left_length");
+  if (!isValid(slot.left_tension)) return suture::refusedAt(path, "left_tension");
+  return isValid(slot.right_tension) || suture::refusedAt(path, "right_tension");
 }
 
 namespace {
@@ -103,18 +88,18 @@ void encodeStrandViewStrandResult(const StrandStateSlot& slot,
                                   wire::StrandView::StrandResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeStrandViewStrandResult(wire::StrandView::StrandResults::Reader in, StrandStateSlot& slot,
-                                  suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStrandViewStrandResult(wire::StrandView::StrandResults::Reader in,
+                                          StrandStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStrandViewStrandColumn(const StrandStateSlot& slot,
                                   wire::StrandViewStateRow::Builder out) {
   toWire(slot, out.initStrand());
 }
-Errc decodeStrandViewStrandColumn(wire::StrandViewStateRow::Reader in, StrandStateSlot& slot,
-                                  suture::Duration shift) {
-  return in.hasStrand() ? fromWire(in.getStrand(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStrandViewStrandColumn(wire::StrandViewStateRow::Reader in,
+                                          StrandStateSlot& slot, suture::Duration shift) {
+  return in.hasStrand() ? fromWire(in.getStrand(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -122,25 +107,25 @@ void encodeStrandViewColumn(unsigned column, const std::byte* memory,
                             wire::StrandViewStateRow::Builder out) {
   switch (static_cast<StrandViewColumn>(column)) {
     case StrandViewColumn::strand:
-      return encodeStrandViewStrandColumn(slotIn<StrandStateSlot>(memory), out);
+      return encodeStrandViewStrandColumn(suture::slotIn<StrandStateSlot>(memory), out);
   }
 }
-Errc decodeStrandViewColumn(wire::StrandViewStateRow::Reader in, unsigned column, std::byte* memory,
-                            suture::Duration shift) {
+suture::Errc decodeStrandViewColumn(wire::StrandViewStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
   switch (static_cast<StrandViewColumn>(column)) {
     case StrandViewColumn::strand:
-      return decodeStrandViewStrandColumn(in, newSlot<StrandStateSlot>(memory), shift);
+      return decodeStrandViewStrandColumn(in, suture::newSlot<StrandStateSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kStrandViewCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kStrandViewCommandCodecs[] = {
     {.interface = capnp::typeId<wire::StrandView>(),
      .method = 1,
-     .sent = sentIn<wire::StrandView::StrandParams>,
-     .result = messageOf<wire::StrandView::StrandResults, StrandStateSlot,
-                         encodeStrandViewStrandResult, decodeStrandViewStrandResult>,
-     .stamp = stampIn<wire::StrandView::StrandResults>},
+     .sent = suture::rpc::sentIn<wire::StrandView::StrandParams>,
+     .result = suture::rpc::messageOf<wire::StrandView::StrandResults, StrandStateSlot,
+                                      encodeStrandViewStrandResult, decodeStrandViewStrandResult>,
+     .stamp = suture::rpc::stampIn<wire::StrandView::StrandResults>},
 };
 
 const suture::rpc::Codec& strandViewCodec() {
@@ -156,14 +141,14 @@ const suture::rpc::Codec& strandViewCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kStrandViewCommands[] = {
+constexpr suture::CommandInfo kStrandViewCommands[] = {
     {.name = "strand",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<StrandStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<StrandStateSlot>,
      .depth = 16,
      .column = static_cast<int>(StrandViewColumn::strand),
-     .acceptsResult = checkSlot<StrandStateSlot, isValid>,
-     .shiftResult = shiftSlot<StrandStateSlot>},
+     .acceptsResult = suture::checkSlot<StrandStateSlot, isValid>,
+     .shiftResult = suture::shiftSlot<StrandStateSlot>},
 };
 
 // The self-description, as in strand/strand_view.suture.json.

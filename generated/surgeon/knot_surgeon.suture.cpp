@@ -10,14 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -61,20 +55,22 @@ void toWire(const KnotSurgeonParametersSlot& slot, wire::KnotSurgeonParameters::
   out.setSwayFrequency(slot.sway_frequency);
 }
 
-Errc fromWire(wire::KnotSurgeonParameters::Reader in, KnotSurgeonParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::KnotSurgeonParameters::Reader in, KnotSurgeonParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.duration = in.getDuration();
   slot.sway = in.getSway();
   slot.sway_frequency = in.getSwayFrequency();
   return in.hasCarry() ? fromWire(in.getCarry(), slot.carry)
-      : fromDefault(KnotSurgeonParameters().carry, slot.carry);
+      : suture::rpc::fromDefault(KnotSurgeonParameters().carry, slot.carry);
 }
 
-bool isValid(const KnotSurgeonParametersSlot& slot, FieldPath* path) {
-  if (!isValid(slot.carry, path)) return refusedAt(path, "carry");
-  if (!inRange(slot.duration, 0.1, 100)) return refusedAt(path, "duration");
-  if (!inRange(slot.sway, 0, 0.05)) return refusedAt(path, "sway");
-  return inRange(slot.sway_frequency, 0, 10) || refusedAt(path, "sway_frequency");
+bool isValid(const KnotSurgeonParametersSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.carry, path)) return suture::refusedAt(path, "carry");
+  if (!suture::rpc::inRange(slot.duration, 0.1, 100)) return suture::refusedAt(path, "duration");
+  if (!suture::rpc::inRange(slot.sway, 0, 0.05)) return suture::refusedAt(path, "sway");
+  return suture::rpc::inRange(slot.sway_frequency, 0, 10) ||
+      suture::refusedAt(path, "sway_frequency");
 }
 
 }  // namespace robots

@@ -10,15 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -104,14 +97,14 @@ bool isKnownForceFeedback(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::ForceFeedback in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::ForceFeedback in, std::uint8_t& slot) {
   switch (in) {
     case wire::ForceFeedback::NONE: return slot =
-        static_cast<std::uint8_t>(ForceFeedback::None), Errc{};
+        static_cast<std::uint8_t>(ForceFeedback::None), suture::Errc{};
     case wire::ForceFeedback::POSITION_POSITION: return slot =
-        static_cast<std::uint8_t>(ForceFeedback::PositionPosition), Errc{};
+        static_cast<std::uint8_t>(ForceFeedback::PositionPosition), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const OperatorParametersSlot& slot, wire::OperatorParameters::Builder out) {
@@ -132,7 +125,8 @@ void toWire(const OperatorParametersSlot& slot, wire::OperatorParameters::Builde
   out.setSlaveAge(slot.slave_age);
 }
 
-Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.scale = in.getScale();
   slot.crossover_frequency = in.getCrossoverFrequency();
@@ -146,23 +140,25 @@ Errc fromWire(wire::OperatorParameters::Reader in, OperatorParametersSlot& slot,
   slot.damping = in.getDamping();
   slot.passive = in.getPassive();
   slot.slave_age = in.getSlaveAge();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasTarget() ? fromWire(in.getTarget(), slot.target)
-          : fromDefault(OperatorParameters().target, slot.target),
+          : suture::rpc::fromDefault(OperatorParameters().target, slot.target),
       fromWire(in.getForceFeedback(), slot.force_feedback),
   });
 }
 
-bool isValid(const OperatorParametersSlot& slot, FieldPath* path) {
-  if (!isValid(slot.target, path)) return refusedAt(path, "target");
-  if (!inRange(slot.scale, 0.01, 10)) return refusedAt(path, "scale");
-  if (!inRange(slot.crossover_frequency, 0.1, 20)) return refusedAt(path, "crossover_frequency");
-  if (!inRange(slot.remnant, 0, 1)) return refusedAt(path, "remnant");
-  if (!inRange(slot.tremor, 0, 0.002)) return refusedAt(path, "tremor");
-  if (!inRange(slot.speed, 0.001, 1)) return refusedAt(path, "speed");
-  if (!isKnownForceFeedback(slot.force_feedback)) return refusedAt(path, "force_feedback");
-  if (!inRange(slot.stiffness, 0, 5000)) return refusedAt(path, "stiffness");
-  return inRange(slot.damping, 0, 100) || refusedAt(path, "damping");
+bool isValid(const OperatorParametersSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.target, path)) return suture::refusedAt(path, "target");
+  if (!suture::rpc::inRange(slot.scale, 0.01, 10)) return suture::refusedAt(path, "scale");
+  if (!suture::rpc::inRange(slot.crossover_frequency, 0.1, 20)) {
+    return suture::refusedAt(path, "crossover_frequency");
+  }
+  if (!suture::rpc::inRange(slot.remnant, 0, 1)) return suture::refusedAt(path, "remnant");
+  if (!suture::rpc::inRange(slot.tremor, 0, 0.002)) return suture::refusedAt(path, "tremor");
+  if (!suture::rpc::inRange(slot.speed, 0.001, 1)) return suture::refusedAt(path, "speed");
+  if (!isKnownForceFeedback(slot.force_feedback)) return suture::refusedAt(path, "force_feedback");
+  if (!suture::rpc::inRange(slot.stiffness, 0, 5000)) return suture::refusedAt(path, "stiffness");
+  return suture::rpc::inRange(slot.damping, 0, 100) || suture::refusedAt(path, "damping");
 }
 
 }  // namespace robots

@@ -10,13 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -64,22 +59,23 @@ void toWire(const SurgeonParametersSlot& slot, wire::SurgeonParameters::Builder 
   out.setRamp(slot.ramp);
 }
 
-Errc fromWire(wire::SurgeonParameters::Reader in, SurgeonParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::SurgeonParameters::Reader in, SurgeonParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.amplitude = in.getAmplitude();
   slot.turn = in.getTurn();
   slot.frequency = in.getFrequency();
   slot.opening = in.getOpening();
   slot.ramp = in.getRamp();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const SurgeonParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.amplitude, 0, 0.2)) return refusedAt(path, "amplitude");
-  if (!inRange(slot.turn, 0, 1)) return refusedAt(path, "turn");
-  if (!inRange(slot.frequency, 0.001, 10)) return refusedAt(path, "frequency");
-  if (!inRange(slot.opening, 0, 1.047)) return refusedAt(path, "opening");
-  return inRange(slot.ramp, 0.1, 100) || refusedAt(path, "ramp");
+bool isValid(const SurgeonParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.amplitude, 0, 0.2)) return suture::refusedAt(path, "amplitude");
+  if (!suture::rpc::inRange(slot.turn, 0, 1)) return suture::refusedAt(path, "turn");
+  if (!suture::rpc::inRange(slot.frequency, 0.001, 10)) return suture::refusedAt(path, "frequency");
+  if (!suture::rpc::inRange(slot.opening, 0, 1.047)) return suture::refusedAt(path, "opening");
+  return suture::rpc::inRange(slot.ramp, 0.1, 100) || suture::refusedAt(path, "ramp");
 }
 
 }  // namespace robots

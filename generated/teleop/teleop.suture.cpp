@@ -17,14 +17,8 @@ suture::Errc fromWire(wire::Side in, std::uint8_t& slot);
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -114,7 +108,8 @@ void toWire(const TeleopParametersSlot& slot, wire::TeleopParameters::Builder ou
   out.setSlaveSide(wireSide(slot.slave_side));
 }
 
-Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.scale = in.getScale();
   slot.max_age = in.getMaxAge();
@@ -129,22 +124,28 @@ Errc fromWire(wire::TeleopParameters::Reader in, TeleopParametersSlot& slot, Dur
   slot.jaw_rate = in.getJawRate();
   slot.jaw_ghost_rate = in.getJawGhostRate();
   slot.jaw_tolerance = in.getJawTolerance();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getMasterSide(), slot.master_side),
       fromWire(in.getSlaveSide(), slot.slave_side),
   });
 }
 
-bool isValid(const TeleopParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.scale, 0.01, 10)) return refusedAt(path, "scale");
-  if (!inRange(slot.alignment_tolerance, 0.001, 1)) return refusedAt(path, "alignment_tolerance");
-  if (!inRange(slot.jaw_scale, 0.01, 10)) return refusedAt(path, "jaw_scale");
-  if (!inRange(slot.jaw_offset, -2, 2)) return refusedAt(path, "jaw_offset");
-  if (!inRange(slot.jaw_rate, 0.01, 50)) return refusedAt(path, "jaw_rate");
-  if (!inRange(slot.jaw_ghost_rate, 0.01, 50)) return refusedAt(path, "jaw_ghost_rate");
-  if (!inRange(slot.jaw_tolerance, 0.001, 1)) return refusedAt(path, "jaw_tolerance");
-  if (!isKnownSide(slot.master_side)) return refusedAt(path, "master_side");
-  return isKnownSide(slot.slave_side) || refusedAt(path, "slave_side");
+bool isValid(const TeleopParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.scale, 0.01, 10)) return suture::refusedAt(path, "scale");
+  if (!suture::rpc::inRange(slot.alignment_tolerance, 0.001, 1)) {
+    return suture::refusedAt(path, "alignment_tolerance");
+  }
+  if (!suture::rpc::inRange(slot.jaw_scale, 0.01, 10)) return suture::refusedAt(path, "jaw_scale");
+  if (!suture::rpc::inRange(slot.jaw_offset, -2, 2)) return suture::refusedAt(path, "jaw_offset");
+  if (!suture::rpc::inRange(slot.jaw_rate, 0.01, 50)) return suture::refusedAt(path, "jaw_rate");
+  if (!suture::rpc::inRange(slot.jaw_ghost_rate, 0.01, 50)) {
+    return suture::refusedAt(path, "jaw_ghost_rate");
+  }
+  if (!suture::rpc::inRange(slot.jaw_tolerance, 0.001, 1)) {
+    return suture::refusedAt(path, "jaw_tolerance");
+  }
+  if (!isKnownSide(slot.master_side)) return suture::refusedAt(path, "master_side");
+  return isKnownSide(slot.slave_side) || suture::refusedAt(path, "slave_side");
 }
 
 }  // namespace robots

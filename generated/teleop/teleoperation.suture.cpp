@@ -10,31 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -85,8 +64,8 @@ void load(const FollowAnchorsSlot& slot, FollowAnchors& value) {
   load(slot.translation_locked, value.translation_locked);
 }
 
-void shiftStamps(FollowAnchorsSlot& slot, Duration shift) {
-  slot.master_stamp = shifted(slot.master_stamp, shift);
+void shiftStamps(FollowAnchorsSlot& slot, suture::Duration shift) {
+  slot.master_stamp = suture::rpc::shifted(slot.master_stamp, shift);
 }
 
 bool store(const TeleopSettings& value, TeleopSettingsSlot& slot) {
@@ -140,20 +119,20 @@ bool isKnownTeleopState(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::TeleopState in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::TeleopState in, std::uint8_t& slot) {
   switch (in) {
     case wire::TeleopState::DISABLED: return slot =
-        static_cast<std::uint8_t>(TeleopState::Disabled), Errc{};
+        static_cast<std::uint8_t>(TeleopState::Disabled), suture::Errc{};
     case wire::TeleopState::PREPARING: return slot =
-        static_cast<std::uint8_t>(TeleopState::Preparing), Errc{};
+        static_cast<std::uint8_t>(TeleopState::Preparing), suture::Errc{};
     case wire::TeleopState::FOLLOWING: return slot =
-        static_cast<std::uint8_t>(TeleopState::Following), Errc{};
+        static_cast<std::uint8_t>(TeleopState::Following), suture::Errc{};
     case wire::TeleopState::ALIGNING: return slot =
-        static_cast<std::uint8_t>(TeleopState::Aligning), Errc{};
+        static_cast<std::uint8_t>(TeleopState::Aligning), suture::Errc{};
     case wire::TeleopState::CLUTCHED: return slot =
-        static_cast<std::uint8_t>(TeleopState::Clutched), Errc{};
+        static_cast<std::uint8_t>(TeleopState::Clutched), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const FollowAnchorsSlot& slot, wire::FollowAnchors::Builder out) {
@@ -167,27 +146,28 @@ void toWire(const FollowAnchorsSlot& slot, wire::FollowAnchors::Builder out) {
   out.setTranslationLocked(slot.translation_locked != 0);
 }
 
-Errc fromWire(wire::FollowAnchors::Reader in, FollowAnchorsSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::FollowAnchors::Reader in, FollowAnchorsSlot& slot,
+                      suture::Duration shift) {
   slot.master_stamp = suture::rpc::shifted(in.getMasterStamp(), shift);
   slot.scale = in.getScale();
   slot.entry = in.getEntry();
   slot.rotation_locked = in.getRotationLocked();
   slot.translation_locked = in.getTranslationLocked();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasMaster() ? fromWire(in.getMaster(), slot.master)
-          : fromDefault(FollowAnchors().master, slot.master),
+          : suture::rpc::fromDefault(FollowAnchors().master, slot.master),
       in.hasSlaveSetpoint() ? fromWire(in.getSlaveSetpoint(), slot.slave_setpoint)
-          : fromDefault(FollowAnchors().slave_setpoint, slot.slave_setpoint),
+          : suture::rpc::fromDefault(FollowAnchors().slave_setpoint, slot.slave_setpoint),
       in.hasView() ? fromWire(in.getView(), slot.view)
-          : fromDefault(FollowAnchors().view, slot.view),
+          : suture::rpc::fromDefault(FollowAnchors().view, slot.view),
   });
 }
 
-bool isValid(const FollowAnchorsSlot& slot, FieldPath* path) {
-  if (!isValid(slot.master)) return refusedAt(path, "master");
-  if (!isValid(slot.slave_setpoint)) return refusedAt(path, "slave_setpoint");
-  if (!isValid(slot.scale)) return refusedAt(path, "scale");
-  return isValid(slot.view) || refusedAt(path, "view");
+bool isValid(const FollowAnchorsSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.master)) return suture::refusedAt(path, "master");
+  if (!isValid(slot.slave_setpoint)) return suture::refusedAt(path, "slave_setpoint");
+  if (!isValid(slot.scale)) return suture::refusedAt(path, "scale");
+  return isValid(slot.view) || suture::refusedAt(path, "view");
 }
 
 void toWire(const TeleopSettingsSlot& slot, wire::TeleopSettings::Builder out) {
@@ -196,28 +176,29 @@ void toWire(const TeleopSettingsSlot& slot, wire::TeleopSettings::Builder out) {
   out.setTranslationLocked(slot.translation_locked != 0);
 }
 
-Errc fromWire(wire::TeleopSettings::Reader in, TeleopSettingsSlot& slot, Duration) {
+suture::Errc fromWire(wire::TeleopSettings::Reader in, TeleopSettingsSlot& slot, suture::Duration) {
   slot.scale = in.getScale();
   slot.rotation_locked = in.getRotationLocked();
   slot.translation_locked = in.getTranslationLocked();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const TeleopSettingsSlot& slot, FieldPath* path) {
-  return isValid(slot.scale) || refusedAt(path, "scale");
+bool isValid(const TeleopSettingsSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.scale) || suture::refusedAt(path, "scale");
 }
 
 namespace {
 
-bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot, FieldPath*) {
+bool acceptsTeleoperationTeleopStateResult(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownTeleopState(slot);
 }
 
-bool acceptsTeleoperationSetScale(const TeleoperationSetScaleArguments& slot, FieldPath* path) {
-  return inRange(slot.scale, 0.01, 10) || refusedAt(path, "scale");
+bool acceptsTeleoperationSetScale(const TeleoperationSetScaleArguments& slot,
+                                  suture::FieldPath* path) {
+  return suture::rpc::inRange(slot.scale, 0.01, 10) || suture::refusedAt(path, "scale");
 }
 
-bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot, FieldPath*) {
+bool acceptsTeleoperationTeleopStateEvent(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownTeleopState(slot);
 }
 
@@ -227,8 +208,8 @@ void encodeTeleoperationTeleopStateResult(const std::uint8_t& slot,
                                           wire::Teleoperation::TeleopStateResults::Builder out) {
   out.setValue(wireTeleopState(slot));
 }
-Errc decodeTeleoperationTeleopStateResult(wire::Teleoperation::TeleopStateResults::Reader in,
-                                          std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeTeleoperationTeleopStateResult(
+    wire::Teleoperation::TeleopStateResults::Reader in, std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -236,57 +217,59 @@ void encodeTeleoperationAnchorsResult(const FollowAnchorsSlot& slot,
                                       wire::Teleoperation::AnchorsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeTeleoperationAnchorsResult(wire::Teleoperation::AnchorsResults::Reader in,
-                                      FollowAnchorsSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTeleoperationAnchorsResult(wire::Teleoperation::AnchorsResults::Reader in,
+                                              FollowAnchorsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTeleoperationSetScale(const TeleoperationSetScaleArguments& slot,
                                  wire::Teleoperation::SetScaleParams::Builder out) {
   out.setScale(slot.scale);
 }
-Errc decodeTeleoperationSetScale(wire::Teleoperation::SetScaleParams::Reader in,
-                                 TeleoperationSetScaleArguments& slot, suture::Duration) {
+suture::Errc decodeTeleoperationSetScale(wire::Teleoperation::SetScaleParams::Reader in,
+                                         TeleoperationSetScaleArguments& slot, suture::Duration) {
   slot.scale = in.getScale();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeTeleoperationLockRotation(const TeleoperationLockRotationArguments& slot,
                                      wire::Teleoperation::LockRotationParams::Builder out) {
   out.setLock(slot.lock != 0);
 }
-Errc decodeTeleoperationLockRotation(wire::Teleoperation::LockRotationParams::Reader in,
-                                     TeleoperationLockRotationArguments& slot, suture::Duration) {
+suture::Errc decodeTeleoperationLockRotation(wire::Teleoperation::LockRotationParams::Reader in,
+                                             TeleoperationLockRotationArguments& slot,
+                                             suture::Duration) {
   slot.lock = in.getLock();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeTeleoperationLockTranslation(const TeleoperationLockTranslationArguments& slot,
                                         wire::Teleoperation::LockTranslationParams::Builder out) {
   out.setLock(slot.lock != 0);
 }
-Errc decodeTeleoperationLockTranslation(wire::Teleoperation::LockTranslationParams::Reader in,
-                                        TeleoperationLockTranslationArguments& slot,
-                                        suture::Duration) {
+suture::Errc decodeTeleoperationLockTranslation(
+    wire::Teleoperation::LockTranslationParams::Reader in,
+                                                TeleoperationLockTranslationArguments& slot,
+                                                suture::Duration) {
   slot.lock = in.getLock();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeTeleoperationSettingsResult(const TeleopSettingsSlot& slot,
                                        wire::Teleoperation::SettingsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeTeleoperationSettingsResult(wire::Teleoperation::SettingsResults::Reader in,
-                                       TeleopSettingsSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTeleoperationSettingsResult(wire::Teleoperation::SettingsResults::Reader in,
+                                               TeleopSettingsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTeleoperationTeleopStateEvent(const std::uint8_t& slot,
                                          wire::TeleoperationEvents::TeleopStateParams::Builder out) {
   out.setValue(wireTeleopState(slot));
 }
-Errc decodeTeleoperationTeleopStateEvent(wire::TeleoperationEvents::TeleopStateParams::Reader in,
-                                         std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeTeleoperationTeleopStateEvent(
+    wire::TeleoperationEvents::TeleopStateParams::Reader in, std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -294,26 +277,26 @@ void encodeTeleoperationFollowedEvent(const FollowAnchorsSlot& slot,
                                       wire::TeleoperationEvents::FollowedParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeTeleoperationFollowedEvent(wire::TeleoperationEvents::FollowedParams::Reader in,
-                                      FollowAnchorsSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTeleoperationFollowedEvent(wire::TeleoperationEvents::FollowedParams::Reader in,
+                                              FollowAnchorsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTeleoperationSettingsEvent(const TeleopSettingsSlot& slot,
                                       wire::TeleoperationEvents::SettingsParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeTeleoperationSettingsEvent(wire::TeleoperationEvents::SettingsParams::Reader in,
-                                      TeleopSettingsSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTeleoperationSettingsEvent(wire::TeleoperationEvents::SettingsParams::Reader in,
+                                              TeleopSettingsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTeleoperationTeleopStateColumn(const std::uint8_t& slot,
                                           wire::TeleoperationStateRow::Builder out) {
   out.setTeleopState(wireTeleopState(slot));
 }
-Errc decodeTeleoperationTeleopStateColumn(wire::TeleoperationStateRow::Reader in,
-                                          std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeTeleoperationTeleopStateColumn(wire::TeleoperationStateRow::Reader in,
+                                                  std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getTeleopState(), slot);
 }
 
@@ -321,18 +304,18 @@ void encodeTeleoperationAnchorsColumn(const FollowAnchorsSlot& slot,
                                       wire::TeleoperationStateRow::Builder out) {
   toWire(slot, out.initAnchors());
 }
-Errc decodeTeleoperationAnchorsColumn(wire::TeleoperationStateRow::Reader in,
-                                      FollowAnchorsSlot& slot, suture::Duration shift) {
-  return in.hasAnchors() ? fromWire(in.getAnchors(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTeleoperationAnchorsColumn(wire::TeleoperationStateRow::Reader in,
+                                              FollowAnchorsSlot& slot, suture::Duration shift) {
+  return in.hasAnchors() ? fromWire(in.getAnchors(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTeleoperationSettingsColumn(const TeleopSettingsSlot& slot,
                                        wire::TeleoperationStateRow::Builder out) {
   toWire(slot, out.initSettings());
 }
-Errc decodeTeleoperationSettingsColumn(wire::TeleoperationStateRow::Reader in,
-                                       TeleopSettingsSlot& slot, suture::Duration shift) {
-  return in.hasSettings() ? fromWire(in.getSettings(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTeleoperationSettingsColumn(wire::TeleoperationStateRow::Reader in,
+                                               TeleopSettingsSlot& slot, suture::Duration shift) {
+  return in.hasSettings() ? fromWire(in.getSettings(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -340,86 +323,94 @@ void encodeTeleoperationColumn(unsigned column, const std::byte* memory,
                                wire::TeleoperationStateRow::Builder out) {
   switch (static_cast<TeleoperationColumn>(column)) {
     case TeleoperationColumn::teleop_state:
-      return encodeTeleoperationTeleopStateColumn(slotIn<std::uint8_t>(memory), out);
+      return encodeTeleoperationTeleopStateColumn(suture::slotIn<std::uint8_t>(memory), out);
     case TeleoperationColumn::anchors:
-      return encodeTeleoperationAnchorsColumn(slotIn<FollowAnchorsSlot>(memory), out);
+      return encodeTeleoperationAnchorsColumn(suture::slotIn<FollowAnchorsSlot>(memory), out);
     case TeleoperationColumn::settings:
-      return encodeTeleoperationSettingsColumn(slotIn<TeleopSettingsSlot>(memory), out);
+      return encodeTeleoperationSettingsColumn(suture::slotIn<TeleopSettingsSlot>(memory), out);
   }
 }
-Errc decodeTeleoperationColumn(wire::TeleoperationStateRow::Reader in, unsigned column,
-                               std::byte* memory, suture::Duration shift) {
+suture::Errc decodeTeleoperationColumn(wire::TeleoperationStateRow::Reader in, unsigned column,
+                                       std::byte* memory, suture::Duration shift) {
   switch (static_cast<TeleoperationColumn>(column)) {
     case TeleoperationColumn::teleop_state:
-      return decodeTeleoperationTeleopStateColumn(in, newSlot<std::uint8_t>(memory), shift);
+      return decodeTeleoperationTeleopStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
     case TeleoperationColumn::anchors:
-      return decodeTeleoperationAnchorsColumn(in, newSlot<FollowAnchorsSlot>(memory), shift);
+      return decodeTeleoperationAnchorsColumn(in, suture::newSlot<FollowAnchorsSlot>(memory),
+                                              shift);
     case TeleoperationColumn::settings:
-      return decodeTeleoperationSettingsColumn(in, newSlot<TeleopSettingsSlot>(memory), shift);
+      return decodeTeleoperationSettingsColumn(in, suture::newSlot<TeleopSettingsSlot>(memory),
+                                               shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kTeleoperationCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kTeleoperationCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 1,
-     .sent = sentIn<wire::Teleoperation::EnableParams>},
+     .sent = suture::rpc::sentIn<wire::Teleoperation::EnableParams>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 2,
-     .sent = sentIn<wire::Teleoperation::DisableParams>},
+     .sent = suture::rpc::sentIn<wire::Teleoperation::DisableParams>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 3,
-     .sent = sentIn<wire::Teleoperation::TeleopStateParams>,
-     .result = messageOf<wire::Teleoperation::TeleopStateResults, std::uint8_t,
-                         encodeTeleoperationTeleopStateResult,
-                         decodeTeleoperationTeleopStateResult>,
-     .stamp = stampIn<wire::Teleoperation::TeleopStateResults>},
+     .sent = suture::rpc::sentIn<wire::Teleoperation::TeleopStateParams>,
+     .result = suture::rpc::messageOf<wire::Teleoperation::TeleopStateResults, std::uint8_t,
+                                      encodeTeleoperationTeleopStateResult,
+                                      decodeTeleoperationTeleopStateResult>,
+     .stamp = suture::rpc::stampIn<wire::Teleoperation::TeleopStateResults>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 4,
-     .sent = sentIn<wire::Teleoperation::AnchorsParams>,
-     .result = messageOf<wire::Teleoperation::AnchorsResults, FollowAnchorsSlot,
-                         encodeTeleoperationAnchorsResult, decodeTeleoperationAnchorsResult>,
-     .stamp = stampIn<wire::Teleoperation::AnchorsResults>},
+     .sent = suture::rpc::sentIn<wire::Teleoperation::AnchorsParams>,
+     .result = suture::rpc::messageOf<wire::Teleoperation::AnchorsResults, FollowAnchorsSlot,
+                                      encodeTeleoperationAnchorsResult,
+                                      decodeTeleoperationAnchorsResult>,
+     .stamp = suture::rpc::stampIn<wire::Teleoperation::AnchorsResults>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 5,
-     .sent = sentIn<wire::Teleoperation::SetScaleParams>,
-     .arguments = messageOf<wire::Teleoperation::SetScaleParams, TeleoperationSetScaleArguments,
-                            encodeTeleoperationSetScale, decodeTeleoperationSetScale>},
+     .sent = suture::rpc::sentIn<wire::Teleoperation::SetScaleParams>,
+     .arguments = suture::rpc::messageOf<wire::Teleoperation::SetScaleParams,
+                                         TeleoperationSetScaleArguments,
+                                         encodeTeleoperationSetScale, decodeTeleoperationSetScale>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 6,
-     .sent = sentIn<wire::Teleoperation::LockRotationParams>,
-     .arguments = messageOf<wire::Teleoperation::LockRotationParams,
-                            TeleoperationLockRotationArguments, encodeTeleoperationLockRotation,
-                            decodeTeleoperationLockRotation>},
+     .sent = suture::rpc::sentIn<wire::Teleoperation::LockRotationParams>,
+     .arguments = suture::rpc::messageOf<wire::Teleoperation::LockRotationParams,
+                                         TeleoperationLockRotationArguments,
+                                         encodeTeleoperationLockRotation,
+                                         decodeTeleoperationLockRotation>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 7,
-     .sent = sentIn<wire::Teleoperation::LockTranslationParams>,
-     .arguments = messageOf<wire::Teleoperation::LockTranslationParams,
-                            TeleoperationLockTranslationArguments,
-                            encodeTeleoperationLockTranslation,
-                            decodeTeleoperationLockTranslation>},
+     .sent = suture::rpc::sentIn<wire::Teleoperation::LockTranslationParams>,
+     .arguments = suture::rpc::messageOf<wire::Teleoperation::LockTranslationParams,
+                                         TeleoperationLockTranslationArguments,
+                                         encodeTeleoperationLockTranslation,
+                                         decodeTeleoperationLockTranslation>},
     {.interface = capnp::typeId<wire::Teleoperation>(),
      .method = 8,
-     .sent = sentIn<wire::Teleoperation::SettingsParams>,
-     .result = messageOf<wire::Teleoperation::SettingsResults, TeleopSettingsSlot,
-                         encodeTeleoperationSettingsResult, decodeTeleoperationSettingsResult>,
-     .stamp = stampIn<wire::Teleoperation::SettingsResults>},
+     .sent = suture::rpc::sentIn<wire::Teleoperation::SettingsParams>,
+     .result = suture::rpc::messageOf<wire::Teleoperation::SettingsResults, TeleopSettingsSlot,
+                                      encodeTeleoperationSettingsResult,
+                                      decodeTeleoperationSettingsResult>,
+     .stamp = suture::rpc::stampIn<wire::Teleoperation::SettingsResults>},
 };
 
-constexpr EventCodec kTeleoperationEventCodecs[] = {
+constexpr suture::rpc::EventCodec kTeleoperationEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::TeleoperationEvents::TeleopStateParams>,
-     .payload = messageOf<wire::TeleoperationEvents::TeleopStateParams, std::uint8_t,
-                          encodeTeleoperationTeleopStateEvent,
-                          decodeTeleoperationTeleopStateEvent>},
+     .stamp = suture::rpc::stampIn<wire::TeleoperationEvents::TeleopStateParams>,
+     .payload = suture::rpc::messageOf<wire::TeleoperationEvents::TeleopStateParams, std::uint8_t,
+                                       encodeTeleoperationTeleopStateEvent,
+                                       decodeTeleoperationTeleopStateEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::TeleoperationEvents::FollowedParams>,
-     .payload = messageOf<wire::TeleoperationEvents::FollowedParams, FollowAnchorsSlot,
-                          encodeTeleoperationFollowedEvent, decodeTeleoperationFollowedEvent>},
+     .stamp = suture::rpc::stampIn<wire::TeleoperationEvents::FollowedParams>,
+     .payload = suture::rpc::messageOf<wire::TeleoperationEvents::FollowedParams, FollowAnchorsSlot,
+                                       encodeTeleoperationFollowedEvent,
+                                       decodeTeleoperationFollowedEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::TeleoperationEvents::SettingsParams>,
-     .payload = messageOf<wire::TeleoperationEvents::SettingsParams, TeleopSettingsSlot,
-                          encodeTeleoperationSettingsEvent, decodeTeleoperationSettingsEvent>},
+     .stamp = suture::rpc::stampIn<wire::TeleoperationEvents::SettingsParams>,
+     .payload = suture::rpc::messageOf<wire::TeleoperationEvents::SettingsParams,
+                                       TeleopSettingsSlot, encodeTeleoperationSettingsEvent,
+                                       decodeTeleoperationSettingsEvent>},
 };
 
 const suture::rpc::Codec& teleoperationCodec() {
@@ -435,60 +426,60 @@ const suture::rpc::Codec& teleoperationCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kTeleoperationCommands[] = {
-    {.name = "enable", .kind = CommandKind::Void, .depth = 16},
-    {.name = "disable", .kind = CommandKind::Void, .depth = 16},
+constexpr suture::CommandInfo kTeleoperationCommands[] = {
+    {.name = "enable", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "disable", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "teleop_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .column = static_cast<int>(TeleoperationColumn::teleop_state),
-     .acceptsResult = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateResult>},
+     .acceptsResult = suture::checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateResult>},
     {.name = "anchors",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<FollowAnchorsSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<FollowAnchorsSlot>,
      .depth = 16,
      .column = static_cast<int>(TeleoperationColumn::anchors),
-     .acceptsResult = checkSlot<FollowAnchorsSlot, isValid>,
-     .shiftResult = shiftSlot<FollowAnchorsSlot>},
+     .acceptsResult = suture::checkSlot<FollowAnchorsSlot, isValid>,
+     .shiftResult = suture::shiftSlot<FollowAnchorsSlot>},
     {.name = "set_scale",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<TeleoperationSetScaleArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<TeleoperationSetScaleArguments>,
      .depth = 16,
-     .accepts = checkSlot<TeleoperationSetScaleArguments, acceptsTeleoperationSetScale>},
+     .accepts = suture::checkSlot<TeleoperationSetScaleArguments, acceptsTeleoperationSetScale>},
     {.name = "lock_rotation",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<TeleoperationLockRotationArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<TeleoperationLockRotationArguments>,
      .depth = 16},
     {.name = "lock_translation",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<TeleoperationLockTranslationArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<TeleoperationLockTranslationArguments>,
      .depth = 16},
     {.name = "settings",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TeleopSettingsSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<TeleopSettingsSlot>,
      .depth = 16,
      .column = static_cast<int>(TeleoperationColumn::settings),
-     .acceptsResult = checkSlot<TeleopSettingsSlot, isValid>},
+     .acceptsResult = suture::checkSlot<TeleopSettingsSlot, isValid>},
 };
 
-constexpr EventInfo kTeleoperationEvents[] = {
+constexpr suture::EventInfo kTeleoperationEvents[] = {
     {.name = "teleop_state",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateEvent>},
+     .accepts = suture::checkSlot<std::uint8_t, acceptsTeleoperationTeleopStateEvent>},
     {.name = "followed",
-     .payloadSize = slotSize<FollowAnchorsSlot>,
+     .payloadSize = suture::slotSize<FollowAnchorsSlot>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<FollowAnchorsSlot, isValid>,
-     .shiftPayload = shiftSlot<FollowAnchorsSlot>},
+     .accepts = suture::checkSlot<FollowAnchorsSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<FollowAnchorsSlot>},
     {.name = "settings",
-     .payloadSize = slotSize<TeleopSettingsSlot>,
+     .payloadSize = suture::slotSize<TeleopSettingsSlot>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<TeleopSettingsSlot, isValid>},
+     .accepts = suture::checkSlot<TeleopSettingsSlot, isValid>},
 };
 
 // The self-description, as in teleop/teleoperation.suture.json.

@@ -10,13 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -52,15 +47,17 @@ void toWire(const TrackerParametersSlot& slot, wire::TrackerParameters::Builder 
   out.setAcceleration(slot.acceleration);
 }
 
-Errc fromWire(wire::TrackerParameters::Reader in, TrackerParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::TrackerParameters::Reader in, TrackerParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.max_age = in.getMaxAge();
   slot.acceleration = in.getAcceleration();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const TrackerParametersSlot& slot, FieldPath* path) {
-  return inRange(slot.acceleration, 0.001, 100) || refusedAt(path, "acceleration");
+bool isValid(const TrackerParametersSlot& slot, suture::FieldPath* path) {
+  return suture::rpc::inRange(slot.acceleration, 0.001, 100) ||
+      suture::refusedAt(path, "acceleration");
 }
 
 }  // namespace robots

@@ -10,28 +10,10 @@
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -63,8 +45,8 @@ void load(const KnotSightingSlot& slot, KnotSighting& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(KnotSightingSlot& slot, Duration shift) {
-  slot.stamp = shifted(slot.stamp, shift);
+void shiftStamps(KnotSightingSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
 }
 
 // --- between slots and Cap'n Proto
@@ -77,23 +59,24 @@ void toWire(const KnotSightingSlot& slot, wire::KnotSighting::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::KnotSighting::Reader in, KnotSightingSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::KnotSighting::Reader in, KnotSightingSlot& slot,
+                      suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasKnot() ? fromWire(in.getKnot(), slot.knot)
-          : fromDefault(KnotSighting().knot, slot.knot),
+          : suture::rpc::fromDefault(KnotSighting().knot, slot.knot),
       in.hasLeftTip() ? fromWire(in.getLeftTip(), slot.left_tip)
-          : fromDefault(KnotSighting().left_tip, slot.left_tip),
+          : suture::rpc::fromDefault(KnotSighting().left_tip, slot.left_tip),
       in.hasRightTip() ? fromWire(in.getRightTip(), slot.right_tip)
-          : fromDefault(KnotSighting().right_tip, slot.right_tip),
+          : suture::rpc::fromDefault(KnotSighting().right_tip, slot.right_tip),
   });
 }
 
-bool isValid(const KnotSightingSlot& slot, FieldPath* path) {
-  if (!isValid(slot.knot, path)) return refusedAt(path, "knot");
-  if (!isValid(slot.left_tip, path)) return refusedAt(path, "left_tip");
-  return isValid(slot.right_tip, path) || refusedAt(path, "right_tip");
+bool isValid(const KnotSightingSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.knot, path)) return suture::refusedAt(path, "knot");
+  if (!isValid(slot.left_tip, path)) return suture::refusedAt(path, "left_tip");
+  return isValid(slot.right_tip, path) || suture::refusedAt(path, "right_tip");
 }
 
 namespace {
@@ -104,18 +87,18 @@ void encodeKnotVisionSightingResult(const KnotSightingSlot& slot,
                                     wire::KnotVision::SightingResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeKnotVisionSightingResult(wire::KnotVision::SightingResults::Reader in,
-                                    KnotSightingSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeKnotVisionSightingResult(wire::KnotVision::SightingResults::Reader in,
+                                            KnotSightingSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeKnotVisionSightingColumn(const KnotSightingSlot& slot,
                                     wire::KnotVisionStateRow::Builder out) {
   toWire(slot, out.initSighting());
 }
-Errc decodeKnotVisionSightingColumn(wire::KnotVisionStateRow::Reader in, KnotSightingSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasSighting() ? fromWire(in.getSighting(), slot, shift) : Errc::Invalid;
+suture::Errc decodeKnotVisionSightingColumn(wire::KnotVisionStateRow::Reader in,
+                                            KnotSightingSlot& slot, suture::Duration shift) {
+  return in.hasSighting() ? fromWire(in.getSighting(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -123,25 +106,26 @@ void encodeKnotVisionColumn(unsigned column, const std::byte* memory,
                             wire::KnotVisionStateRow::Builder out) {
   switch (static_cast<KnotVisionColumn>(column)) {
     case KnotVisionColumn::sighting:
-      return encodeKnotVisionSightingColumn(slotIn<KnotSightingSlot>(memory), out);
+      return encodeKnotVisionSightingColumn(suture::slotIn<KnotSightingSlot>(memory), out);
   }
 }
-Errc decodeKnotVisionColumn(wire::KnotVisionStateRow::Reader in, unsigned column, std::byte* memory,
-                            suture::Duration shift) {
+suture::Errc decodeKnotVisionColumn(wire::KnotVisionStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
   switch (static_cast<KnotVisionColumn>(column)) {
     case KnotVisionColumn::sighting:
-      return decodeKnotVisionSightingColumn(in, newSlot<KnotSightingSlot>(memory), shift);
+      return decodeKnotVisionSightingColumn(in, suture::newSlot<KnotSightingSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kKnotVisionCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kKnotVisionCommandCodecs[] = {
     {.interface = capnp::typeId<wire::KnotVision>(),
      .method = 1,
-     .sent = sentIn<wire::KnotVision::SightingParams>,
-     .result = messageOf<wire::KnotVision::SightingResults, KnotSightingSlot,
-                         encodeKnotVisionSightingResult, decodeKnotVisionSightingResult>,
-     .stamp = stampIn<wire::KnotVision::SightingResults>},
+     .sent = suture::rpc::sentIn<wire::KnotVision::SightingParams>,
+     .result = suture::rpc::messageOf<wire::KnotVision::SightingResults, KnotSightingSlot,
+                                      encodeKnotVisionSightingResult,
+                                      decodeKnotVisionSightingResult>,
+     .stamp = suture::rpc::stampIn<wire::KnotVision::SightingResults>},
 };
 
 const suture::rpc::Codec& knotVisionCodec() {
@@ -157,14 +141,14 @@ const suture::rpc::Codec& knotVisionCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kKnotVisionCommands[] = {
+constexpr suture::CommandInfo kKnotVisionCommands[] = {
     {.name = "sighting",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<KnotSightingSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<KnotSightingSlot>,
      .depth = 16,
      .column = static_cast<int>(KnotVisionColumn::sighting),
-     .acceptsResult = checkSlot<KnotSightingSlot, isValid>,
-     .shiftResult = shiftSlot<KnotSightingSlot>},
+     .acceptsResult = suture::checkSlot<KnotSightingSlot, isValid>,
+     .shiftResult = suture::shiftSlot<KnotSightingSlot>},
 };
 
 // The self-description, as in vision/knot_vision.suture.json.

@@ -17,29 +17,10 @@ bool isValid(const ImageFrameSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::BoundedLevel;
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::levelAt;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -67,7 +48,7 @@ void reserve(const StereoPairSlot*, StereoPair& value) {
   suture::reserveFor<decltype(StereoPairSlot::right)>(value.right);
 }
 
-void shiftStamps(StereoPairSlot& slot, Duration shift) {
+void shiftStamps(StereoPairSlot& slot, suture::Duration shift) {
   shiftStamps(slot.left, shift);
   shiftStamps(slot.right, shift);
 }
@@ -79,16 +60,16 @@ void toWire(const StereoPairSlot& slot, wire::StereoPair::Builder out) {
   toWire(slot.right, out.initRight());
 }
 
-Errc fromWire(wire::StereoPair::Reader in, StereoPairSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::StereoPair::Reader in, StereoPairSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getLeft(), slot.left, shift),
       fromWire(in.getRight(), slot.right, shift),
   });
 }
 
-bool isValid(const StereoPairSlot& slot, FieldPath* path) {
-  if (!isValid(slot.left, path)) return refusedAt(path, "left");
-  return isValid(slot.right, path) || refusedAt(path, "right");
+bool isValid(const StereoPairSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.left, path)) return suture::refusedAt(path, "left");
+  return isValid(slot.right, path) || suture::refusedAt(path, "right");
 }
 
 namespace {
@@ -99,38 +80,38 @@ void encodeStereoImagesImagesResult(const StereoPairSlot& slot,
                                     wire::StereoImages::ImagesResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeStereoImagesImagesResult(wire::StereoImages::ImagesResults::Reader in,
-                                    StereoPairSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStereoImagesImagesResult(wire::StereoImages::ImagesResults::Reader in,
+                                            StereoPairSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStereoImagesExposedResult(const std::int64_t& slot,
                                      wire::StereoImages::ExposedResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeStereoImagesExposedResult(wire::StereoImages::ExposedResults::Reader in,
-                                     std::int64_t& slot, suture::Duration shift) {
+suture::Errc decodeStereoImagesExposedResult(wire::StereoImages::ExposedResults::Reader in,
+                                             std::int64_t& slot, suture::Duration shift) {
   slot = suture::rpc::shifted(in.getValue(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeStereoImagesImagesColumn(const StereoPairSlot& slot,
                                     wire::StereoImagesStateRow::Builder out) {
   toWire(slot, out.initImages());
 }
-Errc decodeStereoImagesImagesColumn(wire::StereoImagesStateRow::Reader in, StereoPairSlot& slot,
-                                    suture::Duration shift) {
-  return in.hasImages() ? fromWire(in.getImages(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStereoImagesImagesColumn(wire::StereoImagesStateRow::Reader in,
+                                            StereoPairSlot& slot, suture::Duration shift) {
+  return in.hasImages() ? fromWire(in.getImages(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStereoImagesExposedColumn(const std::int64_t& slot,
                                      wire::StereoImagesStateRow::Builder out) {
   out.setExposed(slot);
 }
-Errc decodeStereoImagesExposedColumn(wire::StereoImagesStateRow::Reader in, std::int64_t& slot,
-                                     suture::Duration shift) {
+suture::Errc decodeStereoImagesExposedColumn(wire::StereoImagesStateRow::Reader in,
+                                             std::int64_t& slot, suture::Duration shift) {
   slot = suture::rpc::shifted(in.getExposed(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -138,35 +119,37 @@ void encodeStereoImagesColumn(unsigned column, const std::byte* memory,
                               wire::StereoImagesStateRow::Builder out) {
   switch (static_cast<StereoImagesColumn>(column)) {
     case StereoImagesColumn::images:
-      return encodeStereoImagesImagesColumn(slotIn<StereoPairSlot>(memory), out);
+      return encodeStereoImagesImagesColumn(suture::slotIn<StereoPairSlot>(memory), out);
     case StereoImagesColumn::exposed:
-      return encodeStereoImagesExposedColumn(slotIn<std::int64_t>(memory), out);
+      return encodeStereoImagesExposedColumn(suture::slotIn<std::int64_t>(memory), out);
   }
 }
-Errc decodeStereoImagesColumn(wire::StereoImagesStateRow::Reader in, unsigned column,
-                              std::byte* memory, suture::Duration shift) {
+suture::Errc decodeStereoImagesColumn(wire::StereoImagesStateRow::Reader in, unsigned column,
+                                      std::byte* memory, suture::Duration shift) {
   switch (static_cast<StereoImagesColumn>(column)) {
     case StereoImagesColumn::images:
-      return decodeStereoImagesImagesColumn(in, newSlot<StereoPairSlot>(memory), shift);
+      return decodeStereoImagesImagesColumn(in, suture::newSlot<StereoPairSlot>(memory), shift);
     case StereoImagesColumn::exposed:
-      return decodeStereoImagesExposedColumn(in, newSlot<std::int64_t>(memory), shift);
+      return decodeStereoImagesExposedColumn(in, suture::newSlot<std::int64_t>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kStereoImagesCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kStereoImagesCommandCodecs[] = {
     {.interface = capnp::typeId<wire::StereoImages>(),
      .method = 1,
-     .sent = sentIn<wire::StereoImages::ImagesParams>,
-     .result = messageOf<wire::StereoImages::ImagesResults, StereoPairSlot,
-                         encodeStereoImagesImagesResult, decodeStereoImagesImagesResult>,
-     .stamp = stampIn<wire::StereoImages::ImagesResults>},
+     .sent = suture::rpc::sentIn<wire::StereoImages::ImagesParams>,
+     .result = suture::rpc::messageOf<wire::StereoImages::ImagesResults, StereoPairSlot,
+                                      encodeStereoImagesImagesResult,
+                                      decodeStereoImagesImagesResult>,
+     .stamp = suture::rpc::stampIn<wire::StereoImages::ImagesResults>},
     {.interface = capnp::typeId<wire::StereoImages>(),
      .method = 2,
-     .sent = sentIn<wire::StereoImages::ExposedParams>,
-     .result = messageOf<wire::StereoImages::ExposedResults, std::int64_t,
-                         encodeStereoImagesExposedResult, decodeStereoImagesExposedResult>,
-     .stamp = stampIn<wire::StereoImages::ExposedResults>},
+     .sent = suture::rpc::sentIn<wire::StereoImages::ExposedParams>,
+     .result = suture::rpc::messageOf<wire::StereoImages::ExposedResults, std::int64_t,
+                                      encodeStereoImagesExposedResult,
+                                      decodeStereoImagesExposedResult>,
+     .stamp = suture::rpc::stampIn<wire::StereoImages::ExposedResults>},
 };
 
 const suture::rpc::Codec& stereoImagesCodec() {
@@ -182,30 +165,32 @@ const suture::rpc::Codec& stereoImagesCodec() {
   return kCodec;
 }
 
-constexpr BoundedLevel kStereoImagesImagesResultLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 2097152>>(offsetof(StereoPairSlot, left.data)),
-    levelAt<suture::BoundedList<std::uint8_t, 2097152>>(offsetof(StereoPairSlot, right.data)),
+constexpr suture::BoundedLevel kStereoImagesImagesResultLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 2097152>>(offsetof(StereoPairSlot,
+                                                                         left.data)),
+    suture::levelAt<suture::BoundedList<std::uint8_t, 2097152>>(offsetof(StereoPairSlot,
+                                                                         right.data)),
 };
 
-void shiftStereoImagesExposedResult(std::int64_t& slot, Duration shift) {
-  slot = shifted(slot, shift);
+void shiftStereoImagesExposedResult(std::int64_t& slot, suture::Duration shift) {
+  slot = suture::rpc::shifted(slot, shift);
 }
 
-constexpr CommandInfo kStereoImagesCommands[] = {
+constexpr suture::CommandInfo kStereoImagesCommands[] = {
     {.name = "images",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<StereoPairSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<StereoPairSlot>,
      .depth = 16,
      .column = static_cast<int>(StereoImagesColumn::images),
-     .acceptsResult = checkSlot<StereoPairSlot, isValid>,
-     .shiftResult = shiftSlot<StereoPairSlot>,
+     .acceptsResult = suture::checkSlot<StereoPairSlot, isValid>,
+     .shiftResult = suture::shiftSlot<StereoPairSlot>,
      .resultLevels = kStereoImagesImagesResultLevels},
     {.name = "exposed",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::int64_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::int64_t>,
      .depth = 16,
      .column = static_cast<int>(StereoImagesColumn::exposed),
-     .shiftResult = shiftSlot<std::int64_t, shiftStereoImagesExposedResult>},
+     .shiftResult = suture::shiftSlot<std::int64_t, shiftStereoImagesExposedResult>},
 };
 
 // The self-description, as in vision/stereo_images.suture.json.

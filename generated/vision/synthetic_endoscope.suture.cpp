@@ -10,13 +10,8 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -64,21 +59,22 @@ void toWire(const EndoscopeParametersSlot& slot, wire::EndoscopeParameters::Buil
   out.setVergence(slot.vergence);
 }
 
-Errc fromWire(wire::EndoscopeParameters::Reader in, EndoscopeParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::EndoscopeParameters::Reader in, EndoscopeParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
   slot.noise = in.getNoise();
   slot.blur = in.getBlur();
   slot.dropout = in.getDropout();
   slot.latency = in.getLatency();
   slot.vergence = in.getVergence();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const EndoscopeParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.noise, 0, 5)) return refusedAt(path, "noise");
-  if (!inRange(slot.blur, 0, 3)) return refusedAt(path, "blur");
-  if (!inRange(slot.dropout, 0, 1)) return refusedAt(path, "dropout");
-  return inRange(slot.vergence, -0.1, 0.1) || refusedAt(path, "vergence");
+bool isValid(const EndoscopeParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.noise, 0, 5)) return suture::refusedAt(path, "noise");
+  if (!suture::rpc::inRange(slot.blur, 0, 3)) return suture::refusedAt(path, "blur");
+  if (!suture::rpc::inRange(slot.dropout, 0, 1)) return suture::refusedAt(path, "dropout");
+  return suture::rpc::inRange(slot.vergence, -0.1, 0.1) || suture::refusedAt(path, "vergence");
 }
 
 }  // namespace robots

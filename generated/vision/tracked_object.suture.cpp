@@ -24,21 +24,11 @@ bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
+using suture::store;
 
 namespace {
 
@@ -48,36 +38,36 @@ void encodeTrackedObjectMeasuredCpResult(const PoseStampedSlot& slot,
                                          wire::TrackedObject::MeasuredCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeTrackedObjectMeasuredCpResult(wire::TrackedObject::MeasuredCpResults::Reader in,
-                                         PoseStampedSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTrackedObjectMeasuredCpResult(wire::TrackedObject::MeasuredCpResults::Reader in,
+                                                 PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTrackedObjectMeasuredCvResult(const TwistSlot& slot,
                                          wire::TrackedObject::MeasuredCvResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeTrackedObjectMeasuredCvResult(wire::TrackedObject::MeasuredCvResults::Reader in,
-                                         TwistSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTrackedObjectMeasuredCvResult(wire::TrackedObject::MeasuredCvResults::Reader in,
+                                                 TwistSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTrackedObjectMeasuredCpColumn(const PoseStampedSlot& slot,
                                          wire::TrackedObjectStateRow::Builder out) {
   toWire(slot, out.initMeasuredCp());
 }
-Errc decodeTrackedObjectMeasuredCpColumn(wire::TrackedObjectStateRow::Reader in,
-                                         PoseStampedSlot& slot, suture::Duration shift) {
-  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTrackedObjectMeasuredCpColumn(wire::TrackedObjectStateRow::Reader in,
+                                                 PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTrackedObjectMeasuredCvColumn(const TwistSlot& slot,
                                          wire::TrackedObjectStateRow::Builder out) {
   toWire(slot, out.initMeasuredCv());
 }
-Errc decodeTrackedObjectMeasuredCvColumn(wire::TrackedObjectStateRow::Reader in, TwistSlot& slot,
-                                         suture::Duration shift) {
-  return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTrackedObjectMeasuredCvColumn(wire::TrackedObjectStateRow::Reader in,
+                                                 TwistSlot& slot, suture::Duration shift) {
+  return in.hasMeasuredCv() ? fromWire(in.getMeasuredCv(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -85,35 +75,38 @@ void encodeTrackedObjectColumn(unsigned column, const std::byte* memory,
                                wire::TrackedObjectStateRow::Builder out) {
   switch (static_cast<TrackedObjectColumn>(column)) {
     case TrackedObjectColumn::measured_cp:
-      return encodeTrackedObjectMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+      return encodeTrackedObjectMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case TrackedObjectColumn::measured_cv:
-      return encodeTrackedObjectMeasuredCvColumn(slotIn<TwistSlot>(memory), out);
+      return encodeTrackedObjectMeasuredCvColumn(suture::slotIn<TwistSlot>(memory), out);
   }
 }
-Errc decodeTrackedObjectColumn(wire::TrackedObjectStateRow::Reader in, unsigned column,
-                               std::byte* memory, suture::Duration shift) {
+suture::Errc decodeTrackedObjectColumn(wire::TrackedObjectStateRow::Reader in, unsigned column,
+                                       std::byte* memory, suture::Duration shift) {
   switch (static_cast<TrackedObjectColumn>(column)) {
     case TrackedObjectColumn::measured_cp:
-      return decodeTrackedObjectMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeTrackedObjectMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory),
+                                                 shift);
     case TrackedObjectColumn::measured_cv:
-      return decodeTrackedObjectMeasuredCvColumn(in, newSlot<TwistSlot>(memory), shift);
+      return decodeTrackedObjectMeasuredCvColumn(in, suture::newSlot<TwistSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kTrackedObjectCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kTrackedObjectCommandCodecs[] = {
     {.interface = capnp::typeId<wire::TrackedObject>(),
      .method = 1,
-     .sent = sentIn<wire::TrackedObject::MeasuredCpParams>,
-     .result = messageOf<wire::TrackedObject::MeasuredCpResults, PoseStampedSlot,
-                         encodeTrackedObjectMeasuredCpResult, decodeTrackedObjectMeasuredCpResult>,
-     .stamp = stampIn<wire::TrackedObject::MeasuredCpResults>},
+     .sent = suture::rpc::sentIn<wire::TrackedObject::MeasuredCpParams>,
+     .result = suture::rpc::messageOf<wire::TrackedObject::MeasuredCpResults, PoseStampedSlot,
+                                      encodeTrackedObjectMeasuredCpResult,
+                                      decodeTrackedObjectMeasuredCpResult>,
+     .stamp = suture::rpc::stampIn<wire::TrackedObject::MeasuredCpResults>},
     {.interface = capnp::typeId<wire::TrackedObject>(),
      .method = 2,
-     .sent = sentIn<wire::TrackedObject::MeasuredCvParams>,
-     .result = messageOf<wire::TrackedObject::MeasuredCvResults, TwistSlot,
-                         encodeTrackedObjectMeasuredCvResult, decodeTrackedObjectMeasuredCvResult>,
-     .stamp = stampIn<wire::TrackedObject::MeasuredCvResults>},
+     .sent = suture::rpc::sentIn<wire::TrackedObject::MeasuredCvParams>,
+     .result = suture::rpc::messageOf<wire::TrackedObject::MeasuredCvResults, TwistSlot,
+                                      encodeTrackedObjectMeasuredCvResult,
+                                      decodeTrackedObjectMeasuredCvResult>,
+     .stamp = suture::rpc::stampIn<wire::TrackedObject::MeasuredCvResults>},
 };
 
 const suture::rpc::Codec& trackedObjectCodec() {
@@ -129,21 +122,21 @@ const suture::rpc::Codec& trackedObjectCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kTrackedObjectCommands[] = {
+constexpr suture::CommandInfo kTrackedObjectCommands[] = {
     {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(TrackedObjectColumn::measured_cp),
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "measured_cv",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TwistSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<TwistSlot>,
      .depth = 16,
      .column = static_cast<int>(TrackedObjectColumn::measured_cv),
-     .acceptsResult = checkSlot<TwistSlot, isValid>,
-     .shiftResult = shiftSlot<TwistSlot>},
+     .acceptsResult = suture::checkSlot<TwistSlot, isValid>,
+     .shiftResult = suture::shiftSlot<TwistSlot>},
 };
 
 // The self-description, as in vision/tracked_object.suture.json.

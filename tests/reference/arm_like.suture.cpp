@@ -23,36 +23,19 @@ bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 
 namespace reference {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const PoseStamped& goal, ArmLikeServoCpArguments& slot) {
   return store(goal, slot.goal);
 }
 
-void shiftStamps(ArmLikeServoCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmLikeServoCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const JointState& goal, ArmLikeServoJpArguments& slot) { return store(goal, slot.goal); }
 
@@ -60,14 +43,18 @@ bool store(const Mode& mode, ArmLikeSetModeArguments& slot) { return store(mode,
 
 bool store(const PoseStamped& to, ArmLikeDistanceArguments& slot) { return store(to, slot.to); }
 
-void shiftStamps(ArmLikeDistanceArguments& slot, Duration shift) { shiftStamps(slot.to, shift); }
+void shiftStamps(ArmLikeDistanceArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.to, shift);
+}
 
 bool store(const PoseStamped& goal, const double& speed, const std::string& reason,
            ArmLikeMoveArguments& slot) {
   return store(goal, slot.goal) && store(speed, slot.speed) && store(reason, slot.reason);
 }
 
-void shiftStamps(ArmLikeMoveArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmLikeMoveArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const double& speed, const Mode& mode, ArmLikeLimitArguments& slot) {
   return store(speed, slot.speed) && store(mode, slot.mode);
@@ -82,43 +69,47 @@ void load(const ArmLikeMovedPayload& slot, PoseStamped& value, double& value2) {
   load(slot.value2, value2);
 }
 
-void shiftStamps(ArmLikeMovedPayload& slot, Duration shift) { shiftStamps(slot.value, shift); }
+void shiftStamps(ArmLikeMovedPayload& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
 
 namespace {
 
-bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmLikeServoCp(const ArmLikeServoCpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmLikeServoJp(const ArmLikeServoJpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot, FieldPath* path) {
-  return isKnownMode(slot.mode) || refusedAt(path, "mode");
+bool acceptsArmLikeSetMode(const ArmLikeSetModeArguments& slot, suture::FieldPath* path) {
+  return isKnownMode(slot.mode) || suture::refusedAt(path, "mode");
 }
 
-bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot, FieldPath* path) {
-  return isValid(slot.to, path) || refusedAt(path, "to");
+bool acceptsArmLikeDistance(const ArmLikeDistanceArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.to, path) || suture::refusedAt(path, "to");
 }
 
-bool acceptsArmLikeDistanceResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsArmLikeDistanceResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
-bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot, FieldPath* path) {
-  if (!isValid(slot.goal, path)) return refusedAt(path, "goal");
-  return inRange(slot.speed, 0, 1) || refusedAt(path, "speed");
+bool acceptsArmLikeMove(const ArmLikeMoveArguments& slot, suture::FieldPath* path) {
+  if (!isValid(slot.goal, path)) return suture::refusedAt(path, "goal");
+  return suture::rpc::inRange(slot.speed, 0, 1) || suture::refusedAt(path, "speed");
 }
 
-bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot, FieldPath* path) {
-  if (!isValid(slot.speed)) return refusedAt(path, "speed");
-  return isKnownMode(slot.mode) || refusedAt(path, "mode");
+bool acceptsArmLikeLimit(const ArmLikeLimitArguments& slot, suture::FieldPath* path) {
+  if (!isValid(slot.speed)) return suture::refusedAt(path, "speed");
+  return isKnownMode(slot.mode) || suture::refusedAt(path, "mode");
 }
 
-bool acceptsArmLikeModeEvent(const std::uint8_t& slot, FieldPath*) { return isKnownMode(slot); }
+bool acceptsArmLikeModeEvent(const std::uint8_t& slot, suture::FieldPath*) {
+  return isKnownMode(slot);
+}
 
-bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot, FieldPath* path) {
-  if (!isValid(slot.value, path)) return refusedAt(path, "value");
-  return isValid(slot.value2) || refusedAt(path, "value2");
+bool acceptsArmLikeMovedEvent(const ArmLikeMovedPayload& slot, suture::FieldPath* path) {
+  if (!isValid(slot.value, path)) return suture::refusedAt(path, "value");
+  return isValid(slot.value2) || suture::refusedAt(path, "value2");
 }
 
 // --- ArmLike as Cap'n Proto
@@ -127,26 +118,26 @@ void encodeArmLikeServoCp(const ArmLikeServoCpArguments& slot,
                           wire::ArmLike::ServoCpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmLikeServoCp(wire::ArmLike::ServoCpParams::Reader in, ArmLikeServoCpArguments& slot,
-                          suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmLikeServoCp(wire::ArmLike::ServoCpParams::Reader in,
+                                  ArmLikeServoCpArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLikeServoJp(const ArmLikeServoJpArguments& slot,
                           wire::ArmLike::ServoJpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmLikeServoJp(wire::ArmLike::ServoJpParams::Reader in, ArmLikeServoJpArguments& slot,
-                          suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmLikeServoJp(wire::ArmLike::ServoJpParams::Reader in,
+                                  ArmLikeServoJpArguments& slot, suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLikeSetMode(const ArmLikeSetModeArguments& slot,
                           wire::ArmLike::SetModeParams::Builder out) {
   out.setMode(wireMode(slot.mode));
 }
-Errc decodeArmLikeSetMode(wire::ArmLike::SetModeParams::Reader in, ArmLikeSetModeArguments& slot,
-                          suture::Duration) {
+suture::Errc decodeArmLikeSetMode(wire::ArmLike::SetModeParams::Reader in,
+                                  ArmLikeSetModeArguments& slot, suture::Duration) {
   return fromWire(in.getMode(), slot.mode);
 }
 
@@ -154,36 +145,36 @@ void encodeArmLikeMeasuredCpResult(const PoseStampedSlot& slot,
                                    wire::ArmLike::MeasuredCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmLikeMeasuredCpResult(wire::ArmLike::MeasuredCpResults::Reader in,
-                                   PoseStampedSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLikeMeasuredCpResult(wire::ArmLike::MeasuredCpResults::Reader in,
+                                           PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLikeMeasuredJsResult(const JointStateSlot& slot,
                                    wire::ArmLike::MeasuredJsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmLikeMeasuredJsResult(wire::ArmLike::MeasuredJsResults::Reader in,
-                                   JointStateSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLikeMeasuredJsResult(wire::ArmLike::MeasuredJsResults::Reader in,
+                                           JointStateSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLikeDistance(const ArmLikeDistanceArguments& slot,
                            wire::ArmLike::DistanceParams::Builder out) {
   toWire(slot.to, out.initTo());
 }
-Errc decodeArmLikeDistance(wire::ArmLike::DistanceParams::Reader in, ArmLikeDistanceArguments& slot,
-                           suture::Duration shift) {
-  return in.hasTo() ? fromWire(in.getTo(), slot.to, shift) : Errc::Invalid;
+suture::Errc decodeArmLikeDistance(wire::ArmLike::DistanceParams::Reader in,
+                                   ArmLikeDistanceArguments& slot, suture::Duration shift) {
+  return in.hasTo() ? fromWire(in.getTo(), slot.to, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLikeDistanceResult(const double& slot, wire::ArmLike::DistanceResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmLikeDistanceResult(wire::ArmLike::DistanceResults::Reader in, double& slot,
-                                 suture::Duration) {
+suture::Errc decodeArmLikeDistanceResult(wire::ArmLike::DistanceResults::Reader in, double& slot,
+                                         suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmLikeMove(const ArmLikeMoveArguments& slot, wire::ArmLike::MoveParams::Builder out) {
@@ -191,11 +182,11 @@ void encodeArmLikeMove(const ArmLikeMoveArguments& slot, wire::ArmLike::MovePara
   out.setSpeed(slot.speed);
   toWire(slot.reason, out.initReason(sizeOf(slot.reason)));
 }
-Errc decodeArmLikeMove(wire::ArmLike::MoveParams::Reader in, ArmLikeMoveArguments& slot,
-                       suture::Duration shift) {
+suture::Errc decodeArmLikeMove(wire::ArmLike::MoveParams::Reader in, ArmLikeMoveArguments& slot,
+                               suture::Duration shift) {
   slot.speed = in.getSpeed();
-  return firstError({
-      in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid,
+  return suture::rpc::firstError({
+      in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid,
       fromWire(in.getReason(), slot.reason),
   });
 }
@@ -203,19 +194,19 @@ Errc decodeArmLikeMove(wire::ArmLike::MoveParams::Reader in, ArmLikeMoveArgument
 void encodeArmLikeMoveResult(const std::uint8_t& slot, wire::ArmLike::MoveResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeArmLikeMoveResult(wire::ArmLike::MoveResults::Reader in, std::uint8_t& slot,
-                             suture::Duration) {
+suture::Errc decodeArmLikeMoveResult(wire::ArmLike::MoveResults::Reader in, std::uint8_t& slot,
+                                     suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmLikeResetResult(const std::uint32_t& slot, wire::ArmLike::ResetResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmLikeResetResult(wire::ArmLike::ResetResults::Reader in, std::uint32_t& slot,
-                              suture::Duration) {
+suture::Errc decodeArmLikeResetResult(wire::ArmLike::ResetResults::Reader in, std::uint32_t& slot,
+                                      suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmLikeLimit(const ArmLikeLimitArguments& slot,
@@ -223,8 +214,8 @@ void encodeArmLikeLimit(const ArmLikeLimitArguments& slot,
   out.setSpeed(slot.speed);
   out.setMode(wireMode(slot.mode));
 }
-Errc decodeArmLikeLimit(wire::ArmLike::LimitParams::Reader in, ArmLikeLimitArguments& slot,
-                        suture::Duration) {
+suture::Errc decodeArmLikeLimit(wire::ArmLike::LimitParams::Reader in, ArmLikeLimitArguments& slot,
+                                suture::Duration) {
   slot.speed = in.getSpeed();
   return fromWire(in.getMode(), slot.mode);
 }
@@ -233,8 +224,8 @@ void encodeArmLikeModeEvent(const std::uint8_t& slot,
                             wire::ArmLikeEvents::ModeParams::Builder out) {
   out.setValue(wireMode(slot));
 }
-Errc decodeArmLikeModeEvent(wire::ArmLikeEvents::ModeParams::Reader in, std::uint8_t& slot,
-                            suture::Duration) {
+suture::Errc decodeArmLikeModeEvent(wire::ArmLikeEvents::ModeParams::Reader in, std::uint8_t& slot,
+                                    suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -242,9 +233,9 @@ void encodeArmLikeArrivedEvent(const PoseStampedSlot& slot,
                                wire::ArmLikeEvents::ArrivedParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmLikeArrivedEvent(wire::ArmLikeEvents::ArrivedParams::Reader in, PoseStampedSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLikeArrivedEvent(wire::ArmLikeEvents::ArrivedParams::Reader in,
+                                       PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLikeMovedEvent(const ArmLikeMovedPayload& slot,
@@ -252,27 +243,27 @@ void encodeArmLikeMovedEvent(const ArmLikeMovedPayload& slot,
   toWire(slot.value, out.initValue());
   out.setValue2(slot.value2);
 }
-Errc decodeArmLikeMovedEvent(wire::ArmLikeEvents::MovedParams::Reader in, ArmLikeMovedPayload& slot,
-                             suture::Duration shift) {
+suture::Errc decodeArmLikeMovedEvent(wire::ArmLikeEvents::MovedParams::Reader in,
+                                     ArmLikeMovedPayload& slot, suture::Duration shift) {
   slot.value2 = in.getValue2();
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLikeMeasuredCpColumn(const PoseStampedSlot& slot,
                                    wire::ArmLikeStateRow::Builder out) {
   toWire(slot, out.initMeasuredCp());
 }
-Errc decodeArmLikeMeasuredCpColumn(wire::ArmLikeStateRow::Reader in, PoseStampedSlot& slot,
-                                   suture::Duration shift) {
-  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLikeMeasuredCpColumn(wire::ArmLikeStateRow::Reader in, PoseStampedSlot& slot,
+                                           suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLikeMeasuredJsColumn(const JointStateSlot& slot, wire::ArmLikeStateRow::Builder out) {
   toWire(slot, out.initMeasuredJs());
 }
-Errc decodeArmLikeMeasuredJsColumn(wire::ArmLikeStateRow::Reader in, JointStateSlot& slot,
-                                   suture::Duration shift) {
-  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmLikeMeasuredJsColumn(wire::ArmLikeStateRow::Reader in, JointStateSlot& slot,
+                                           suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -280,96 +271,96 @@ void encodeArmLikeColumn(unsigned column, const std::byte* memory,
                          wire::ArmLikeStateRow::Builder out) {
   switch (static_cast<ArmLikeColumn>(column)) {
     case ArmLikeColumn::measured_cp:
-      return encodeArmLikeMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+      return encodeArmLikeMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case ArmLikeColumn::measured_js:
-      return encodeArmLikeMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
+      return encodeArmLikeMeasuredJsColumn(suture::slotIn<JointStateSlot>(memory), out);
   }
 }
-Errc decodeArmLikeColumn(wire::ArmLikeStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeArmLikeColumn(wire::ArmLikeStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<ArmLikeColumn>(column)) {
     case ArmLikeColumn::measured_cp:
-      return decodeArmLikeMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeArmLikeMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case ArmLikeColumn::measured_js:
-      return decodeArmLikeMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+      return decodeArmLikeMeasuredJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kArmLikeCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kArmLikeCommandCodecs[] = {
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 1,
-     .sent = sentIn<wire::ArmLike::ServoCpParams>,
-     .arguments = messageOf<wire::ArmLike::ServoCpParams, ArmLikeServoCpArguments,
-                            encodeArmLikeServoCp, decodeArmLikeServoCp>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::ServoCpParams>,
+     .arguments = suture::rpc::messageOf<wire::ArmLike::ServoCpParams, ArmLikeServoCpArguments,
+                                         encodeArmLikeServoCp, decodeArmLikeServoCp>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 2,
-     .sent = sentIn<wire::ArmLike::ServoJpParams>,
-     .arguments = messageOf<wire::ArmLike::ServoJpParams, ArmLikeServoJpArguments,
-                            encodeArmLikeServoJp, decodeArmLikeServoJp>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::ServoJpParams>,
+     .arguments = suture::rpc::messageOf<wire::ArmLike::ServoJpParams, ArmLikeServoJpArguments,
+                                         encodeArmLikeServoJp, decodeArmLikeServoJp>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 3,
-     .sent = sentIn<wire::ArmLike::HoldParams>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::HoldParams>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 4,
-     .sent = sentIn<wire::ArmLike::SetModeParams>,
-     .arguments = messageOf<wire::ArmLike::SetModeParams, ArmLikeSetModeArguments,
-                            encodeArmLikeSetMode, decodeArmLikeSetMode>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::SetModeParams>,
+     .arguments = suture::rpc::messageOf<wire::ArmLike::SetModeParams, ArmLikeSetModeArguments,
+                                         encodeArmLikeSetMode, decodeArmLikeSetMode>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 5,
-     .sent = sentIn<wire::ArmLike::MeasuredCpParams>,
-     .result = messageOf<wire::ArmLike::MeasuredCpResults, PoseStampedSlot,
-                         encodeArmLikeMeasuredCpResult, decodeArmLikeMeasuredCpResult>,
-     .stamp = stampIn<wire::ArmLike::MeasuredCpResults>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::MeasuredCpParams>,
+     .result = suture::rpc::messageOf<wire::ArmLike::MeasuredCpResults, PoseStampedSlot,
+                                      encodeArmLikeMeasuredCpResult, decodeArmLikeMeasuredCpResult>,
+     .stamp = suture::rpc::stampIn<wire::ArmLike::MeasuredCpResults>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 6,
-     .sent = sentIn<wire::ArmLike::MeasuredJsParams>,
-     .result = messageOf<wire::ArmLike::MeasuredJsResults, JointStateSlot,
-                         encodeArmLikeMeasuredJsResult, decodeArmLikeMeasuredJsResult>,
-     .stamp = stampIn<wire::ArmLike::MeasuredJsResults>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::MeasuredJsParams>,
+     .result = suture::rpc::messageOf<wire::ArmLike::MeasuredJsResults, JointStateSlot,
+                                      encodeArmLikeMeasuredJsResult, decodeArmLikeMeasuredJsResult>,
+     .stamp = suture::rpc::stampIn<wire::ArmLike::MeasuredJsResults>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 7,
-     .sent = sentIn<wire::ArmLike::DistanceParams>,
-     .arguments = messageOf<wire::ArmLike::DistanceParams, ArmLikeDistanceArguments,
-                            encodeArmLikeDistance, decodeArmLikeDistance>,
-     .result = messageOf<wire::ArmLike::DistanceResults, double, encodeArmLikeDistanceResult,
-                         decodeArmLikeDistanceResult>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::DistanceParams>,
+     .arguments = suture::rpc::messageOf<wire::ArmLike::DistanceParams, ArmLikeDistanceArguments,
+                                         encodeArmLikeDistance, decodeArmLikeDistance>,
+     .result = suture::rpc::messageOf<wire::ArmLike::DistanceResults, double,
+                                      encodeArmLikeDistanceResult, decodeArmLikeDistanceResult>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 8,
-     .sent = sentIn<wire::ArmLike::MoveParams>,
-     .arguments = messageOf<wire::ArmLike::MoveParams, ArmLikeMoveArguments, encodeArmLikeMove,
-                            decodeArmLikeMove>,
-     .result = messageOf<wire::ArmLike::MoveResults, std::uint8_t, encodeArmLikeMoveResult,
-                         decodeArmLikeMoveResult>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::MoveParams>,
+     .arguments = suture::rpc::messageOf<wire::ArmLike::MoveParams, ArmLikeMoveArguments,
+                                         encodeArmLikeMove, decodeArmLikeMove>,
+     .result = suture::rpc::messageOf<wire::ArmLike::MoveResults, std::uint8_t,
+                                      encodeArmLikeMoveResult, decodeArmLikeMoveResult>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 9,
-     .sent = sentIn<wire::ArmLike::ResetParams>,
-     .result = messageOf<wire::ArmLike::ResetResults, std::uint32_t, encodeArmLikeResetResult,
-                         decodeArmLikeResetResult>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::ResetParams>,
+     .result = suture::rpc::messageOf<wire::ArmLike::ResetResults, std::uint32_t,
+                                      encodeArmLikeResetResult, decodeArmLikeResetResult>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 10,
-     .sent = sentIn<wire::ArmLike::LimitParams>,
-     .arguments = messageOf<wire::ArmLike::LimitParams, ArmLikeLimitArguments, encodeArmLikeLimit,
-                            decodeArmLikeLimit>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::LimitParams>,
+     .arguments = suture::rpc::messageOf<wire::ArmLike::LimitParams, ArmLikeLimitArguments,
+                                         encodeArmLikeLimit, decodeArmLikeLimit>},
     {.interface = capnp::typeId<wire::ArmLike>(),
      .method = 11,
-     .sent = sentIn<wire::ArmLike::ParkParams>},
+     .sent = suture::rpc::sentIn<wire::ArmLike::ParkParams>},
 };
 
-constexpr EventCodec kArmLikeEventCodecs[] = {
+constexpr suture::rpc::EventCodec kArmLikeEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::ArmLikeEvents::ModeParams>,
-     .payload = messageOf<wire::ArmLikeEvents::ModeParams, std::uint8_t, encodeArmLikeModeEvent,
-                          decodeArmLikeModeEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmLikeEvents::ModeParams>,
+     .payload = suture::rpc::messageOf<wire::ArmLikeEvents::ModeParams, std::uint8_t,
+                                       encodeArmLikeModeEvent, decodeArmLikeModeEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::ArmLikeEvents::ArrivedParams>,
-     .payload = messageOf<wire::ArmLikeEvents::ArrivedParams, PoseStampedSlot,
-                          encodeArmLikeArrivedEvent, decodeArmLikeArrivedEvent>},
-    {.method = 3, .stamp = stampIn<wire::ArmLikeEvents::StoppedParams>},
+     .stamp = suture::rpc::stampIn<wire::ArmLikeEvents::ArrivedParams>,
+     .payload = suture::rpc::messageOf<wire::ArmLikeEvents::ArrivedParams, PoseStampedSlot,
+                                       encodeArmLikeArrivedEvent, decodeArmLikeArrivedEvent>},
+    {.method = 3, .stamp = suture::rpc::stampIn<wire::ArmLikeEvents::StoppedParams>},
     {.method = 4,
-     .stamp = stampIn<wire::ArmLikeEvents::MovedParams>,
-     .payload = messageOf<wire::ArmLikeEvents::MovedParams, ArmLikeMovedPayload,
-                          encodeArmLikeMovedEvent, decodeArmLikeMovedEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmLikeEvents::MovedParams>,
+     .payload = suture::rpc::messageOf<wire::ArmLikeEvents::MovedParams, ArmLikeMovedPayload,
+                                       encodeArmLikeMovedEvent, decodeArmLikeMovedEvent>},
 };
 
 const suture::rpc::Codec& armLikeCodec() {
@@ -385,85 +376,85 @@ const suture::rpc::Codec& armLikeCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kArmLikeCommands[] = {
+constexpr suture::CommandInfo kArmLikeCommands[] = {
     {.name = "servo_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmLikeServoCpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmLikeServoCpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(500'000'000),
-     .accepts = checkSlot<ArmLikeServoCpArguments, acceptsArmLikeServoCp>,
-     .shiftArguments = shiftSlot<ArmLikeServoCpArguments>},
+     .ttl = suture::Duration(500'000'000),
+     .accepts = suture::checkSlot<ArmLikeServoCpArguments, acceptsArmLikeServoCp>,
+     .shiftArguments = suture::shiftSlot<ArmLikeServoCpArguments>},
     {.name = "servo_jp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmLikeServoJpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmLikeServoJpArguments>,
      .depth = 16,
      .latest = true,
-     .accepts = checkSlot<ArmLikeServoJpArguments, acceptsArmLikeServoJp>},
-    {.name = "hold", .kind = CommandKind::Void, .depth = 4},
+     .accepts = suture::checkSlot<ArmLikeServoJpArguments, acceptsArmLikeServoJp>},
+    {.name = "hold", .kind = suture::CommandKind::Void, .depth = 4},
     {.name = "set_mode",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmLikeSetModeArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmLikeSetModeArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmLikeSetModeArguments, acceptsArmLikeSetMode>},
+     .accepts = suture::checkSlot<ArmLikeSetModeArguments, acceptsArmLikeSetMode>},
     {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmLikeColumn::measured_cp),
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "measured_js",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<JointStateSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<JointStateSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmLikeColumn::measured_js),
-     .acceptsResult = checkSlot<JointStateSlot, isValid>},
+     .acceptsResult = suture::checkSlot<JointStateSlot, isValid>},
     {.name = "distance",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmLikeDistanceArguments>,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<ArmLikeDistanceArguments>,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<ArmLikeDistanceArguments, acceptsArmLikeDistance>,
-     .acceptsResult = checkSlot<double, acceptsArmLikeDistanceResult>,
-     .shiftArguments = shiftSlot<ArmLikeDistanceArguments>},
+     .accepts = suture::checkSlot<ArmLikeDistanceArguments, acceptsArmLikeDistance>,
+     .acceptsResult = suture::checkSlot<double, acceptsArmLikeDistanceResult>,
+     .shiftArguments = suture::shiftSlot<ArmLikeDistanceArguments>},
     {.name = "move",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<ArmLikeMoveArguments>,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<ArmLikeMoveArguments>,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .deadline = Duration(200'000'000),
-     .accepts = checkSlot<ArmLikeMoveArguments, acceptsArmLikeMove>,
-     .shiftArguments = shiftSlot<ArmLikeMoveArguments>},
+     .deadline = suture::Duration(200'000'000),
+     .accepts = suture::checkSlot<ArmLikeMoveArguments, acceptsArmLikeMove>,
+     .shiftArguments = suture::shiftSlot<ArmLikeMoveArguments>},
     {.name = "reset",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint32_t>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<std::uint32_t>,
      .depth = 16},
     {.name = "limit",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmLikeLimitArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmLikeLimitArguments>,
      .depth = 2,
-     .accepts = checkSlot<ArmLikeLimitArguments, acceptsArmLikeLimit>},
-    {.name = "park", .kind = CommandKind::Void, .depth = 16},
+     .accepts = suture::checkSlot<ArmLikeLimitArguments, acceptsArmLikeLimit>},
+    {.name = "park", .kind = suture::CommandKind::Void, .depth = 16},
 };
 
-constexpr EventInfo kArmLikeEvents[] = {
+constexpr suture::EventInfo kArmLikeEvents[] = {
     {.name = "mode",
-     .payloadSize = slotSize<std::uint8_t>,
+     .payloadSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<std::uint8_t, acceptsArmLikeModeEvent>},
+     .accepts = suture::checkSlot<std::uint8_t, acceptsArmLikeModeEvent>},
     {.name = "arrived",
-     .payloadSize = slotSize<PoseStampedSlot>,
+     .payloadSize = suture::slotSize<PoseStampedSlot>,
      .depth = 4,
-     .accepts = checkSlot<PoseStampedSlot, isValid>,
-     .shiftPayload = shiftSlot<PoseStampedSlot>},
+     .accepts = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<PoseStampedSlot>},
     {.name = "stopped", .depth = 16},
     {.name = "moved",
-     .payloadSize = slotSize<ArmLikeMovedPayload>,
+     .payloadSize = suture::slotSize<ArmLikeMovedPayload>,
      .depth = 16,
-     .accepts = checkSlot<ArmLikeMovedPayload, acceptsArmLikeMovedEvent>,
-     .shiftPayload = shiftSlot<ArmLikeMovedPayload>},
+     .accepts = suture::checkSlot<ArmLikeMovedPayload, acceptsArmLikeMovedEvent>,
+     .shiftPayload = suture::shiftSlot<ArmLikeMovedPayload>},
 };
 
 // The self-description, as in reference/arm_like.suture.json.

@@ -9,16 +9,9 @@
 
 namespace reference {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -50,7 +43,9 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(PoseStampedSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const JointState& value, JointStateSlot& slot) {
   bool fits = true;
@@ -88,12 +83,14 @@ bool isKnownMode(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::Mode in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::Mode in, std::uint8_t& slot) {
   switch (in) {
-    case wire::Mode::DISABLED: return slot = static_cast<std::uint8_t>(Mode::Disabled), Errc{};
-    case wire::Mode::ENABLED: return slot = static_cast<std::uint8_t>(Mode::Enabled), Errc{};
+    case wire::Mode::DISABLED: return slot =
+        static_cast<std::uint8_t>(Mode::Disabled), suture::Errc{};
+    case wire::Mode::ENABLED: return slot =
+        static_cast<std::uint8_t>(Mode::Enabled), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
@@ -102,15 +99,15 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : fromDefault(PoseStamped().pose, slot.pose);
+      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
 }
 
-bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot.pose) || refusedAt(path, "pose");
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.pose) || suture::refusedAt(path, "pose");
 }
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
@@ -118,15 +115,15 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
   toWire(slot.position, out.initPosition(sizeOf(slot.position)));
 }
 
-Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration) {
-  return firstError({
+suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration) {
+  return suture::rpc::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getPosition(), slot.position),
   });
 }
 
-bool isValid(const JointStateSlot& slot, FieldPath* path) {
-  return isValid(slot.position, path) || refusedAt(path, "position");
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.position, path) || suture::refusedAt(path, "position");
 }
 
 }  // namespace reference

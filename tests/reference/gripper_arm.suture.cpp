@@ -23,24 +23,10 @@ bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 
 namespace reference {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const double& width, GripperArmCloseArguments& slot) { return store(width, slot.width); }
@@ -49,18 +35,21 @@ bool store(const double& width, GripperArmFitsArguments& slot) { return store(wi
 
 namespace {
 
-bool acceptsGripperArmClose(const GripperArmCloseArguments& slot, FieldPath* path) {
-  return isValid(slot.width) || refusedAt(path, "width");
+bool acceptsGripperArmClose(const GripperArmCloseArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.width) || suture::refusedAt(path, "width");
 }
 
-bool acceptsGripperArmCloseResult(const double& slot, FieldPath*) { return isValid(slot); }
-bool acceptsGripperArmOpeningResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsGripperArmCloseResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
-bool acceptsGripperArmFits(const GripperArmFitsArguments& slot, FieldPath* path) {
-  return isValid(slot.width) || refusedAt(path, "width");
+bool acceptsGripperArmOpeningResult(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
 }
 
-bool acceptsGripperArmGrippedEvent(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsGripperArmFits(const GripperArmFitsArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.width) || suture::refusedAt(path, "width");
+}
+
+bool acceptsGripperArmGrippedEvent(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
 // --- GripperArm as Cap'n Proto
 
@@ -68,57 +57,57 @@ void encodeGripperArmClose(const GripperArmCloseArguments& slot,
                            wire::GripperArm::CloseParams::Builder out) {
   out.setWidth(slot.width);
 }
-Errc decodeGripperArmClose(wire::GripperArm::CloseParams::Reader in, GripperArmCloseArguments& slot,
-                           suture::Duration) {
+suture::Errc decodeGripperArmClose(wire::GripperArm::CloseParams::Reader in,
+                                   GripperArmCloseArguments& slot, suture::Duration) {
   slot.width = in.getWidth();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperArmCloseResult(const double& slot, wire::GripperArm::CloseResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeGripperArmCloseResult(wire::GripperArm::CloseResults::Reader in, double& slot,
-                                 suture::Duration) {
+suture::Errc decodeGripperArmCloseResult(wire::GripperArm::CloseResults::Reader in, double& slot,
+                                         suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperArmOpeningResult(const double& slot,
                                    wire::GripperArm::OpeningResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeGripperArmOpeningResult(wire::GripperArm::OpeningResults::Reader in, double& slot,
-                                   suture::Duration) {
+suture::Errc decodeGripperArmOpeningResult(wire::GripperArm::OpeningResults::Reader in,
+                                           double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperArmFits(const GripperArmFitsArguments& slot,
                           wire::GripperArm::FitsParams::Builder out) {
   out.setWidth(slot.width);
 }
-Errc decodeGripperArmFits(wire::GripperArm::FitsParams::Reader in, GripperArmFitsArguments& slot,
-                          suture::Duration) {
+suture::Errc decodeGripperArmFits(wire::GripperArm::FitsParams::Reader in,
+                                  GripperArmFitsArguments& slot, suture::Duration) {
   slot.width = in.getWidth();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperArmFitsResult(const std::uint8_t& slot,
                                 wire::GripperArm::FitsResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeGripperArmFitsResult(wire::GripperArm::FitsResults::Reader in, std::uint8_t& slot,
-                                suture::Duration) {
+suture::Errc decodeGripperArmFitsResult(wire::GripperArm::FitsResults::Reader in,
+                                        std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperArmModeEvent(const std::uint8_t& slot,
                                wire::GripperArmEvents::ModeParams::Builder out) {
   out.setValue(wireMode(slot));
 }
-Errc decodeGripperArmModeEvent(wire::GripperArmEvents::ModeParams::Reader in, std::uint8_t& slot,
-                               suture::Duration) {
+suture::Errc decodeGripperArmModeEvent(wire::GripperArmEvents::ModeParams::Reader in,
+                                       std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -126,9 +115,9 @@ void encodeGripperArmArrivedEvent(const PoseStampedSlot& slot,
                                   wire::GripperArmEvents::ArrivedParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGripperArmArrivedEvent(wire::GripperArmEvents::ArrivedParams::Reader in,
-                                  PoseStampedSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperArmArrivedEvent(wire::GripperArmEvents::ArrivedParams::Reader in,
+                                          PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperArmMovedEvent(const ArmLikeMovedPayload& slot,
@@ -136,47 +125,47 @@ void encodeGripperArmMovedEvent(const ArmLikeMovedPayload& slot,
   toWire(slot.value, out.initValue());
   out.setValue2(slot.value2);
 }
-Errc decodeGripperArmMovedEvent(wire::GripperArmEvents::MovedParams::Reader in,
-                                ArmLikeMovedPayload& slot, suture::Duration shift) {
+suture::Errc decodeGripperArmMovedEvent(wire::GripperArmEvents::MovedParams::Reader in,
+                                        ArmLikeMovedPayload& slot, suture::Duration shift) {
   slot.value2 = in.getValue2();
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperArmGrippedEvent(const double& slot,
                                   wire::GripperArmEvents::GrippedParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeGripperArmGrippedEvent(wire::GripperArmEvents::GrippedParams::Reader in, double& slot,
-                                  suture::Duration) {
+suture::Errc decodeGripperArmGrippedEvent(wire::GripperArmEvents::GrippedParams::Reader in,
+                                          double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperArmMeasuredCpColumn(const PoseStampedSlot& slot,
                                       wire::GripperArmStateRow::Builder out) {
   toWire(slot, out.initMeasuredCp());
 }
-Errc decodeGripperArmMeasuredCpColumn(wire::GripperArmStateRow::Reader in, PoseStampedSlot& slot,
-                                      suture::Duration shift) {
-  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperArmMeasuredCpColumn(wire::GripperArmStateRow::Reader in,
+                                              PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperArmMeasuredJsColumn(const JointStateSlot& slot,
                                       wire::GripperArmStateRow::Builder out) {
   toWire(slot, out.initMeasuredJs());
 }
-Errc decodeGripperArmMeasuredJsColumn(wire::GripperArmStateRow::Reader in, JointStateSlot& slot,
-                                      suture::Duration shift) {
-  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperArmMeasuredJsColumn(wire::GripperArmStateRow::Reader in,
+                                              JointStateSlot& slot, suture::Duration shift) {
+  return in.hasMeasuredJs() ? fromWire(in.getMeasuredJs(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperArmOpeningColumn(const double& slot, wire::GripperArmStateRow::Builder out) {
   out.setOpening(slot);
 }
-Errc decodeGripperArmOpeningColumn(wire::GripperArmStateRow::Reader in, double& slot,
-                                   suture::Duration) {
+suture::Errc decodeGripperArmOpeningColumn(wire::GripperArmStateRow::Reader in, double& slot,
+                                           suture::Duration) {
   slot = in.getOpening();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -184,70 +173,70 @@ void encodeGripperArmColumn(unsigned column, const std::byte* memory,
                             wire::GripperArmStateRow::Builder out) {
   switch (static_cast<GripperArmColumn>(column)) {
     case GripperArmColumn::measured_cp:
-      return encodeGripperArmMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
+      return encodeGripperArmMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
     case GripperArmColumn::measured_js:
-      return encodeGripperArmMeasuredJsColumn(slotIn<JointStateSlot>(memory), out);
+      return encodeGripperArmMeasuredJsColumn(suture::slotIn<JointStateSlot>(memory), out);
     case GripperArmColumn::opening:
-      return encodeGripperArmOpeningColumn(slotIn<double>(memory), out);
+      return encodeGripperArmOpeningColumn(suture::slotIn<double>(memory), out);
   }
 }
-Errc decodeGripperArmColumn(wire::GripperArmStateRow::Reader in, unsigned column, std::byte* memory,
-                            suture::Duration shift) {
+suture::Errc decodeGripperArmColumn(wire::GripperArmStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
   switch (static_cast<GripperArmColumn>(column)) {
     case GripperArmColumn::measured_cp:
-      return decodeGripperArmMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeGripperArmMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case GripperArmColumn::measured_js:
-      return decodeGripperArmMeasuredJsColumn(in, newSlot<JointStateSlot>(memory), shift);
+      return decodeGripperArmMeasuredJsColumn(in, suture::newSlot<JointStateSlot>(memory), shift);
     case GripperArmColumn::opening:
-      return decodeGripperArmOpeningColumn(in, newSlot<double>(memory), shift);
+      return decodeGripperArmOpeningColumn(in, suture::newSlot<double>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kGripperArmCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kGripperArmCommandCodecs[] = {
     {.interface = capnp::typeId<wire::GripperArm>(),
      .method = 1,
-     .sent = sentIn<wire::GripperArm::CloseParams>,
-     .arguments = messageOf<wire::GripperArm::CloseParams, GripperArmCloseArguments,
-                            encodeGripperArmClose, decodeGripperArmClose>,
-     .result = messageOf<wire::GripperArm::CloseResults, double, encodeGripperArmCloseResult,
-                         decodeGripperArmCloseResult>},
+     .sent = suture::rpc::sentIn<wire::GripperArm::CloseParams>,
+     .arguments = suture::rpc::messageOf<wire::GripperArm::CloseParams, GripperArmCloseArguments,
+                                         encodeGripperArmClose, decodeGripperArmClose>,
+     .result = suture::rpc::messageOf<wire::GripperArm::CloseResults, double,
+                                      encodeGripperArmCloseResult, decodeGripperArmCloseResult>},
     {.interface = capnp::typeId<wire::GripperArm>(),
      .method = 2,
-     .sent = sentIn<wire::GripperArm::OpeningParams>,
-     .result = messageOf<wire::GripperArm::OpeningResults, double, encodeGripperArmOpeningResult,
-                         decodeGripperArmOpeningResult>,
-     .stamp = stampIn<wire::GripperArm::OpeningResults>},
+     .sent = suture::rpc::sentIn<wire::GripperArm::OpeningParams>,
+     .result = suture::rpc::messageOf<wire::GripperArm::OpeningResults, double,
+                                      encodeGripperArmOpeningResult, decodeGripperArmOpeningResult>,
+     .stamp = suture::rpc::stampIn<wire::GripperArm::OpeningResults>},
     {.interface = capnp::typeId<wire::GripperArm>(),
      .method = 3,
-     .sent = sentIn<wire::GripperArm::ReleaseParams>},
+     .sent = suture::rpc::sentIn<wire::GripperArm::ReleaseParams>},
     {.interface = capnp::typeId<wire::GripperArm>(),
      .method = 4,
-     .sent = sentIn<wire::GripperArm::FitsParams>,
-     .arguments = messageOf<wire::GripperArm::FitsParams, GripperArmFitsArguments,
-                            encodeGripperArmFits, decodeGripperArmFits>,
-     .result = messageOf<wire::GripperArm::FitsResults, std::uint8_t, encodeGripperArmFitsResult,
-                         decodeGripperArmFitsResult>},
+     .sent = suture::rpc::sentIn<wire::GripperArm::FitsParams>,
+     .arguments = suture::rpc::messageOf<wire::GripperArm::FitsParams, GripperArmFitsArguments,
+                                         encodeGripperArmFits, decodeGripperArmFits>,
+     .result = suture::rpc::messageOf<wire::GripperArm::FitsResults, std::uint8_t,
+                                      encodeGripperArmFitsResult, decodeGripperArmFitsResult>},
 };
 
-constexpr EventCodec kGripperArmEventCodecs[] = {
+constexpr suture::rpc::EventCodec kGripperArmEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::GripperArmEvents::ModeParams>,
-     .payload = messageOf<wire::GripperArmEvents::ModeParams, std::uint8_t,
-                          encodeGripperArmModeEvent, decodeGripperArmModeEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperArmEvents::ModeParams>,
+     .payload = suture::rpc::messageOf<wire::GripperArmEvents::ModeParams, std::uint8_t,
+                                       encodeGripperArmModeEvent, decodeGripperArmModeEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::GripperArmEvents::ArrivedParams>,
-     .payload = messageOf<wire::GripperArmEvents::ArrivedParams, PoseStampedSlot,
-                          encodeGripperArmArrivedEvent, decodeGripperArmArrivedEvent>},
-    {.method = 3, .stamp = stampIn<wire::GripperArmEvents::StoppedParams>},
+     .stamp = suture::rpc::stampIn<wire::GripperArmEvents::ArrivedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperArmEvents::ArrivedParams, PoseStampedSlot,
+                                       encodeGripperArmArrivedEvent, decodeGripperArmArrivedEvent>},
+    {.method = 3, .stamp = suture::rpc::stampIn<wire::GripperArmEvents::StoppedParams>},
     {.method = 4,
-     .stamp = stampIn<wire::GripperArmEvents::MovedParams>,
-     .payload = messageOf<wire::GripperArmEvents::MovedParams, ArmLikeMovedPayload,
-                          encodeGripperArmMovedEvent, decodeGripperArmMovedEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperArmEvents::MovedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperArmEvents::MovedParams, ArmLikeMovedPayload,
+                                       encodeGripperArmMovedEvent, decodeGripperArmMovedEvent>},
     {.method = 5,
-     .stamp = stampIn<wire::GripperArmEvents::GrippedParams>,
-     .payload = messageOf<wire::GripperArmEvents::GrippedParams, double,
-                          encodeGripperArmGrippedEvent, decodeGripperArmGrippedEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperArmEvents::GrippedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperArmEvents::GrippedParams, double,
+                                       encodeGripperArmGrippedEvent, decodeGripperArmGrippedEvent>},
 };
 
 const suture::rpc::Codec& gripperArmCodec() {
@@ -265,35 +254,35 @@ const suture::rpc::Codec& gripperArmCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kGripperArmCommands[] = {
+constexpr suture::CommandInfo kGripperArmCommands[] = {
     {.name = "close",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<GripperArmCloseArguments>,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<GripperArmCloseArguments>,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<GripperArmCloseArguments, acceptsGripperArmClose>,
-     .acceptsResult = checkSlot<double, acceptsGripperArmCloseResult>},
+     .accepts = suture::checkSlot<GripperArmCloseArguments, acceptsGripperArmClose>,
+     .acceptsResult = suture::checkSlot<double, acceptsGripperArmCloseResult>},
     {.name = "opening",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(GripperArmColumn::opening),
-     .acceptsResult = checkSlot<double, acceptsGripperArmOpeningResult>},
-    {.name = "release", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
+     .acceptsResult = suture::checkSlot<double, acceptsGripperArmOpeningResult>},
+    {.name = "release", .kind = suture::CommandKind::Void, .depth = 16, .inCallersThread = true},
     {.name = "fits",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<GripperArmFitsArguments>,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<GripperArmFitsArguments>,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .inCallersThread = true,
-     .accepts = checkSlot<GripperArmFitsArguments, acceptsGripperArmFits>},
+     .accepts = suture::checkSlot<GripperArmFitsArguments, acceptsGripperArmFits>},
 };
 
-constexpr EventInfo kGripperArmEvents[] = {
+constexpr suture::EventInfo kGripperArmEvents[] = {
     {.name = "gripped",
-     .payloadSize = slotSize<double>,
+     .payloadSize = suture::slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<double, acceptsGripperArmGrippedEvent>},
+     .accepts = suture::checkSlot<double, acceptsGripperArmGrippedEvent>},
 };
 
 // The self-description, as in reference/gripper_arm.suture.json.

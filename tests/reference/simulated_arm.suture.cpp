@@ -10,15 +10,8 @@
 
 namespace reference {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -54,18 +47,19 @@ void toWire(const SimulatedArmParametersSlot& slot, wire::SimulatedArmParameters
   toWire(slot.model, out.initModel(sizeOf(slot.model)));
 }
 
-Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::SimulatedArmParameters::Reader in, SimulatedArmParametersSlot& slot,
+                      suture::Duration) {
   slot.period = in.getPeriod();
-  return firstError({
+  return suture::rpc::firstError({
       in.getHome().size() != 0 ? fromWire(in.getHome(), slot.home)
-          : fromDefault(SimulatedArmParameters().home, slot.home),
+          : suture::rpc::fromDefault(SimulatedArmParameters().home, slot.home),
       fromWire(in.getModel(), slot.model),
   });
 }
 
-bool isValid(const SimulatedArmParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.period, 0.0001, 1)) return refusedAt(path, "period");
-  return isValid(slot.home, path) || refusedAt(path, "home");
+bool isValid(const SimulatedArmParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.period, 0.0001, 1)) return suture::refusedAt(path, "period");
+  return isValid(slot.home, path) || suture::refusedAt(path, "home");
 }
 
 }  // namespace reference

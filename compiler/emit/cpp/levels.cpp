@@ -55,8 +55,8 @@ class Levels {
   void add(const Type& type, const std::string& path) {
     const std::string place =
         path.empty() ? "0" : std::string("offsetof(") + slot_ + ", " + kBreak + path + ")";
-    entries_.push_back("levelAt<" + slotType(type, context_, context_.header.cxxNamespace) + ">(" +
-                       kBreak + place + "),");
+    entries_.push_back("suture::levelAt<" + slotType(type, context_, context_.header.cxxNamespace) +
+                       ">(" + kBreak + place + "),");
   }
 
   const std::string slot_;
@@ -81,7 +81,7 @@ std::string emitLevels(Code& code, const std::string& name, const std::string& s
   Levels levels(slot, context);
   for (const WireValue& value : values) levels.find(value.type, memberPath(value.slot));
   if (levels.entries().empty()) return "";
-  code.open("constexpr BoundedLevel ", name, "[] = {");
+  code.open("constexpr suture::BoundedLevel ", name, "[] = {");
   for (const std::string& entry : levels.entries()) code.line("  ", entry);
   code.close("};").blank();
   return name;

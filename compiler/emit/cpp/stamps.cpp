@@ -27,7 +27,7 @@ bool holdsStamps(const Type& type, const model::Lookup& lookup) {
 
 /// In a source, which says "using suture::Duration".
 std::string signature(const std::string& function, const std::string& slot) {
-  return "void " + function + "(" + slot + "& slot, " + kBreak + "Duration shift)";
+  return "void " + function + "(" + slot + "& slot, " + kBreak + "suture::Duration shift)";
 }
 
 bool needsOneStatement(const Type& type) {
@@ -35,7 +35,7 @@ bool needsOneStatement(const Type& type) {
 }
 
 std::string statement(const Type& type, const std::string& slot) {
-  if (isStamp(type)) return slot + " = shifted(" + slot + ", shift);";
+  if (isStamp(type)) return slot + " = suture::rpc::shifted(" + slot + ", shift);";
   return "shiftStamps(" + slot + ", shift);";
 }
 
@@ -50,7 +50,7 @@ class ShiftEmitter {
       case Shape::Struct: code_.line(statement(type, slot)); break;
       case Shape::Array: emitEach(type, slot, depth); break;
       case Shape::List:
-      case Shape::Map: emitEach(type, "elementsIn(" + slot + ")", depth); break;
+      case Shape::Map: emitEach(type, "suture::elementsIn(" + slot + ")", depth); break;
       case Shape::Optional:
         code_.open("if (", slot, ".present != 0) {");
         emit(type.element.front(), slot + ".value", depth);
@@ -140,16 +140,16 @@ void emitShift(Code& code, const std::vector<WireValue>& values, const std::stri
 
 std::string shiftOf(const std::string& slot, const std::vector<WireValue>& values,
                     const Context& context) {
-  return hasStamps(values, context.lookup) ? "shiftSlot<" + slot + ">" : "";
+  return hasStamps(values, context.lookup) ? "suture::shiftSlot<" + slot + ">" : "";
 }
 
 std::string emitShiftOf(Code& code, const Type& type, const std::string& name,
                         const Context& context) {
   if (!hasStamps(type, context.lookup)) return "";
   const std::string slot = slotType(type, context, context.header.cxxNamespace);
-  if (type.shape == Shape::Struct) return "shiftSlot<" + slot + ">";
+  if (type.shape == Shape::Struct) return "suture::shiftSlot<" + slot + ">";
   emitFunction(code, signature(name, slot), {{type, "", "slot", {}}}, context);
-  return "shiftSlot<" + slot + ", " + name + ">";
+  return "suture::shiftSlot<" + slot + ", " + name + ">";
 }
 
 }  // namespace suture::compiler::emit

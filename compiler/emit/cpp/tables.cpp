@@ -27,7 +27,7 @@ const char* kindName(model::CommandKind kind) {
 }
 
 std::string duration(const char* name, std::int64_t nanoseconds) {
-  return std::string(name) + " = Duration(" + grouped(nanoseconds) + ")";
+  return std::string(name) + " = suture::Duration(" + grouped(nanoseconds) + ")";
 }
 
 /// The same JSON in as few lines as there have to be.
@@ -59,13 +59,14 @@ void emitCommand(Code& table, Code& before, const Context& context,
   const std::string& home = context.header.cxxNamespace;
   std::vector<std::string> members = {
       ".name = \"" + command.name + "\"",
-      std::string(".kind = CommandKind::") + kindName(command.kind)};
+      std::string(".kind = suture::CommandKind::") + kindName(command.kind)};
   const std::string slot = relative(argumentsStruct(interface, command, context), home);
   if (!command.parameters.empty()) {
-    members.push_back(".argumentsSize = slotSize<" + slot + ">");
+    members.push_back(".argumentsSize = suture::slotSize<" + slot + ">");
   }
   if (command.result) {
-    members.push_back(".resultSize = slotSize<" + slotType(*command.result, context, home) + ">");
+    members.push_back(".resultSize = suture::slotSize<" + slotType(*command.result, context, home) +
+                      ">");
   }
   members.push_back(".depth = " + std::to_string(command.queue));
   if (command.latest) members.push_back(".latest = true");
@@ -86,11 +87,11 @@ void emitCommand(Code& table, Code& before, const Context& context,
   if (command.result && isOpen(*command.result)) members.push_back(".sharedResult = true");
   if (command.concurrent || command.direct) members.push_back(".inCallersThread = true");
   if (const std::string check = argumentsCheck(interface, command, context); !check.empty()) {
-    members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
+    members.push_back(".accepts = suture::checkSlot<" + slot + ", " + check + ">");
   }
   if (const std::string check = resultCheck(interface, command, context); !check.empty()) {
-    members.push_back(".acceptsResult = checkSlot<" + slotType(*command.result, context, home) +
-                      ", " + check + ">");
+    members.push_back(".acceptsResult = suture::checkSlot<" +
+                      slotType(*command.result, context, home) + ", " + check + ">");
   }
   addMember(members, ".shiftArguments", shiftOf(slot, argumentValues(command), context));
   const std::string name = prefixOf(interface, context) + model::titleCase(command.wireName);
@@ -115,7 +116,7 @@ void emitCommands(Code& code, const Context& context, const model::Interface& in
   for (const model::Command* const command : ownCommands(interface)) {
     emitCommand(table, code, context, interface, *command);
   }
-  code.line("constexpr CommandInfo k", prefixOf(interface, context), "Commands[] = {");
+  code.line("constexpr suture::CommandInfo k", prefixOf(interface, context), "Commands[] = {");
   code.verbatim(table.text()).line("};").blank();
 }
 
@@ -146,7 +147,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
     std::vector<std::string> members = {".name = \"" + event->name + "\""};
     if (!event->payload.empty()) {
       const std::string slot = payloadSlot(interface, *event, context, context.header.cxxNamespace);
-      members.push_back(".payloadSize = slotSize<" + slot + ">");
+      members.push_back(".payloadSize = suture::slotSize<" + slot + ">");
     }
     members.push_back(".depth = " + std::to_string(event->queue));
     if (event->latest) members.push_back(".latest = true");
@@ -158,13 +159,13 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
     }
     if (const std::string check = payloadCheck(interface, *event, context); !check.empty()) {
       const std::string slot = payloadSlot(interface, *event, context, context.header.cxxNamespace);
-      members.push_back(".accepts = checkSlot<" + slot + ", " + check + ">");
+      members.push_back(".accepts = suture::checkSlot<" + slot + ", " + check + ">");
     }
     addMember(members, ".shiftPayload", shiftOfPayload(code, context, interface, *event));
     addMember(members, ".payloadLevels", levelsOfPayload(code, context, interface, *event));
     emitEntry(table, members);
   }
-  code.line("constexpr EventInfo k", prefixOf(interface, context), "Events[] = {");
+  code.line("constexpr suture::EventInfo k", prefixOf(interface, context), "Events[] = {");
   code.verbatim(table.text()).line("};").blank();
 }
 

@@ -18,7 +18,7 @@ bool isReal(model::Scalar scalar) {
 }
 
 std::string within(const std::string& slot, const Range& range, double scale) {
-  return "inRange(" + slot + ", " + cxxNumber(range->first * scale) + ", " +
+  return "suture::rpc::inRange(" + slot + ", " + cxxNumber(range->first * scale) + ", " +
          cxxNumber(range->second * scale) + ")";
 }
 
@@ -34,7 +34,7 @@ std::string lambda(const std::string& parameter, const std::string& result) {
 /// `path` is null where C++ does not count the elements of such a type by one number in brackets.
 std::string allOf(const std::string& slot, const std::string& path, const std::string& parameter,
                   const std::string& each) {
-  return "allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
+  return "suture::rpc::allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
 }
 
 /// The condition under which the coefficients of an Eigen type are valid.
@@ -94,7 +94,7 @@ std::string mapCondition(const Type& type, const std::string& slot, const Range&
 /// Returns what can be called with a slot of the type and says whether that may be acted on.
 std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   if (type.shape == Shape::Enum) return enumCheck(type.name, context);
-  if (!holdsEnum(type)) return "Valid{path}";
+  if (!holdsEnum(type)) return "suture::rpc::Valid{path}";
   const std::string item = "element" + depthSuffix(depth);
   const std::string itemType = slotType(type, context, context.header.cxxNamespace);
   return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth + 1));
@@ -149,8 +149,8 @@ std::string condition(const Type& type, const std::string& slot, const Range& ra
     case Shape::Quaternion:
     case Shape::Isometry:
     case Shape::Affine: return coefficientsCondition(type, slot, range, depth);
-    case Shape::Tuple: return eachCondition("allItems", type, slot, context, depth);
-    case Shape::Variant: return eachCondition("theOneOf", type, slot, context, depth);
+    case Shape::Tuple: return eachCondition("suture::rpc::allItems", type, slot, context, depth);
+    case Shape::Variant: return eachCondition("suture::rpc::theOneOf", type, slot, context, depth);
     case Shape::Map: return mapCondition(type, slot, range, context, depth);
     case Shape::Optional:
       if (!range && !holdsEnum(type)) return wholeCondition(type, slot);
@@ -167,7 +167,7 @@ std::string conditionOf(const WireValue& value, const Context& context) {
 
 /// The expression that a check returns when it refuses the value.
 std::string refusalOf(const WireValue& value) {
-  return value.member.empty() ? "false" : "refusedAt(path, \"" + value.member + "\")";
+  return value.member.empty() ? "false" : "suture::refusedAt(path, \"" + value.member + "\")";
 }
 
 void emitRefusal(Code& code, const std::string& unless, const std::string& refusal) {
@@ -194,7 +194,7 @@ std::string validityParameters(const std::string& slot, const std::vector<WireVa
     return !one.empty() && (usesPath(one) || !value.member.empty());
   });
   return "const " + slot + (hasConditions(values, context) ? "& slot, " : "&, ") + kBreak +
-         (tells ? "FieldPath* path" : "FieldPath*");
+         (tells ? "suture::FieldPath* path" : "suture::FieldPath*");
 }
 
 void emitValidity(Code& code, const std::vector<WireValue>& values, const Context& context) {

@@ -78,7 +78,7 @@ void emitMessage(Code& code, const Context& context, const Message& message) {
             kBreakText, message.fields, "::Builder out) {");
   for (const WireValue& value : message.values) code.line(encode(value, "out", context), ";");
   code.close("}");
-  code.open("Errc decode", message.name, "(", kBreakText, message.fields, "::Reader in, ",
+  code.open("suture::Errc decode", message.name, "(", kBreakText, message.fields, "::Reader in, ",
             kBreakText, message.slot, "& slot, ", kBreakText, "suture::Duration",
             useShift(message.values) ? " shift) {" : ") {");
   emitDecodeAndReturn(code, message.values, "in", "shift", context);
@@ -104,24 +104,24 @@ void emitEncodeColumns(Code& code, const Context& context, const model::Interfac
   for (const model::Command* const read : readsOf(interface)) {
     const Message column = columnOf(context, interface, *read);
     code.choice("case " + columnName(interface, *read, context) + ":",
-                "return encode" + column.name + "(" + kBreak + "slotIn<" + column.slot +
+                "return encode" + column.name + "(" + kBreak + "suture::slotIn<" + column.slot +
                     ">(memory), " + kBreak + "out);");
   }
   code.close("}").close("}");
 }
 
 void emitDecodeColumns(Code& code, const Context& context, const model::Interface& interface) {
-  code.open("Errc decode", prefixOf(interface, context), "Column(", kBreakText, wireRow(interface),
-            "::Reader in, ", kBreakText, "unsigned column, ", kBreakText, "std::byte* memory, ",
-            kBreakText, "suture::Duration shift) {");
+  code.open("suture::Errc decode", prefixOf(interface, context), "Column(", kBreakText,
+            wireRow(interface), "::Reader in, ", kBreakText, "unsigned column, ", kBreakText,
+            "std::byte* memory, ", kBreakText, "suture::Duration shift) {");
   code.open("switch (static_cast<", prefixOf(interface, context), "Column>(column)) {");
   for (const model::Command* const read : readsOf(interface)) {
     const Message column = columnOf(context, interface, *read);
     code.choice("case " + columnName(interface, *read, context) + ":",
-                "return decode" + column.name + "(" + kBreak + "in, " + kBreak + "newSlot<" +
-                    column.slot + ">(memory), " + kBreak + "shift);");
+                "return decode" + column.name + "(" + kBreak + "in, " + kBreak +
+                    "suture::newSlot<" + column.slot + ">(memory), " + kBreak + "shift);");
   }
-  code.close("}").line("return Errc::Invalid;").close("}").blank();
+  code.close("}").line("return suture::Errc::Invalid;").close("}").blank();
 }
 
 void emitRow(Code& code, const Context& context, const model::Interface& interface) {
@@ -139,21 +139,22 @@ void emitRow(Code& code, const Context& context, const model::Interface& interfa
 // --- the tables
 
 std::string messageOf(const Message& message) {
-  return "messageOf<" + message.fields + ", " + kBreakText + message.slot + ", " + kBreakText +
-         "encode" + message.name + ", " + kBreakText + "decode" + message.name + ">";
+  return "suture::rpc::messageOf<" + message.fields + ", " + kBreakText + message.slot + ", " +
+         kBreakText + "encode" + message.name + ", " + kBreakText + "decode" + message.name + ">";
 }
 
 void emitCommandCodecs(Code& code, const Context& context, const model::Interface& interface) {
   const std::vector<const model::Command*> own = ownCommands(interface);
   if (own.empty()) return;
-  code.line("constexpr CommandCodec k", prefixOf(interface, context), "CommandCodecs[] = {");
+  code.line("constexpr suture::rpc::CommandCodec k", prefixOf(interface, context),
+            "CommandCodecs[] = {");
   for (const model::Command* const command : own) {
     const std::string method =
         wireInterface(interface) + "::" + model::titleCase(command->wireName);
     std::vector<std::string> members = {
         ".interface = capnp::typeId<" + wireInterface(interface) + ">()",
         ".method = " + std::to_string(methodOf(context, interface, *command)),
-        ".sent = sentIn<" + method + "Params>"};
+        ".sent = suture::rpc::sentIn<" + method + "Params>"};
     if (!command->parameters.empty()) {
       members.push_back(".arguments = " + messageOf(argumentsOf(context, interface, *command)));
     }
@@ -161,7 +162,7 @@ void emitCommandCodecs(Code& code, const Context& context, const model::Interfac
       members.push_back(".result = " + messageOf(resultOf(context, interface, *command)));
     }
     if (command->kind == model::CommandKind::Read) {
-      members.push_back(".stamp = stampIn<" + method + "Results>");
+      members.push_back(".stamp = suture::rpc::stampIn<" + method + "Results>");
     }
     emitEntry(code, members);
   }
@@ -170,12 +171,13 @@ void emitCommandCodecs(Code& code, const Context& context, const model::Interfac
 
 void emitEventCodecs(Code& code, const Context& context, const model::Interface& interface) {
   if (interface.events.empty()) return;
-  code.line("constexpr EventCodec k", prefixOf(interface, context), "EventCodecs[] = {");
+  code.line("constexpr suture::rpc::EventCodec k", prefixOf(interface, context),
+            "EventCodecs[] = {");
   for (const model::Event& event : interface.events) {
     std::vector<std::string> members = {
         ".method = " + std::to_string(methodOf(context, interface, event)),
-        ".stamp = stampIn<" + wireEventsOf(interface) + "::" + model::titleCase(event.wireName) +
-            "Params>"};
+        ".stamp = suture::rpc::stampIn<" + wireEventsOf(interface) +
+            "::" + model::titleCase(event.wireName) + "Params>"};
     if (!event.payload.empty()) {
       members.push_back(".payload = " + messageOf(payloadOf(context, interface, event)));
     }

@@ -59,12 +59,12 @@ void emitDecoder(Code& code, const Type& type, const std::vector<WireValue>& val
                  const Context& context) {
   if (type.shape == Shape::Variant) {
     for (std::size_t i = 0; i < values.size(); ++i) emitAlternative(code, values[i], i, context);
-    code.line("return Errc::Invalid;");
+    code.line("return suture::Errc::Invalid;");
     return;
   }
   if (type.shape == Shape::Optional) {
-    code.line("if (in.isNone()) return slot.present = 0, Errc{};");
-    code.line("if (!in.isSome()) return Errc::Invalid;");
+    code.line("if (in.isNone()) return slot.present = 0, suture::Errc{};");
+    code.line("if (!in.isSome()) return suture::Errc::Invalid;");
     code.line(holdsRecursive(type, context.lookup) ? "engage(slot);" : "slot.present = 1;");
   }
   emitDecodeAndReturn(code, values, "in", "shift", context);
@@ -91,8 +91,8 @@ void CompositeConverters::emitOne(Code& code, const Type& type) {
   code.close("}").blank();
   const bool shift = std::any_of(values.begin(), values.end(),
                                  [](const WireValue& value) { return usesShift(value.type); });
-  code.open("Errc fromWire(", wire, "::Reader in, ", std::string(1, kBreak), slot, "& slot, ",
-            std::string(1, kBreak), "Duration", shift ? " shift" : "", ") {");
+  code.open("suture::Errc fromWire(", wire, "::Reader in, ", std::string(1, kBreak), slot,
+            "& slot, ", std::string(1, kBreak), "suture::Duration", shift ? " shift" : "", ") {");
   emitDecoder(code, type, values, context_);
   code.close("}").blank();
 }

@@ -75,12 +75,12 @@ void emitEnumCheck(Code& code, const Context& context, const model::Enum& type) 
 
 void emitEnumDecoder(Code& code, const Context& context, const model::Enum& type) {
   const EnumNames names(type, context.header.cxxNamespace);
-  code.open("Errc fromWire(", names.wire, " in, ", names.slot, "& slot) {");
+  code.open("suture::Errc fromWire(", names.wire, " in, ", names.slot, "& slot) {");
   code.open("switch (in) {");
   for (const model::Enumerator& one : type.enumerators) {
     code.line("case ", names.wire, "::", model::upperSnakeCase(one.wireName),
               ": return slot = ", kBreakText, "static_cast<", names.slot, ">(", names.cxx,
-              "::", one.name, "), Errc{};");
+              "::", one.name, "), suture::Errc{};");
   }
   for (const std::string& removed : removedEnumerators(context, type)) {
     code.line("case ", names.wire, "::", model::upperSnakeCase(removed), ": break;");
@@ -89,10 +89,10 @@ void emitEnumDecoder(Code& code, const Context& context, const model::Enum& type
   const auto fallback = std::find_if(type.enumerators.begin(), type.enumerators.end(),
                                      [](const model::Enumerator& one) { return one.fallback; });
   if (fallback == type.enumerators.end()) {
-    code.line("return Errc::Invalid;");
+    code.line("return suture::Errc::Invalid;");
   } else {
     code.line("return slot = ", kBreakText, "static_cast<", names.slot, ">(", names.cxx,
-              "::", fallback->name, "), Errc{};");
+              "::", fallback->name, "), suture::Errc{};");
   }
   code.close("}").blank();
 }
@@ -114,8 +114,9 @@ void emitStruct(Code& code, const Context& context, const model::Struct& type) {
 
   const bool shift = std::any_of(values.begin(), values.end(),
                                  [](const WireValue& value) { return usesShift(value.type); });
-  code.open("Errc fromWire(", wire, "::Reader", named("in", any), ", ", slot, "&",
-            named("slot", any), ", Duration", named("shift", shift), ") {");
+  code.open("suture::Errc fromWire(", wire, "::Reader", named("in", any), ", ", kBreakText, slot,
+            "&", named("slot", any), ", ", kBreakText, "suture::Duration", named("shift", shift),
+            ") {");
   emitDecodeAndReturn(code, values, "in", "shift", context);
   code.close("}").blank();
 

@@ -137,7 +137,7 @@ std::string encodeInto(const Type& type, const std::string& slot, const Target& 
   const std::string index = "i" + depthSuffix(depth);
   const std::string statement =
       encodeElement(type, item, Target::element(inner, index), context, depth + 1);
-  return "toWireList(" + slot + ", " + kBreak + list + ", " + kBreak + "[](const " +
+  return "suture::rpc::toWireList(" + slot + ", " + kBreak + list + ", " + kBreak + "[](const " +
          elementSlot(type, context) + "& " + item + ", auto " + inner + ", std::uint32_t " + index +
          ") {" + lambdaBody(statement + ";") + "})";
 }
@@ -161,10 +161,11 @@ Reading decodeSequence(const Type& type, const std::string& in, const std::strin
                            : decodeFrom(element, item, target, shift, context, depth + 1);
   const std::string capture = map || usesShift(element) ? "[&]" : "[]";
   const std::string function =
-      map || type.distinct ? "suture::rpc::fromWireDistinct(" : "fromWireList(";
+      map || type.distinct ? "suture::rpc::fromWireDistinct(" : "suture::rpc::fromWireList(";
   return {true, function + in + ", " + kBreak + slot + ", " + kBreak + capture + "(auto " + item +
                     ", " + elementSlot(type, context) + "& " + target + ") {" +
-                    lambdaBody("return " + each.text + (each.canFail ? ";" : ", Errc{};")) + "})"};
+                    lambdaBody("return " + each.text + (each.canFail ? ";" : ", suture::Errc{};")) +
+                    "})"};
 }
 
 Reading decodeFrom(const Type& type, const std::string& in, const std::string& slot,
@@ -209,9 +210,10 @@ std::string ifSent(const WireValue& value, const std::string& in, const std::str
   const auto choice = [](const std::string& asked, const std::string& yes, const std::string& no) {
     return asked + " " + kBreak + "? " + yes + " " + kBreak + ": " + no;
   };
-  if (value.isNeeded && wouldBeMadeUp(value.type)) return choice(sent, expression, "Errc::Invalid");
+  if (value.isNeeded && wouldBeMadeUp(value.type))
+    return choice(sent, expression, "suture::Errc::Invalid");
   if (value.preset.empty()) return expression;
-  const std::string preset = "fromDefault(" + value.preset + ", " + value.slot + ")";
+  const std::string preset = "suture::rpc::fromDefault(" + value.preset + ", " + value.slot + ")";
   const bool isLong = expression.find(kBody) != std::string::npos;
   return isLong ? choice(whether(false, value, in), preset, expression)
                 : choice(sent, expression, preset);
@@ -350,11 +352,11 @@ std::vector<std::string> emitAssignments(Code& code, const std::vector<WireValue
 
 void emitChecks(Code& code, const char* beginning, const std::vector<std::string>& checks) {
   if (checks.empty()) {
-    code.line(beginning, "Errc{};");
+    code.line(beginning, "suture::Errc{};");
   } else if (checks.size() == 1) {
     code.line(beginning, checks.front(), ";");
   } else {
-    code.line(beginning, "firstError({");
+    code.line(beginning, "suture::rpc::firstError({");
     for (const std::string& check : checks) code.line("    ", check, ",");
     code.line("});");
   }
@@ -370,22 +372,22 @@ void emitDecodeAndReturn(Code& code, const std::vector<WireValue>& values, const
 std::string emitDecode(Code& code, const std::vector<WireValue>& values, const std::string& in,
                        const std::string& shift, const Context& context) {
   const std::vector<std::string> checks = emitAssignments(code, values, in, shift, context);
-  if (checks.empty()) return "Errc{}";
+  if (checks.empty()) return "suture::Errc{}";
   if (checks.size() == 1) return checks.front();
-  emitChecks(code, "const Errc error = ", checks);
+  emitChecks(code, "const suture::Errc error = ", checks);
   return "error";
 }
 
 void emitError(Code& code, const std::string& outcome) {
   if (outcome == "error") return;
   if (outcome.find(kBody) != std::string::npos) {
-    code.line("const Errc error = ", outcome, ";");
+    code.line("const suture::Errc error = ", outcome, ";");
     return;
   }
   std::string whole;
   std::copy_if(outcome.begin(), outcome.end(), std::back_inserter(whole),
                [](char c) { return c != kBreak; });
-  code.line("const Errc error = ", kBreakText, whole, ";");
+  code.line("const suture::Errc error = ", kBreakText, whole, ";");
 }
 
 bool usesShift(const Type& type) {

@@ -17,26 +17,10 @@ bool isValid(const PosePrmSlot& slot, suture::FieldPath* path);
 
 namespace scenarios {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const double& value, AllKindsSetScalarArguments& slot) {
@@ -51,7 +35,7 @@ bool store(const robots::PosePrm& value, AllKindsSetRecordArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(AllKindsSetRecordArguments& slot, Duration shift) {
+void shiftStamps(AllKindsSetRecordArguments& slot, suture::Duration shift) {
   shiftStamps(slot.value, shift);
 }
 
@@ -71,7 +55,7 @@ bool store(const robots::PosePrm& value, AllKindsTwiceRecordArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(AllKindsTwiceRecordArguments& slot, Duration shift) {
+void shiftStamps(AllKindsTwiceRecordArguments& slot, suture::Duration shift) {
   shiftStamps(slot.value, shift);
 }
 
@@ -91,7 +75,7 @@ bool store(const robots::PosePrm& value, AllKindsSwapRecordArguments& slot) {
   return store(value, slot.value);
 }
 
-void shiftStamps(AllKindsSwapRecordArguments& slot, Duration shift) {
+void shiftStamps(AllKindsSwapRecordArguments& slot, suture::Duration shift) {
   shiftStamps(slot.value, shift);
 }
 
@@ -101,69 +85,75 @@ bool store(const std::string& value, AllKindsSwapTextArguments& slot) {
 
 namespace {
 
-bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot, FieldPath* path) {
-  return isValid(slot.value) || refusedAt(path, "value");
+bool acceptsAllKindsSetScalar(const AllKindsSetScalarArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value) || suture::refusedAt(path, "value");
 }
 
-bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsAllKindsSetVector(const AllKindsSetVectorArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsAllKindsSetRecord(const AllKindsSetRecordArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsAllKindsScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsAllKindsScalarResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
-bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
+bool acceptsAllKindsVectorResult(const std::array<double, 3>& slot, suture::FieldPath* path) {
   return isValid(slot, path);
 }
 
-bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot, FieldPath* path) {
-  return isValid(slot.value) || refusedAt(path, "value");
+bool acceptsAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value) || suture::refusedAt(path, "value");
 }
 
-bool acceptsAllKindsTwiceScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
-
-bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsAllKindsTwiceScalarResult(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
 }
 
-bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
+bool acceptsAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
+}
+
+bool acceptsAllKindsTwiceVectorResult(const std::array<double, 3>& slot, suture::FieldPath* path) {
   return isValid(slot, path);
 }
 
-bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsAllKindsTakeScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsAllKindsTakeScalarResult(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
+}
 
-bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
+bool acceptsAllKindsTakeVectorResult(const std::array<double, 3>& slot, suture::FieldPath* path) {
   return isValid(slot, path);
 }
 
-bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot, FieldPath* path) {
-  return isValid(slot.value) || refusedAt(path, "value");
+bool acceptsAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value) || suture::refusedAt(path, "value");
 }
 
-bool acceptsAllKindsSwapScalarResult(const double& slot, FieldPath*) { return isValid(slot); }
-
-bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsAllKindsSwapScalarResult(const double& slot, suture::FieldPath*) {
+  return isValid(slot);
 }
 
-bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot, FieldPath* path) {
+bool acceptsAllKindsSwapVector(const AllKindsSwapVectorArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
+}
+
+bool acceptsAllKindsSwapVectorResult(const std::array<double, 3>& slot, suture::FieldPath* path) {
   return isValid(slot, path);
 }
 
-bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsAllKindsScalarSetEvent(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsAllKindsScalarSetEvent(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
-bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot, FieldPath* path) {
+bool acceptsAllKindsVectorSetEvent(const std::array<double, 3>& slot, suture::FieldPath* path) {
   return isValid(slot, path);
 }
 
@@ -173,72 +163,72 @@ void encodeAllKindsSetScalar(const AllKindsSetScalarArguments& slot,
                              wire::AllKinds::SetScalarParams::Builder out) {
   out.setValue(slot.value);
 }
-Errc decodeAllKindsSetScalar(wire::AllKinds::SetScalarParams::Reader in,
-                             AllKindsSetScalarArguments& slot, suture::Duration) {
+suture::Errc decodeAllKindsSetScalar(wire::AllKinds::SetScalarParams::Reader in,
+                                     AllKindsSetScalarArguments& slot, suture::Duration) {
   slot.value = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsSetVector(const AllKindsSetVectorArguments& slot,
                              wire::AllKinds::SetVectorParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeAllKindsSetVector(wire::AllKinds::SetVectorParams::Reader in,
-                             AllKindsSetVectorArguments& slot, suture::Duration) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+suture::Errc decodeAllKindsSetVector(wire::AllKinds::SetVectorParams::Reader in,
+                                     AllKindsSetVectorArguments& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsSetRecord(const AllKindsSetRecordArguments& slot,
                              wire::AllKinds::SetRecordParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeAllKindsSetRecord(wire::AllKinds::SetRecordParams::Reader in,
-                             AllKindsSetRecordArguments& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsSetRecord(wire::AllKinds::SetRecordParams::Reader in,
+                                     AllKindsSetRecordArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsSetText(const AllKindsSetTextArguments& slot,
                            wire::AllKinds::SetTextParams::Builder out) {
   toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
-Errc decodeAllKindsSetText(wire::AllKinds::SetTextParams::Reader in, AllKindsSetTextArguments& slot,
-                           suture::Duration) {
+suture::Errc decodeAllKindsSetText(wire::AllKinds::SetTextParams::Reader in,
+                                   AllKindsSetTextArguments& slot, suture::Duration) {
   return fromWire(in.getValue(), slot.value);
 }
 
 void encodeAllKindsScalarResult(const double& slot, wire::AllKinds::ScalarResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeAllKindsScalarResult(wire::AllKinds::ScalarResults::Reader in, double& slot,
-                                suture::Duration) {
+suture::Errc decodeAllKindsScalarResult(wire::AllKinds::ScalarResults::Reader in, double& slot,
+                                        suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsVectorResult(const std::array<double, 3>& slot,
                                 wire::AllKinds::VectorResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsVectorResult(wire::AllKinds::VectorResults::Reader in,
-                                std::array<double, 3>& slot, suture::Duration) {
-  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+suture::Errc decodeAllKindsVectorResult(wire::AllKinds::VectorResults::Reader in,
+                                        std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsRecordResult(const robots::PosePrmSlot& slot,
                                 wire::AllKinds::RecordResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsRecordResult(wire::AllKinds::RecordResults::Reader in, robots::PosePrmSlot& slot,
-                                suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsRecordResult(wire::AllKinds::RecordResults::Reader in,
+                                        robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTextResult(const suture::BoundedText<31>& slot,
                               wire::AllKinds::TextResults::Builder out) {
   toWire(slot, out.initValue(sizeOf(slot)));
 }
-Errc decodeAllKindsTextResult(wire::AllKinds::TextResults::Reader in, suture::BoundedText<31>& slot,
-                              suture::Duration) {
+suture::Errc decodeAllKindsTextResult(wire::AllKinds::TextResults::Reader in,
+                                      suture::BoundedText<31>& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -246,64 +236,64 @@ void encodeAllKindsTwiceScalar(const AllKindsTwiceScalarArguments& slot,
                                wire::AllKinds::TwiceScalarParams::Builder out) {
   out.setValue(slot.value);
 }
-Errc decodeAllKindsTwiceScalar(wire::AllKinds::TwiceScalarParams::Reader in,
-                               AllKindsTwiceScalarArguments& slot, suture::Duration) {
+suture::Errc decodeAllKindsTwiceScalar(wire::AllKinds::TwiceScalarParams::Reader in,
+                                       AllKindsTwiceScalarArguments& slot, suture::Duration) {
   slot.value = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsTwiceScalarResult(const double& slot,
                                      wire::AllKinds::TwiceScalarResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeAllKindsTwiceScalarResult(wire::AllKinds::TwiceScalarResults::Reader in, double& slot,
-                                     suture::Duration) {
+suture::Errc decodeAllKindsTwiceScalarResult(wire::AllKinds::TwiceScalarResults::Reader in,
+                                             double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsTwiceVector(const AllKindsTwiceVectorArguments& slot,
                                wire::AllKinds::TwiceVectorParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeAllKindsTwiceVector(wire::AllKinds::TwiceVectorParams::Reader in,
-                               AllKindsTwiceVectorArguments& slot, suture::Duration) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+suture::Errc decodeAllKindsTwiceVector(wire::AllKinds::TwiceVectorParams::Reader in,
+                                       AllKindsTwiceVectorArguments& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTwiceVectorResult(const std::array<double, 3>& slot,
                                      wire::AllKinds::TwiceVectorResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsTwiceVectorResult(wire::AllKinds::TwiceVectorResults::Reader in,
-                                     std::array<double, 3>& slot, suture::Duration) {
-  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+suture::Errc decodeAllKindsTwiceVectorResult(wire::AllKinds::TwiceVectorResults::Reader in,
+                                             std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTwiceRecord(const AllKindsTwiceRecordArguments& slot,
                                wire::AllKinds::TwiceRecordParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeAllKindsTwiceRecord(wire::AllKinds::TwiceRecordParams::Reader in,
-                               AllKindsTwiceRecordArguments& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsTwiceRecord(wire::AllKinds::TwiceRecordParams::Reader in,
+                                       AllKindsTwiceRecordArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTwiceRecordResult(const robots::PosePrmSlot& slot,
                                      wire::AllKinds::TwiceRecordResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsTwiceRecordResult(wire::AllKinds::TwiceRecordResults::Reader in,
-                                     robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsTwiceRecordResult(wire::AllKinds::TwiceRecordResults::Reader in,
+                                             robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTwiceText(const AllKindsTwiceTextArguments& slot,
                              wire::AllKinds::TwiceTextParams::Builder out) {
   toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
-Errc decodeAllKindsTwiceText(wire::AllKinds::TwiceTextParams::Reader in,
-                             AllKindsTwiceTextArguments& slot, suture::Duration) {
+suture::Errc decodeAllKindsTwiceText(wire::AllKinds::TwiceTextParams::Reader in,
+                                     AllKindsTwiceTextArguments& slot, suture::Duration) {
   return fromWire(in.getValue(), slot.value);
 }
 
@@ -311,8 +301,8 @@ void encodeAllKindsTwiceTextResult(const suture::BoundedText<31>& slot,
                                    wire::AllKinds::TwiceTextResults::Builder out) {
   toWire(slot, out.initValue(sizeOf(slot)));
 }
-Errc decodeAllKindsTwiceTextResult(wire::AllKinds::TwiceTextResults::Reader in,
-                                   suture::BoundedText<31>& slot, suture::Duration) {
+suture::Errc decodeAllKindsTwiceTextResult(wire::AllKinds::TwiceTextResults::Reader in,
+                                           suture::BoundedText<31>& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -320,36 +310,36 @@ void encodeAllKindsTakeScalarResult(const double& slot,
                                     wire::AllKinds::TakeScalarResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeAllKindsTakeScalarResult(wire::AllKinds::TakeScalarResults::Reader in, double& slot,
-                                    suture::Duration) {
+suture::Errc decodeAllKindsTakeScalarResult(wire::AllKinds::TakeScalarResults::Reader in,
+                                            double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsTakeVectorResult(const std::array<double, 3>& slot,
                                     wire::AllKinds::TakeVectorResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsTakeVectorResult(wire::AllKinds::TakeVectorResults::Reader in,
-                                    std::array<double, 3>& slot, suture::Duration) {
-  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+suture::Errc decodeAllKindsTakeVectorResult(wire::AllKinds::TakeVectorResults::Reader in,
+                                            std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTakeRecordResult(const robots::PosePrmSlot& slot,
                                     wire::AllKinds::TakeRecordResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsTakeRecordResult(wire::AllKinds::TakeRecordResults::Reader in,
-                                    robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsTakeRecordResult(wire::AllKinds::TakeRecordResults::Reader in,
+                                            robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTakeTextResult(const suture::BoundedText<31>& slot,
                                   wire::AllKinds::TakeTextResults::Builder out) {
   toWire(slot, out.initValue(sizeOf(slot)));
 }
-Errc decodeAllKindsTakeTextResult(wire::AllKinds::TakeTextResults::Reader in,
-                                  suture::BoundedText<31>& slot, suture::Duration) {
+suture::Errc decodeAllKindsTakeTextResult(wire::AllKinds::TakeTextResults::Reader in,
+                                          suture::BoundedText<31>& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -357,64 +347,64 @@ void encodeAllKindsSwapScalar(const AllKindsSwapScalarArguments& slot,
                               wire::AllKinds::SwapScalarParams::Builder out) {
   out.setValue(slot.value);
 }
-Errc decodeAllKindsSwapScalar(wire::AllKinds::SwapScalarParams::Reader in,
-                              AllKindsSwapScalarArguments& slot, suture::Duration) {
+suture::Errc decodeAllKindsSwapScalar(wire::AllKinds::SwapScalarParams::Reader in,
+                                      AllKindsSwapScalarArguments& slot, suture::Duration) {
   slot.value = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsSwapScalarResult(const double& slot,
                                     wire::AllKinds::SwapScalarResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeAllKindsSwapScalarResult(wire::AllKinds::SwapScalarResults::Reader in, double& slot,
-                                    suture::Duration) {
+suture::Errc decodeAllKindsSwapScalarResult(wire::AllKinds::SwapScalarResults::Reader in,
+                                            double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsSwapVector(const AllKindsSwapVectorArguments& slot,
                               wire::AllKinds::SwapVectorParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeAllKindsSwapVector(wire::AllKinds::SwapVectorParams::Reader in,
-                              AllKindsSwapVectorArguments& slot, suture::Duration) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value) : Errc::Invalid;
+suture::Errc decodeAllKindsSwapVector(wire::AllKinds::SwapVectorParams::Reader in,
+                                      AllKindsSwapVectorArguments& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsSwapVectorResult(const std::array<double, 3>& slot,
                                     wire::AllKinds::SwapVectorResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsSwapVectorResult(wire::AllKinds::SwapVectorResults::Reader in,
-                                    std::array<double, 3>& slot, suture::Duration) {
-  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+suture::Errc decodeAllKindsSwapVectorResult(wire::AllKinds::SwapVectorResults::Reader in,
+                                            std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsSwapRecord(const AllKindsSwapRecordArguments& slot,
                               wire::AllKinds::SwapRecordParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeAllKindsSwapRecord(wire::AllKinds::SwapRecordParams::Reader in,
-                              AllKindsSwapRecordArguments& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsSwapRecord(wire::AllKinds::SwapRecordParams::Reader in,
+                                      AllKindsSwapRecordArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsSwapRecordResult(const robots::PosePrmSlot& slot,
                                     wire::AllKinds::SwapRecordResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsSwapRecordResult(wire::AllKinds::SwapRecordResults::Reader in,
-                                    robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsSwapRecordResult(wire::AllKinds::SwapRecordResults::Reader in,
+                                            robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsSwapText(const AllKindsSwapTextArguments& slot,
                             wire::AllKinds::SwapTextParams::Builder out) {
   toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
-Errc decodeAllKindsSwapText(wire::AllKinds::SwapTextParams::Reader in,
-                            AllKindsSwapTextArguments& slot, suture::Duration) {
+suture::Errc decodeAllKindsSwapText(wire::AllKinds::SwapTextParams::Reader in,
+                                    AllKindsSwapTextArguments& slot, suture::Duration) {
   return fromWire(in.getValue(), slot.value);
 }
 
@@ -422,8 +412,8 @@ void encodeAllKindsSwapTextResult(const suture::BoundedText<31>& slot,
                                   wire::AllKinds::SwapTextResults::Builder out) {
   toWire(slot, out.initValue(sizeOf(slot)));
 }
-Errc decodeAllKindsSwapTextResult(wire::AllKinds::SwapTextResults::Reader in,
-                                  suture::BoundedText<31>& slot, suture::Duration) {
+suture::Errc decodeAllKindsSwapTextResult(wire::AllKinds::SwapTextResults::Reader in,
+                                          suture::BoundedText<31>& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -431,71 +421,72 @@ void encodeAllKindsScalarSetEvent(const double& slot,
                                   wire::AllKindsEvents::ScalarSetParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeAllKindsScalarSetEvent(wire::AllKindsEvents::ScalarSetParams::Reader in, double& slot,
-                                  suture::Duration) {
+suture::Errc decodeAllKindsScalarSetEvent(wire::AllKindsEvents::ScalarSetParams::Reader in,
+                                          double& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsVectorSetEvent(const std::array<double, 3>& slot,
                                   wire::AllKindsEvents::VectorSetParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsVectorSetEvent(wire::AllKindsEvents::VectorSetParams::Reader in,
-                                  std::array<double, 3>& slot, suture::Duration) {
-  return in.hasValue() ? fromWire(in.getValue(), slot) : Errc::Invalid;
+suture::Errc decodeAllKindsVectorSetEvent(wire::AllKindsEvents::VectorSetParams::Reader in,
+                                          std::array<double, 3>& slot, suture::Duration) {
+  return in.hasValue() ? fromWire(in.getValue(), slot) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsRecordSetEvent(const robots::PosePrmSlot& slot,
                                   wire::AllKindsEvents::RecordSetParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeAllKindsRecordSetEvent(wire::AllKindsEvents::RecordSetParams::Reader in,
-                                  robots::PosePrmSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsRecordSetEvent(wire::AllKindsEvents::RecordSetParams::Reader in,
+                                          robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTextSetEvent(const suture::BoundedText<31>& slot,
                                 wire::AllKindsEvents::TextSetParams::Builder out) {
   toWire(slot, out.initValue(sizeOf(slot)));
 }
-Errc decodeAllKindsTextSetEvent(wire::AllKindsEvents::TextSetParams::Reader in,
-                                suture::BoundedText<31>& slot, suture::Duration) {
+suture::Errc decodeAllKindsTextSetEvent(wire::AllKindsEvents::TextSetParams::Reader in,
+                                        suture::BoundedText<31>& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
 void encodeAllKindsScalarColumn(const double& slot, wire::AllKindsStateRow::Builder out) {
   out.setScalar(slot);
 }
-Errc decodeAllKindsScalarColumn(wire::AllKindsStateRow::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeAllKindsScalarColumn(wire::AllKindsStateRow::Reader in, double& slot,
+                                        suture::Duration) {
   slot = in.getScalar();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeAllKindsVectorColumn(const std::array<double, 3>& slot,
                                 wire::AllKindsStateRow::Builder out) {
   toWire(slot, out.initVector());
 }
-Errc decodeAllKindsVectorColumn(wire::AllKindsStateRow::Reader in, std::array<double, 3>& slot,
-                                suture::Duration) {
-  return in.hasVector() ? fromWire(in.getVector(), slot) : Errc::Invalid;
+suture::Errc decodeAllKindsVectorColumn(wire::AllKindsStateRow::Reader in,
+                                        std::array<double, 3>& slot, suture::Duration) {
+  return in.hasVector() ? fromWire(in.getVector(), slot) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsRecordColumn(const robots::PosePrmSlot& slot,
                                 wire::AllKindsStateRow::Builder out) {
   toWire(slot, out.initRecord());
 }
-Errc decodeAllKindsRecordColumn(wire::AllKindsStateRow::Reader in, robots::PosePrmSlot& slot,
-                                suture::Duration shift) {
-  return in.hasRecord() ? fromWire(in.getRecord(), slot, shift) : Errc::Invalid;
+suture::Errc decodeAllKindsRecordColumn(wire::AllKindsStateRow::Reader in,
+                                        robots::PosePrmSlot& slot, suture::Duration shift) {
+  return in.hasRecord() ? fromWire(in.getRecord(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeAllKindsTextColumn(const suture::BoundedText<31>& slot,
                               wire::AllKindsStateRow::Builder out) {
   toWire(slot, out.initText(sizeOf(slot)));
 }
-Errc decodeAllKindsTextColumn(wire::AllKindsStateRow::Reader in, suture::BoundedText<31>& slot,
-                              suture::Duration) {
+suture::Errc decodeAllKindsTextColumn(wire::AllKindsStateRow::Reader in,
+                                      suture::BoundedText<31>& slot, suture::Duration) {
   return fromWire(in.getText(), slot);
 }
 
@@ -503,174 +494,195 @@ Errc decodeAllKindsTextColumn(wire::AllKindsStateRow::Reader in, suture::Bounded
 void encodeAllKindsColumn(unsigned column, const std::byte* memory,
                           wire::AllKindsStateRow::Builder out) {
   switch (static_cast<AllKindsColumn>(column)) {
-    case AllKindsColumn::scalar: return encodeAllKindsScalarColumn(slotIn<double>(memory), out);
+    case AllKindsColumn::scalar:
+      return encodeAllKindsScalarColumn(suture::slotIn<double>(memory), out);
     case AllKindsColumn::vector:
-      return encodeAllKindsVectorColumn(slotIn<std::array<double, 3>>(memory), out);
+      return encodeAllKindsVectorColumn(suture::slotIn<std::array<double, 3>>(memory), out);
     case AllKindsColumn::record:
-      return encodeAllKindsRecordColumn(slotIn<robots::PosePrmSlot>(memory), out);
+      return encodeAllKindsRecordColumn(suture::slotIn<robots::PosePrmSlot>(memory), out);
     case AllKindsColumn::text:
-      return encodeAllKindsTextColumn(slotIn<suture::BoundedText<31>>(memory), out);
+      return encodeAllKindsTextColumn(suture::slotIn<suture::BoundedText<31>>(memory), out);
   }
 }
-Errc decodeAllKindsColumn(wire::AllKindsStateRow::Reader in, unsigned column, std::byte* memory,
-                          suture::Duration shift) {
+suture::Errc decodeAllKindsColumn(wire::AllKindsStateRow::Reader in, unsigned column,
+                                  std::byte* memory, suture::Duration shift) {
   switch (static_cast<AllKindsColumn>(column)) {
     case AllKindsColumn::scalar:
-      return decodeAllKindsScalarColumn(in, newSlot<double>(memory), shift);
+      return decodeAllKindsScalarColumn(in, suture::newSlot<double>(memory), shift);
     case AllKindsColumn::vector:
-      return decodeAllKindsVectorColumn(in, newSlot<std::array<double, 3>>(memory), shift);
+      return decodeAllKindsVectorColumn(in, suture::newSlot<std::array<double, 3>>(memory), shift);
     case AllKindsColumn::record:
-      return decodeAllKindsRecordColumn(in, newSlot<robots::PosePrmSlot>(memory), shift);
+      return decodeAllKindsRecordColumn(in, suture::newSlot<robots::PosePrmSlot>(memory), shift);
     case AllKindsColumn::text:
-      return decodeAllKindsTextColumn(in, newSlot<suture::BoundedText<31>>(memory), shift);
+      return decodeAllKindsTextColumn(in, suture::newSlot<suture::BoundedText<31>>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kAllKindsCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kAllKindsCommandCodecs[] = {
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 1,
-     .sent = sentIn<wire::AllKinds::ClearParams>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::ClearParams>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 2,
-     .sent = sentIn<wire::AllKinds::SetScalarParams>,
-     .arguments = messageOf<wire::AllKinds::SetScalarParams, AllKindsSetScalarArguments,
-                            encodeAllKindsSetScalar, decodeAllKindsSetScalar>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::SetScalarParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::SetScalarParams,
+                                         AllKindsSetScalarArguments, encodeAllKindsSetScalar,
+                                         decodeAllKindsSetScalar>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 3,
-     .sent = sentIn<wire::AllKinds::SetVectorParams>,
-     .arguments = messageOf<wire::AllKinds::SetVectorParams, AllKindsSetVectorArguments,
-                            encodeAllKindsSetVector, decodeAllKindsSetVector>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::SetVectorParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::SetVectorParams,
+                                         AllKindsSetVectorArguments, encodeAllKindsSetVector,
+                                         decodeAllKindsSetVector>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 4,
-     .sent = sentIn<wire::AllKinds::SetRecordParams>,
-     .arguments = messageOf<wire::AllKinds::SetRecordParams, AllKindsSetRecordArguments,
-                            encodeAllKindsSetRecord, decodeAllKindsSetRecord>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::SetRecordParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::SetRecordParams,
+                                         AllKindsSetRecordArguments, encodeAllKindsSetRecord,
+                                         decodeAllKindsSetRecord>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 5,
-     .sent = sentIn<wire::AllKinds::SetTextParams>,
-     .arguments = messageOf<wire::AllKinds::SetTextParams, AllKindsSetTextArguments,
-                            encodeAllKindsSetText, decodeAllKindsSetText>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::SetTextParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::SetTextParams, AllKindsSetTextArguments,
+                                         encodeAllKindsSetText, decodeAllKindsSetText>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 6,
-     .sent = sentIn<wire::AllKinds::ScalarParams>,
-     .result = messageOf<wire::AllKinds::ScalarResults, double, encodeAllKindsScalarResult,
-                         decodeAllKindsScalarResult>,
-     .stamp = stampIn<wire::AllKinds::ScalarResults>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::ScalarParams>,
+     .result = suture::rpc::messageOf<wire::AllKinds::ScalarResults, double,
+                                      encodeAllKindsScalarResult, decodeAllKindsScalarResult>,
+     .stamp = suture::rpc::stampIn<wire::AllKinds::ScalarResults>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 7,
-     .sent = sentIn<wire::AllKinds::VectorParams>,
-     .result = messageOf<wire::AllKinds::VectorResults, std::array<double, 3>,
-                         encodeAllKindsVectorResult, decodeAllKindsVectorResult>,
-     .stamp = stampIn<wire::AllKinds::VectorResults>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::VectorParams>,
+     .result = suture::rpc::messageOf<wire::AllKinds::VectorResults, std::array<double, 3>,
+                                      encodeAllKindsVectorResult, decodeAllKindsVectorResult>,
+     .stamp = suture::rpc::stampIn<wire::AllKinds::VectorResults>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 8,
-     .sent = sentIn<wire::AllKinds::RecordParams>,
-     .result = messageOf<wire::AllKinds::RecordResults, robots::PosePrmSlot,
-                         encodeAllKindsRecordResult, decodeAllKindsRecordResult>,
-     .stamp = stampIn<wire::AllKinds::RecordResults>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::RecordParams>,
+     .result = suture::rpc::messageOf<wire::AllKinds::RecordResults, robots::PosePrmSlot,
+                                      encodeAllKindsRecordResult, decodeAllKindsRecordResult>,
+     .stamp = suture::rpc::stampIn<wire::AllKinds::RecordResults>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 9,
-     .sent = sentIn<wire::AllKinds::TextParams>,
-     .result = messageOf<wire::AllKinds::TextResults, suture::BoundedText<31>,
-                         encodeAllKindsTextResult, decodeAllKindsTextResult>,
-     .stamp = stampIn<wire::AllKinds::TextResults>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TextParams>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TextResults, suture::BoundedText<31>,
+                                      encodeAllKindsTextResult, decodeAllKindsTextResult>,
+     .stamp = suture::rpc::stampIn<wire::AllKinds::TextResults>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 10,
-     .sent = sentIn<wire::AllKinds::TwiceScalarParams>,
-     .arguments = messageOf<wire::AllKinds::TwiceScalarParams, AllKindsTwiceScalarArguments,
-                            encodeAllKindsTwiceScalar, decodeAllKindsTwiceScalar>,
-     .result = messageOf<wire::AllKinds::TwiceScalarResults, double,
-                         encodeAllKindsTwiceScalarResult, decodeAllKindsTwiceScalarResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TwiceScalarParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::TwiceScalarParams,
+                                         AllKindsTwiceScalarArguments, encodeAllKindsTwiceScalar,
+                                         decodeAllKindsTwiceScalar>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TwiceScalarResults, double,
+                                      encodeAllKindsTwiceScalarResult,
+                                      decodeAllKindsTwiceScalarResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 11,
-     .sent = sentIn<wire::AllKinds::TwiceVectorParams>,
-     .arguments = messageOf<wire::AllKinds::TwiceVectorParams, AllKindsTwiceVectorArguments,
-                            encodeAllKindsTwiceVector, decodeAllKindsTwiceVector>,
-     .result = messageOf<wire::AllKinds::TwiceVectorResults, std::array<double, 3>,
-                         encodeAllKindsTwiceVectorResult, decodeAllKindsTwiceVectorResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TwiceVectorParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::TwiceVectorParams,
+                                         AllKindsTwiceVectorArguments, encodeAllKindsTwiceVector,
+                                         decodeAllKindsTwiceVector>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TwiceVectorResults, std::array<double, 3>,
+                                      encodeAllKindsTwiceVectorResult,
+                                      decodeAllKindsTwiceVectorResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 12,
-     .sent = sentIn<wire::AllKinds::TwiceRecordParams>,
-     .arguments = messageOf<wire::AllKinds::TwiceRecordParams, AllKindsTwiceRecordArguments,
-                            encodeAllKindsTwiceRecord, decodeAllKindsTwiceRecord>,
-     .result = messageOf<wire::AllKinds::TwiceRecordResults, robots::PosePrmSlot,
-                         encodeAllKindsTwiceRecordResult, decodeAllKindsTwiceRecordResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TwiceRecordParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::TwiceRecordParams,
+                                         AllKindsTwiceRecordArguments, encodeAllKindsTwiceRecord,
+                                         decodeAllKindsTwiceRecord>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TwiceRecordResults, robots::PosePrmSlot,
+                                      encodeAllKindsTwiceRecordResult,
+                                      decodeAllKindsTwiceRecordResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 13,
-     .sent = sentIn<wire::AllKinds::TwiceTextParams>,
-     .arguments = messageOf<wire::AllKinds::TwiceTextParams, AllKindsTwiceTextArguments,
-                            encodeAllKindsTwiceText, decodeAllKindsTwiceText>,
-     .result = messageOf<wire::AllKinds::TwiceTextResults, suture::BoundedText<31>,
-                         encodeAllKindsTwiceTextResult, decodeAllKindsTwiceTextResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TwiceTextParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::TwiceTextParams,
+                                         AllKindsTwiceTextArguments, encodeAllKindsTwiceText,
+                                         decodeAllKindsTwiceText>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TwiceTextResults, suture::BoundedText<31>,
+                                      encodeAllKindsTwiceTextResult,
+                                      decodeAllKindsTwiceTextResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 14,
-     .sent = sentIn<wire::AllKinds::TakeScalarParams>,
-     .result = messageOf<wire::AllKinds::TakeScalarResults, double, encodeAllKindsTakeScalarResult,
-                         decodeAllKindsTakeScalarResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TakeScalarParams>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TakeScalarResults, double,
+                                      encodeAllKindsTakeScalarResult,
+                                      decodeAllKindsTakeScalarResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 15,
-     .sent = sentIn<wire::AllKinds::TakeVectorParams>,
-     .result = messageOf<wire::AllKinds::TakeVectorResults, std::array<double, 3>,
-                         encodeAllKindsTakeVectorResult, decodeAllKindsTakeVectorResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TakeVectorParams>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TakeVectorResults, std::array<double, 3>,
+                                      encodeAllKindsTakeVectorResult,
+                                      decodeAllKindsTakeVectorResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 16,
-     .sent = sentIn<wire::AllKinds::TakeRecordParams>,
-     .result = messageOf<wire::AllKinds::TakeRecordResults, robots::PosePrmSlot,
-                         encodeAllKindsTakeRecordResult, decodeAllKindsTakeRecordResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TakeRecordParams>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TakeRecordResults, robots::PosePrmSlot,
+                                      encodeAllKindsTakeRecordResult,
+                                      decodeAllKindsTakeRecordResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 17,
-     .sent = sentIn<wire::AllKinds::TakeTextParams>,
-     .result = messageOf<wire::AllKinds::TakeTextResults, suture::BoundedText<31>,
-                         encodeAllKindsTakeTextResult, decodeAllKindsTakeTextResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::TakeTextParams>,
+     .result = suture::rpc::messageOf<wire::AllKinds::TakeTextResults, suture::BoundedText<31>,
+                                      encodeAllKindsTakeTextResult, decodeAllKindsTakeTextResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 18,
-     .sent = sentIn<wire::AllKinds::SwapScalarParams>,
-     .arguments = messageOf<wire::AllKinds::SwapScalarParams, AllKindsSwapScalarArguments,
-                            encodeAllKindsSwapScalar, decodeAllKindsSwapScalar>,
-     .result = messageOf<wire::AllKinds::SwapScalarResults, double, encodeAllKindsSwapScalarResult,
-                         decodeAllKindsSwapScalarResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::SwapScalarParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::SwapScalarParams,
+                                         AllKindsSwapScalarArguments, encodeAllKindsSwapScalar,
+                                         decodeAllKindsSwapScalar>,
+     .result = suture::rpc::messageOf<wire::AllKinds::SwapScalarResults, double,
+                                      encodeAllKindsSwapScalarResult,
+                                      decodeAllKindsSwapScalarResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 19,
-     .sent = sentIn<wire::AllKinds::SwapVectorParams>,
-     .arguments = messageOf<wire::AllKinds::SwapVectorParams, AllKindsSwapVectorArguments,
-                            encodeAllKindsSwapVector, decodeAllKindsSwapVector>,
-     .result = messageOf<wire::AllKinds::SwapVectorResults, std::array<double, 3>,
-                         encodeAllKindsSwapVectorResult, decodeAllKindsSwapVectorResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::SwapVectorParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::SwapVectorParams,
+                                         AllKindsSwapVectorArguments, encodeAllKindsSwapVector,
+                                         decodeAllKindsSwapVector>,
+     .result = suture::rpc::messageOf<wire::AllKinds::SwapVectorResults, std::array<double, 3>,
+                                      encodeAllKindsSwapVectorResult,
+                                      decodeAllKindsSwapVectorResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 20,
-     .sent = sentIn<wire::AllKinds::SwapRecordParams>,
-     .arguments = messageOf<wire::AllKinds::SwapRecordParams, AllKindsSwapRecordArguments,
-                            encodeAllKindsSwapRecord, decodeAllKindsSwapRecord>,
-     .result = messageOf<wire::AllKinds::SwapRecordResults, robots::PosePrmSlot,
-                         encodeAllKindsSwapRecordResult, decodeAllKindsSwapRecordResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::SwapRecordParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::SwapRecordParams,
+                                         AllKindsSwapRecordArguments, encodeAllKindsSwapRecord,
+                                         decodeAllKindsSwapRecord>,
+     .result = suture::rpc::messageOf<wire::AllKinds::SwapRecordResults, robots::PosePrmSlot,
+                                      encodeAllKindsSwapRecordResult,
+                                      decodeAllKindsSwapRecordResult>},
     {.interface = capnp::typeId<wire::AllKinds>(),
      .method = 21,
-     .sent = sentIn<wire::AllKinds::SwapTextParams>,
-     .arguments = messageOf<wire::AllKinds::SwapTextParams, AllKindsSwapTextArguments,
-                            encodeAllKindsSwapText, decodeAllKindsSwapText>,
-     .result = messageOf<wire::AllKinds::SwapTextResults, suture::BoundedText<31>,
-                         encodeAllKindsSwapTextResult, decodeAllKindsSwapTextResult>},
+     .sent = suture::rpc::sentIn<wire::AllKinds::SwapTextParams>,
+     .arguments = suture::rpc::messageOf<wire::AllKinds::SwapTextParams, AllKindsSwapTextArguments,
+                                         encodeAllKindsSwapText, decodeAllKindsSwapText>,
+     .result = suture::rpc::messageOf<wire::AllKinds::SwapTextResults, suture::BoundedText<31>,
+                                      encodeAllKindsSwapTextResult, decodeAllKindsSwapTextResult>},
 };
 
-constexpr EventCodec kAllKindsEventCodecs[] = {
-    {.method = 1, .stamp = stampIn<wire::AllKindsEvents::ClearedParams>},
+constexpr suture::rpc::EventCodec kAllKindsEventCodecs[] = {
+    {.method = 1, .stamp = suture::rpc::stampIn<wire::AllKindsEvents::ClearedParams>},
     {.method = 2,
-     .stamp = stampIn<wire::AllKindsEvents::ScalarSetParams>,
-     .payload = messageOf<wire::AllKindsEvents::ScalarSetParams, double,
-                          encodeAllKindsScalarSetEvent, decodeAllKindsScalarSetEvent>},
+     .stamp = suture::rpc::stampIn<wire::AllKindsEvents::ScalarSetParams>,
+     .payload = suture::rpc::messageOf<wire::AllKindsEvents::ScalarSetParams, double,
+                                       encodeAllKindsScalarSetEvent, decodeAllKindsScalarSetEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::AllKindsEvents::VectorSetParams>,
-     .payload = messageOf<wire::AllKindsEvents::VectorSetParams, std::array<double, 3>,
-                          encodeAllKindsVectorSetEvent, decodeAllKindsVectorSetEvent>},
+     .stamp = suture::rpc::stampIn<wire::AllKindsEvents::VectorSetParams>,
+     .payload = suture::rpc::messageOf<wire::AllKindsEvents::VectorSetParams, std::array<double, 3>,
+                                       encodeAllKindsVectorSetEvent, decodeAllKindsVectorSetEvent>},
     {.method = 4,
-     .stamp = stampIn<wire::AllKindsEvents::RecordSetParams>,
-     .payload = messageOf<wire::AllKindsEvents::RecordSetParams, robots::PosePrmSlot,
-                          encodeAllKindsRecordSetEvent, decodeAllKindsRecordSetEvent>},
+     .stamp = suture::rpc::stampIn<wire::AllKindsEvents::RecordSetParams>,
+     .payload = suture::rpc::messageOf<wire::AllKindsEvents::RecordSetParams, robots::PosePrmSlot,
+                                       encodeAllKindsRecordSetEvent, decodeAllKindsRecordSetEvent>},
     {.method = 5,
-     .stamp = stampIn<wire::AllKindsEvents::TextSetParams>,
-     .payload = messageOf<wire::AllKindsEvents::TextSetParams, suture::BoundedText<31>,
-                          encodeAllKindsTextSetEvent, decodeAllKindsTextSetEvent>},
+     .stamp = suture::rpc::stampIn<wire::AllKindsEvents::TextSetParams>,
+     .payload = suture::rpc::messageOf<wire::AllKindsEvents::TextSetParams, suture::BoundedText<31>,
+                                       encodeAllKindsTextSetEvent, decodeAllKindsTextSetEvent>},
 };
 
 const suture::rpc::Codec& allKindsCodec() {
@@ -686,146 +698,146 @@ const suture::rpc::Codec& allKindsCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kAllKindsCommands[] = {
-    {.name = "clear", .kind = CommandKind::Void, .depth = 16},
+constexpr suture::CommandInfo kAllKindsCommands[] = {
+    {.name = "clear", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "set_scalar",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<AllKindsSetScalarArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<AllKindsSetScalarArguments>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSetScalarArguments, acceptsAllKindsSetScalar>},
+     .accepts = suture::checkSlot<AllKindsSetScalarArguments, acceptsAllKindsSetScalar>},
     {.name = "set_vector",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<AllKindsSetVectorArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<AllKindsSetVectorArguments>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSetVectorArguments, acceptsAllKindsSetVector>},
+     .accepts = suture::checkSlot<AllKindsSetVectorArguments, acceptsAllKindsSetVector>},
     {.name = "set_record",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<AllKindsSetRecordArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<AllKindsSetRecordArguments>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSetRecordArguments, acceptsAllKindsSetRecord>,
-     .shiftArguments = shiftSlot<AllKindsSetRecordArguments>},
+     .accepts = suture::checkSlot<AllKindsSetRecordArguments, acceptsAllKindsSetRecord>,
+     .shiftArguments = suture::shiftSlot<AllKindsSetRecordArguments>},
     {.name = "set_text",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<AllKindsSetTextArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<AllKindsSetTextArguments>,
      .depth = 16},
     {.name = "scalar",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(AllKindsColumn::scalar),
-     .acceptsResult = checkSlot<double, acceptsAllKindsScalarResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsAllKindsScalarResult>},
     {.name = "vector",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::array<double, 3>>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::array<double, 3>>,
      .depth = 16,
      .column = static_cast<int>(AllKindsColumn::vector),
-     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsVectorResult>},
+     .acceptsResult = suture::checkSlot<std::array<double, 3>, acceptsAllKindsVectorResult>},
     {.name = "record",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<robots::PosePrmSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
      .column = static_cast<int>(AllKindsColumn::record),
-     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+     .acceptsResult = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftResult = suture::shiftSlot<robots::PosePrmSlot>},
     {.name = "text",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<suture::BoundedText<31>>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<suture::BoundedText<31>>,
      .depth = 16,
      .column = static_cast<int>(AllKindsColumn::text)},
     {.name = "twice_scalar",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<AllKindsTwiceScalarArguments>,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<AllKindsTwiceScalarArguments>,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceScalarArguments, acceptsAllKindsTwiceScalar>,
-     .acceptsResult = checkSlot<double, acceptsAllKindsTwiceScalarResult>},
+     .accepts = suture::checkSlot<AllKindsTwiceScalarArguments, acceptsAllKindsTwiceScalar>,
+     .acceptsResult = suture::checkSlot<double, acceptsAllKindsTwiceScalarResult>},
     {.name = "twice_vector",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<AllKindsTwiceVectorArguments>,
-     .resultSize = slotSize<std::array<double, 3>>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<AllKindsTwiceVectorArguments>,
+     .resultSize = suture::slotSize<std::array<double, 3>>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceVectorArguments, acceptsAllKindsTwiceVector>,
-     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsTwiceVectorResult>},
+     .accepts = suture::checkSlot<AllKindsTwiceVectorArguments, acceptsAllKindsTwiceVector>,
+     .acceptsResult = suture::checkSlot<std::array<double, 3>, acceptsAllKindsTwiceVectorResult>},
     {.name = "twice_record",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<AllKindsTwiceRecordArguments>,
-     .resultSize = slotSize<robots::PosePrmSlot>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<AllKindsTwiceRecordArguments>,
+     .resultSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsTwiceRecordArguments, acceptsAllKindsTwiceRecord>,
-     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
-     .shiftArguments = shiftSlot<AllKindsTwiceRecordArguments>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+     .accepts = suture::checkSlot<AllKindsTwiceRecordArguments, acceptsAllKindsTwiceRecord>,
+     .acceptsResult = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftArguments = suture::shiftSlot<AllKindsTwiceRecordArguments>,
+     .shiftResult = suture::shiftSlot<robots::PosePrmSlot>},
     {.name = "twice_text",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<AllKindsTwiceTextArguments>,
-     .resultSize = slotSize<suture::BoundedText<31>>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<AllKindsTwiceTextArguments>,
+     .resultSize = suture::slotSize<suture::BoundedText<31>>,
      .depth = 16},
     {.name = "take_scalar",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .acceptsResult = checkSlot<double, acceptsAllKindsTakeScalarResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsAllKindsTakeScalarResult>},
     {.name = "take_vector",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::array<double, 3>>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<std::array<double, 3>>,
      .depth = 16,
-     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsTakeVectorResult>},
+     .acceptsResult = suture::checkSlot<std::array<double, 3>, acceptsAllKindsTakeVectorResult>},
     {.name = "take_record",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<robots::PosePrmSlot>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+     .acceptsResult = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftResult = suture::shiftSlot<robots::PosePrmSlot>},
     {.name = "take_text",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<suture::BoundedText<31>>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<suture::BoundedText<31>>,
      .depth = 16},
     {.name = "swap_scalar",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<AllKindsSwapScalarArguments>,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<AllKindsSwapScalarArguments>,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSwapScalarArguments, acceptsAllKindsSwapScalar>,
-     .acceptsResult = checkSlot<double, acceptsAllKindsSwapScalarResult>},
+     .accepts = suture::checkSlot<AllKindsSwapScalarArguments, acceptsAllKindsSwapScalar>,
+     .acceptsResult = suture::checkSlot<double, acceptsAllKindsSwapScalarResult>},
     {.name = "swap_vector",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<AllKindsSwapVectorArguments>,
-     .resultSize = slotSize<std::array<double, 3>>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<AllKindsSwapVectorArguments>,
+     .resultSize = suture::slotSize<std::array<double, 3>>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSwapVectorArguments, acceptsAllKindsSwapVector>,
-     .acceptsResult = checkSlot<std::array<double, 3>, acceptsAllKindsSwapVectorResult>},
+     .accepts = suture::checkSlot<AllKindsSwapVectorArguments, acceptsAllKindsSwapVector>,
+     .acceptsResult = suture::checkSlot<std::array<double, 3>, acceptsAllKindsSwapVectorResult>},
     {.name = "swap_record",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<AllKindsSwapRecordArguments>,
-     .resultSize = slotSize<robots::PosePrmSlot>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<AllKindsSwapRecordArguments>,
+     .resultSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .accepts = checkSlot<AllKindsSwapRecordArguments, acceptsAllKindsSwapRecord>,
-     .acceptsResult = checkSlot<robots::PosePrmSlot, robots::isValid>,
-     .shiftArguments = shiftSlot<AllKindsSwapRecordArguments>,
-     .shiftResult = shiftSlot<robots::PosePrmSlot>},
+     .accepts = suture::checkSlot<AllKindsSwapRecordArguments, acceptsAllKindsSwapRecord>,
+     .acceptsResult = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftArguments = suture::shiftSlot<AllKindsSwapRecordArguments>,
+     .shiftResult = suture::shiftSlot<robots::PosePrmSlot>},
     {.name = "swap_text",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<AllKindsSwapTextArguments>,
-     .resultSize = slotSize<suture::BoundedText<31>>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<AllKindsSwapTextArguments>,
+     .resultSize = suture::slotSize<suture::BoundedText<31>>,
      .depth = 16},
 };
 
-constexpr EventInfo kAllKindsEvents[] = {
+constexpr suture::EventInfo kAllKindsEvents[] = {
     {.name = "cleared", .depth = 16},
     {.name = "scalar_set",
-     .payloadSize = slotSize<double>,
+     .payloadSize = suture::slotSize<double>,
      .depth = 16,
-     .accepts = checkSlot<double, acceptsAllKindsScalarSetEvent>},
+     .accepts = suture::checkSlot<double, acceptsAllKindsScalarSetEvent>},
     {.name = "vector_set",
-     .payloadSize = slotSize<std::array<double, 3>>,
+     .payloadSize = suture::slotSize<std::array<double, 3>>,
      .depth = 16,
-     .accepts = checkSlot<std::array<double, 3>, acceptsAllKindsVectorSetEvent>},
+     .accepts = suture::checkSlot<std::array<double, 3>, acceptsAllKindsVectorSetEvent>},
     {.name = "record_set",
-     .payloadSize = slotSize<robots::PosePrmSlot>,
+     .payloadSize = suture::slotSize<robots::PosePrmSlot>,
      .depth = 16,
-     .accepts = checkSlot<robots::PosePrmSlot, robots::isValid>,
-     .shiftPayload = shiftSlot<robots::PosePrmSlot>},
-    {.name = "text_set", .payloadSize = slotSize<suture::BoundedText<31>>, .depth = 16},
+     .accepts = suture::checkSlot<robots::PosePrmSlot, robots::isValid>,
+     .shiftPayload = suture::shiftSlot<robots::PosePrmSlot>},
+    {.name = "text_set", .payloadSize = suture::slotSize<suture::BoundedText<31>>, .depth = 16},
 };
 
 // The self-description, as in rt/scenarios/all_kinds.suture.json.

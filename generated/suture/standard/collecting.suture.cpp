@@ -10,25 +10,10 @@
 
 namespace suture {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -80,14 +65,15 @@ void toWire(const CollectedCountsSlot& slot, wire::CollectedCounts::Builder out)
   out.setMissed(slot.missed);
 }
 
-Errc fromWire(wire::CollectedCounts::Reader in, CollectedCountsSlot& slot, Duration) {
+suture::Errc fromWire(wire::CollectedCounts::Reader in, CollectedCountsSlot& slot,
+                      suture::Duration) {
   slot.collected = in.getCollected();
   slot.passedOver = in.getPassedOver();
   slot.missed = in.getMissed();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const CollectedCountsSlot&, FieldPath*) {
+bool isValid(const CollectedCountsSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -96,20 +82,22 @@ void toWire(const CollectingIntervalSlot& slot, wire::CollectingInterval::Builde
   out.setAtLeast(slot.atLeast);
 }
 
-Errc fromWire(wire::CollectingInterval::Reader in, CollectingIntervalSlot& slot, Duration) {
+suture::Errc fromWire(wire::CollectingInterval::Reader in, CollectingIntervalSlot& slot,
+                      suture::Duration) {
   slot.every = in.getEvery();
   slot.atLeast = in.getAtLeast();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const CollectingIntervalSlot& slot, FieldPath* path) {
-  return inRange(slot.every, 1, 4294967295) || refusedAt(path, "every");
+bool isValid(const CollectingIntervalSlot& slot, suture::FieldPath* path) {
+  return suture::rpc::inRange(slot.every, 1, 4294967295) || suture::refusedAt(path, "every");
 }
 
 namespace {
 
-bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot, FieldPath* path) {
-  return isValid(slot.interval, path) || refusedAt(path, "interval");
+bool acceptsCollectingSetInterval(const CollectingSetIntervalArguments& slot,
+                                  suture::FieldPath* path) {
+  return isValid(slot.interval, path) || suture::refusedAt(path, "interval");
 }
 
 // --- Collecting as Cap'n Proto
@@ -118,75 +106,77 @@ void encodeCollectingSetInterval(const CollectingSetIntervalArguments& slot,
                                  wire::Collecting::SetIntervalParams::Builder out) {
   toWire(slot.interval, out.initInterval());
 }
-Errc decodeCollectingSetInterval(wire::Collecting::SetIntervalParams::Reader in,
-                                 CollectingSetIntervalArguments& slot, suture::Duration shift) {
-  return in.hasInterval() ? fromWire(in.getInterval(), slot.interval, shift) : Errc::Invalid;
+suture::Errc decodeCollectingSetInterval(wire::Collecting::SetIntervalParams::Reader in,
+                                         CollectingSetIntervalArguments& slot,
+                                         suture::Duration shift) {
+  return in.hasInterval() ? fromWire(in.getInterval(), slot.interval, shift)
+      : suture::Errc::Invalid;
 }
 
 void encodeCollectingSetIntervalResult(const std::uint8_t& slot,
                                        wire::Collecting::SetIntervalResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeCollectingSetIntervalResult(wire::Collecting::SetIntervalResults::Reader in,
-                                       std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeCollectingSetIntervalResult(wire::Collecting::SetIntervalResults::Reader in,
+                                               std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeCollectingIntervalResult(const CollectingIntervalSlot& slot,
                                     wire::Collecting::IntervalResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeCollectingIntervalResult(wire::Collecting::IntervalResults::Reader in,
-                                    CollectingIntervalSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeCollectingIntervalResult(wire::Collecting::IntervalResults::Reader in,
+                                            CollectingIntervalSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeCollectingCollectingResult(const std::uint8_t& slot,
                                       wire::Collecting::CollectingResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeCollectingCollectingResult(wire::Collecting::CollectingResults::Reader in,
-                                      std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeCollectingCollectingResult(wire::Collecting::CollectingResults::Reader in,
+                                              std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeCollectingCountsResult(const CollectedCountsSlot& slot,
                                   wire::Collecting::CountsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeCollectingCountsResult(wire::Collecting::CountsResults::Reader in,
-                                  CollectedCountsSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeCollectingCountsResult(wire::Collecting::CountsResults::Reader in,
+                                          CollectedCountsSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeCollectingIntervalColumn(const CollectingIntervalSlot& slot,
                                     wire::CollectingStateRow::Builder out) {
   toWire(slot, out.initInterval());
 }
-Errc decodeCollectingIntervalColumn(wire::CollectingStateRow::Reader in,
-                                    CollectingIntervalSlot& slot, suture::Duration shift) {
-  return in.hasInterval() ? fromWire(in.getInterval(), slot, shift) : Errc::Invalid;
+suture::Errc decodeCollectingIntervalColumn(wire::CollectingStateRow::Reader in,
+                                            CollectingIntervalSlot& slot, suture::Duration shift) {
+  return in.hasInterval() ? fromWire(in.getInterval(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeCollectingCollectingColumn(const std::uint8_t& slot,
                                       wire::CollectingStateRow::Builder out) {
   out.setCollecting(slot != 0);
 }
-Errc decodeCollectingCollectingColumn(wire::CollectingStateRow::Reader in, std::uint8_t& slot,
-                                      suture::Duration) {
+suture::Errc decodeCollectingCollectingColumn(wire::CollectingStateRow::Reader in,
+                                              std::uint8_t& slot, suture::Duration) {
   slot = in.getCollecting();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeCollectingCountsColumn(const CollectedCountsSlot& slot,
                                   wire::CollectingStateRow::Builder out) {
   toWire(slot, out.initCounts());
 }
-Errc decodeCollectingCountsColumn(wire::CollectingStateRow::Reader in, CollectedCountsSlot& slot,
-                                  suture::Duration shift) {
-  return in.hasCounts() ? fromWire(in.getCounts(), slot, shift) : Errc::Invalid;
+suture::Errc decodeCollectingCountsColumn(wire::CollectingStateRow::Reader in,
+                                          CollectedCountsSlot& slot, suture::Duration shift) {
+  return in.hasCounts() ? fromWire(in.getCounts(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -194,58 +184,63 @@ void encodeCollectingColumn(unsigned column, const std::byte* memory,
                             wire::CollectingStateRow::Builder out) {
   switch (static_cast<CollectingColumn>(column)) {
     case CollectingColumn::interval:
-      return encodeCollectingIntervalColumn(slotIn<CollectingIntervalSlot>(memory), out);
+      return encodeCollectingIntervalColumn(suture::slotIn<CollectingIntervalSlot>(memory), out);
     case CollectingColumn::collecting:
-      return encodeCollectingCollectingColumn(slotIn<std::uint8_t>(memory), out);
+      return encodeCollectingCollectingColumn(suture::slotIn<std::uint8_t>(memory), out);
     case CollectingColumn::counts:
-      return encodeCollectingCountsColumn(slotIn<CollectedCountsSlot>(memory), out);
+      return encodeCollectingCountsColumn(suture::slotIn<CollectedCountsSlot>(memory), out);
   }
 }
-Errc decodeCollectingColumn(wire::CollectingStateRow::Reader in, unsigned column, std::byte* memory,
-                            suture::Duration shift) {
+suture::Errc decodeCollectingColumn(wire::CollectingStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
   switch (static_cast<CollectingColumn>(column)) {
     case CollectingColumn::interval:
-      return decodeCollectingIntervalColumn(in, newSlot<CollectingIntervalSlot>(memory), shift);
+      return decodeCollectingIntervalColumn(in, suture::newSlot<CollectingIntervalSlot>(memory),
+                                            shift);
     case CollectingColumn::collecting:
-      return decodeCollectingCollectingColumn(in, newSlot<std::uint8_t>(memory), shift);
+      return decodeCollectingCollectingColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
     case CollectingColumn::counts:
-      return decodeCollectingCountsColumn(in, newSlot<CollectedCountsSlot>(memory), shift);
+      return decodeCollectingCountsColumn(in, suture::newSlot<CollectedCountsSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kCollectingCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kCollectingCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 1,
-     .sent = sentIn<wire::Collecting::StartCollectingParams>},
+     .sent = suture::rpc::sentIn<wire::Collecting::StartCollectingParams>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 2,
-     .sent = sentIn<wire::Collecting::StopCollectingParams>},
+     .sent = suture::rpc::sentIn<wire::Collecting::StopCollectingParams>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 3,
-     .sent = sentIn<wire::Collecting::SetIntervalParams>,
-     .arguments = messageOf<wire::Collecting::SetIntervalParams, CollectingSetIntervalArguments,
-                            encodeCollectingSetInterval, decodeCollectingSetInterval>,
-     .result = messageOf<wire::Collecting::SetIntervalResults, std::uint8_t,
-                         encodeCollectingSetIntervalResult, decodeCollectingSetIntervalResult>},
+     .sent = suture::rpc::sentIn<wire::Collecting::SetIntervalParams>,
+     .arguments = suture::rpc::messageOf<wire::Collecting::SetIntervalParams,
+                                         CollectingSetIntervalArguments,
+                                         encodeCollectingSetInterval, decodeCollectingSetInterval>,
+     .result = suture::rpc::messageOf<wire::Collecting::SetIntervalResults, std::uint8_t,
+                                      encodeCollectingSetIntervalResult,
+                                      decodeCollectingSetIntervalResult>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 4,
-     .sent = sentIn<wire::Collecting::IntervalParams>,
-     .result = messageOf<wire::Collecting::IntervalResults, CollectingIntervalSlot,
-                         encodeCollectingIntervalResult, decodeCollectingIntervalResult>,
-     .stamp = stampIn<wire::Collecting::IntervalResults>},
+     .sent = suture::rpc::sentIn<wire::Collecting::IntervalParams>,
+     .result = suture::rpc::messageOf<wire::Collecting::IntervalResults, CollectingIntervalSlot,
+                                      encodeCollectingIntervalResult,
+                                      decodeCollectingIntervalResult>,
+     .stamp = suture::rpc::stampIn<wire::Collecting::IntervalResults>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 5,
-     .sent = sentIn<wire::Collecting::CollectingParams>,
-     .result = messageOf<wire::Collecting::CollectingResults, std::uint8_t,
-                         encodeCollectingCollectingResult, decodeCollectingCollectingResult>,
-     .stamp = stampIn<wire::Collecting::CollectingResults>},
+     .sent = suture::rpc::sentIn<wire::Collecting::CollectingParams>,
+     .result = suture::rpc::messageOf<wire::Collecting::CollectingResults, std::uint8_t,
+                                      encodeCollectingCollectingResult,
+                                      decodeCollectingCollectingResult>,
+     .stamp = suture::rpc::stampIn<wire::Collecting::CollectingResults>},
     {.interface = capnp::typeId<wire::Collecting>(),
      .method = 6,
-     .sent = sentIn<wire::Collecting::CountsParams>,
-     .result = messageOf<wire::Collecting::CountsResults, CollectedCountsSlot,
-                         encodeCollectingCountsResult, decodeCollectingCountsResult>,
-     .stamp = stampIn<wire::Collecting::CountsResults>},
+     .sent = suture::rpc::sentIn<wire::Collecting::CountsParams>,
+     .result = suture::rpc::messageOf<wire::Collecting::CountsResults, CollectedCountsSlot,
+                                      encodeCollectingCountsResult, decodeCollectingCountsResult>,
+     .stamp = suture::rpc::stampIn<wire::Collecting::CountsResults>},
 };
 
 const suture::rpc::Codec& collectingCodec() {
@@ -261,32 +256,32 @@ const suture::rpc::Codec& collectingCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kCollectingCommands[] = {
-    {.name = "start_collecting", .kind = CommandKind::Void, .depth = 16},
-    {.name = "stop_collecting", .kind = CommandKind::Void, .depth = 16},
+constexpr suture::CommandInfo kCollectingCommands[] = {
+    {.name = "start_collecting", .kind = suture::CommandKind::Void, .depth = 16},
+    {.name = "stop_collecting", .kind = suture::CommandKind::Void, .depth = 16},
     {.name = "set_interval",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<CollectingSetIntervalArguments>,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<CollectingSetIntervalArguments>,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .accepts = checkSlot<CollectingSetIntervalArguments, acceptsCollectingSetInterval>},
+     .accepts = suture::checkSlot<CollectingSetIntervalArguments, acceptsCollectingSetInterval>},
     {.name = "interval",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<CollectingIntervalSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<CollectingIntervalSlot>,
      .depth = 16,
      .column = static_cast<int>(CollectingColumn::interval),
-     .acceptsResult = checkSlot<CollectingIntervalSlot, isValid>},
+     .acceptsResult = suture::checkSlot<CollectingIntervalSlot, isValid>},
     {.name = "collecting",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .column = static_cast<int>(CollectingColumn::collecting)},
     {.name = "counts",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<CollectedCountsSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<CollectedCountsSlot>,
      .depth = 16,
      .column = static_cast<int>(CollectingColumn::counts),
-     .acceptsResult = checkSlot<CollectedCountsSlot, isValid>},
+     .acceptsResult = suture::checkSlot<CollectedCountsSlot, isValid>},
 };
 
 // The self-description, as in suture/standard/collecting.suture.json.

@@ -10,31 +10,10 @@
 
 namespace suture {
 
-using suture::BoundedLevel;
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::levelAt;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -78,7 +57,9 @@ void reserve(const StateChangeSlot*, StateChange& value) {
   suture::reserveFor<decltype(StateChangeSlot::fault)>(value.fault);
 }
 
-void shiftStamps(StateChangeSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(StateChangeSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 bool store(const std::string& required, LifecycleResumeConnectionArguments& slot) {
   return store(required, slot.required);
@@ -111,22 +92,22 @@ bool isKnownComponentState(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::ComponentState in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::ComponentState in, std::uint8_t& slot) {
   switch (in) {
     case wire::ComponentState::CONSTRUCTED: return slot =
-        static_cast<std::uint8_t>(ComponentState::Constructed), Errc{};
+        static_cast<std::uint8_t>(ComponentState::Constructed), suture::Errc{};
     case wire::ComponentState::CONFIGURED: return slot =
-        static_cast<std::uint8_t>(ComponentState::Configured), Errc{};
+        static_cast<std::uint8_t>(ComponentState::Configured), suture::Errc{};
     case wire::ComponentState::RUNNING: return slot =
-        static_cast<std::uint8_t>(ComponentState::Running), Errc{};
+        static_cast<std::uint8_t>(ComponentState::Running), suture::Errc{};
     case wire::ComponentState::SUSPENDED: return slot =
-        static_cast<std::uint8_t>(ComponentState::Suspended), Errc{};
+        static_cast<std::uint8_t>(ComponentState::Suspended), suture::Errc{};
     case wire::ComponentState::FAULTED: return slot =
-        static_cast<std::uint8_t>(ComponentState::Faulted), Errc{};
+        static_cast<std::uint8_t>(ComponentState::Faulted), suture::Errc{};
     case wire::ComponentState::STOPPED: return slot =
-        static_cast<std::uint8_t>(ComponentState::Stopped), Errc{};
+        static_cast<std::uint8_t>(ComponentState::Stopped), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 wire::ResumeOutcome wireResumeOutcome(std::uint8_t slot) {
@@ -154,22 +135,22 @@ bool isKnownResumeOutcome(std::uint8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::ResumeOutcome in, std::uint8_t& slot) {
+suture::Errc fromWire(wire::ResumeOutcome in, std::uint8_t& slot) {
   switch (in) {
     case wire::ResumeOutcome::RESUMED: return slot =
-        static_cast<std::uint8_t>(ResumeOutcome::Resumed), Errc{};
+        static_cast<std::uint8_t>(ResumeOutcome::Resumed), suture::Errc{};
     case wire::ResumeOutcome::ASKED: return slot =
-        static_cast<std::uint8_t>(ResumeOutcome::Asked), Errc{};
+        static_cast<std::uint8_t>(ResumeOutcome::Asked), suture::Errc{};
     case wire::ResumeOutcome::NO_SUCH_INTERFACE: return slot =
-        static_cast<std::uint8_t>(ResumeOutcome::NoSuchInterface), Errc{};
+        static_cast<std::uint8_t>(ResumeOutcome::NoSuchInterface), suture::Errc{};
     case wire::ResumeOutcome::NOT_CONNECTED: return slot =
-        static_cast<std::uint8_t>(ResumeOutcome::NotConnected), Errc{};
+        static_cast<std::uint8_t>(ResumeOutcome::NotConnected), suture::Errc{};
     case wire::ResumeOutcome::NOT_AWAITING: return slot =
-        static_cast<std::uint8_t>(ResumeOutcome::NotAwaiting), Errc{};
+        static_cast<std::uint8_t>(ResumeOutcome::NotAwaiting), suture::Errc{};
     case wire::ResumeOutcome::PROVIDER_LOST: return slot =
-        static_cast<std::uint8_t>(ResumeOutcome::ProviderLost), Errc{};
+        static_cast<std::uint8_t>(ResumeOutcome::ProviderLost), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const StateChangeSlot& slot, wire::StateChange::Builder out) {
@@ -178,25 +159,25 @@ void toWire(const StateChangeSlot& slot, wire::StateChange::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::StateChange::Reader in, StateChangeSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::StateChange::Reader in, StateChangeSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getState(), slot.state),
       fromWire(in.getFault(), slot.fault),
   });
 }
 
-bool isValid(const StateChangeSlot& slot, FieldPath* path) {
-  return isKnownComponentState(slot.state) || refusedAt(path, "state");
+bool isValid(const StateChangeSlot& slot, suture::FieldPath* path) {
+  return isKnownComponentState(slot.state) || suture::refusedAt(path, "state");
 }
 
 namespace {
 
-bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot, FieldPath*) {
+bool acceptsLifecycleComponentStateResult(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownComponentState(slot);
 }
 
-bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot, FieldPath*) {
+bool acceptsLifecycleResumeConnectionResult(const std::uint8_t& slot, suture::FieldPath*) {
   return isKnownResumeOutcome(slot);
 }
 
@@ -206,28 +187,28 @@ void encodeLifecycleSuspendResult(const std::uint8_t& slot,
                                   wire::Lifecycle::SuspendResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeLifecycleSuspendResult(wire::Lifecycle::SuspendResults::Reader in, std::uint8_t& slot,
-                                  suture::Duration) {
+suture::Errc decodeLifecycleSuspendResult(wire::Lifecycle::SuspendResults::Reader in,
+                                          std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeLifecycleResumeResult(const std::uint8_t& slot,
                                  wire::Lifecycle::ResumeResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeLifecycleResumeResult(wire::Lifecycle::ResumeResults::Reader in, std::uint8_t& slot,
-                                 suture::Duration) {
+suture::Errc decodeLifecycleResumeResult(wire::Lifecycle::ResumeResults::Reader in,
+                                         std::uint8_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeLifecycleComponentStateResult(const std::uint8_t& slot,
                                          wire::Lifecycle::ComponentStateResults::Builder out) {
   out.setValue(wireComponentState(slot));
 }
-Errc decodeLifecycleComponentStateResult(wire::Lifecycle::ComponentStateResults::Reader in,
-                                         std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeLifecycleComponentStateResult(wire::Lifecycle::ComponentStateResults::Reader in,
+                                                 std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -235,8 +216,9 @@ void encodeLifecycleResumeConnection(const LifecycleResumeConnectionArguments& s
                                      wire::Lifecycle::ResumeConnectionParams::Builder out) {
   toWire(slot.required, out.initRequired(sizeOf(slot.required)));
 }
-Errc decodeLifecycleResumeConnection(wire::Lifecycle::ResumeConnectionParams::Reader in,
-                                     LifecycleResumeConnectionArguments& slot, suture::Duration) {
+suture::Errc decodeLifecycleResumeConnection(wire::Lifecycle::ResumeConnectionParams::Reader in,
+                                             LifecycleResumeConnectionArguments& slot,
+                                             suture::Duration) {
   return fromWire(in.getRequired(), slot.required);
 }
 
@@ -244,8 +226,8 @@ void encodeLifecycleResumeConnectionResult(const std::uint8_t& slot,
                                            wire::Lifecycle::ResumeConnectionResults::Builder out) {
   out.setValue(wireResumeOutcome(slot));
 }
-Errc decodeLifecycleResumeConnectionResult(wire::Lifecycle::ResumeConnectionResults::Reader in,
-                                           std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeLifecycleResumeConnectionResult(
+    wire::Lifecycle::ResumeConnectionResults::Reader in, std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -253,17 +235,17 @@ void encodeLifecycleStateChangedEvent(const StateChangeSlot& slot,
                                       wire::LifecycleEvents::StateChangedParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeLifecycleStateChangedEvent(wire::LifecycleEvents::StateChangedParams::Reader in,
-                                      StateChangeSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeLifecycleStateChangedEvent(wire::LifecycleEvents::StateChangedParams::Reader in,
+                                              StateChangeSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeLifecycleComponentStateColumn(const std::uint8_t& slot,
                                          wire::LifecycleStateRow::Builder out) {
   out.setComponentState(wireComponentState(slot));
 }
-Errc decodeLifecycleComponentStateColumn(wire::LifecycleStateRow::Reader in, std::uint8_t& slot,
-                                         suture::Duration) {
+suture::Errc decodeLifecycleComponentStateColumn(wire::LifecycleStateRow::Reader in,
+                                                 std::uint8_t& slot, suture::Duration) {
   return fromWire(in.getComponentState(), slot);
 }
 
@@ -272,51 +254,54 @@ void encodeLifecycleColumn(unsigned column, const std::byte* memory,
                            wire::LifecycleStateRow::Builder out) {
   switch (static_cast<LifecycleColumn>(column)) {
     case LifecycleColumn::component_state:
-      return encodeLifecycleComponentStateColumn(slotIn<std::uint8_t>(memory), out);
+      return encodeLifecycleComponentStateColumn(suture::slotIn<std::uint8_t>(memory), out);
   }
 }
-Errc decodeLifecycleColumn(wire::LifecycleStateRow::Reader in, unsigned column, std::byte* memory,
-                           suture::Duration shift) {
+suture::Errc decodeLifecycleColumn(wire::LifecycleStateRow::Reader in, unsigned column,
+                                   std::byte* memory, suture::Duration shift) {
   switch (static_cast<LifecycleColumn>(column)) {
     case LifecycleColumn::component_state:
-      return decodeLifecycleComponentStateColumn(in, newSlot<std::uint8_t>(memory), shift);
+      return decodeLifecycleComponentStateColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kLifecycleCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kLifecycleCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Lifecycle>(),
      .method = 1,
-     .sent = sentIn<wire::Lifecycle::SuspendParams>,
-     .result = messageOf<wire::Lifecycle::SuspendResults, std::uint8_t,
-                         encodeLifecycleSuspendResult, decodeLifecycleSuspendResult>},
+     .sent = suture::rpc::sentIn<wire::Lifecycle::SuspendParams>,
+     .result = suture::rpc::messageOf<wire::Lifecycle::SuspendResults, std::uint8_t,
+                                      encodeLifecycleSuspendResult, decodeLifecycleSuspendResult>},
     {.interface = capnp::typeId<wire::Lifecycle>(),
      .method = 2,
-     .sent = sentIn<wire::Lifecycle::ResumeParams>,
-     .result = messageOf<wire::Lifecycle::ResumeResults, std::uint8_t, encodeLifecycleResumeResult,
-                         decodeLifecycleResumeResult>},
+     .sent = suture::rpc::sentIn<wire::Lifecycle::ResumeParams>,
+     .result = suture::rpc::messageOf<wire::Lifecycle::ResumeResults, std::uint8_t,
+                                      encodeLifecycleResumeResult, decodeLifecycleResumeResult>},
     {.interface = capnp::typeId<wire::Lifecycle>(),
      .method = 3,
-     .sent = sentIn<wire::Lifecycle::ComponentStateParams>,
-     .result = messageOf<wire::Lifecycle::ComponentStateResults, std::uint8_t,
-                         encodeLifecycleComponentStateResult, decodeLifecycleComponentStateResult>,
-     .stamp = stampIn<wire::Lifecycle::ComponentStateResults>},
+     .sent = suture::rpc::sentIn<wire::Lifecycle::ComponentStateParams>,
+     .result = suture::rpc::messageOf<wire::Lifecycle::ComponentStateResults, std::uint8_t,
+                                      encodeLifecycleComponentStateResult,
+                                      decodeLifecycleComponentStateResult>,
+     .stamp = suture::rpc::stampIn<wire::Lifecycle::ComponentStateResults>},
     {.interface = capnp::typeId<wire::Lifecycle>(),
      .method = 4,
-     .sent = sentIn<wire::Lifecycle::ResumeConnectionParams>,
-     .arguments = messageOf<wire::Lifecycle::ResumeConnectionParams,
-                            LifecycleResumeConnectionArguments, encodeLifecycleResumeConnection,
-                            decodeLifecycleResumeConnection>,
-     .result = messageOf<wire::Lifecycle::ResumeConnectionResults, std::uint8_t,
-                         encodeLifecycleResumeConnectionResult,
-                         decodeLifecycleResumeConnectionResult>},
+     .sent = suture::rpc::sentIn<wire::Lifecycle::ResumeConnectionParams>,
+     .arguments = suture::rpc::messageOf<wire::Lifecycle::ResumeConnectionParams,
+                                         LifecycleResumeConnectionArguments,
+                                         encodeLifecycleResumeConnection,
+                                         decodeLifecycleResumeConnection>,
+     .result = suture::rpc::messageOf<wire::Lifecycle::ResumeConnectionResults, std::uint8_t,
+                                      encodeLifecycleResumeConnectionResult,
+                                      decodeLifecycleResumeConnectionResult>},
 };
 
-constexpr EventCodec kLifecycleEventCodecs[] = {
+constexpr suture::rpc::EventCodec kLifecycleEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::LifecycleEvents::StateChangedParams>,
-     .payload = messageOf<wire::LifecycleEvents::StateChangedParams, StateChangeSlot,
-                          encodeLifecycleStateChangedEvent, decodeLifecycleStateChangedEvent>},
+     .stamp = suture::rpc::stampIn<wire::LifecycleEvents::StateChangedParams>,
+     .payload = suture::rpc::messageOf<wire::LifecycleEvents::StateChangedParams, StateChangeSlot,
+                                       encodeLifecycleStateChangedEvent,
+                                       decodeLifecycleStateChangedEvent>},
 };
 
 const suture::rpc::Codec& lifecycleCodec() {
@@ -332,40 +317,40 @@ const suture::rpc::Codec& lifecycleCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kLifecycleCommands[] = {
+constexpr suture::CommandInfo kLifecycleCommands[] = {
     {.name = "suspend",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16},
     {.name = "resume",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16},
     {.name = "component_state",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .column = static_cast<int>(LifecycleColumn::component_state),
-     .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleComponentStateResult>},
+     .acceptsResult = suture::checkSlot<std::uint8_t, acceptsLifecycleComponentStateResult>},
     {.name = "resume_connection",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<LifecycleResumeConnectionArguments>,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<LifecycleResumeConnectionArguments>,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .acceptsResult = checkSlot<std::uint8_t, acceptsLifecycleResumeConnectionResult>},
+     .acceptsResult = suture::checkSlot<std::uint8_t, acceptsLifecycleResumeConnectionResult>},
 };
 
-constexpr BoundedLevel kLifecycleStateChangedPayloadLevels[] = {
-    levelAt<suture::BoundedText<255>>(offsetof(StateChangeSlot, fault)),
+constexpr suture::BoundedLevel kLifecycleStateChangedPayloadLevels[] = {
+    suture::levelAt<suture::BoundedText<255>>(offsetof(StateChangeSlot, fault)),
 };
 
-constexpr EventInfo kLifecycleEvents[] = {
+constexpr suture::EventInfo kLifecycleEvents[] = {
     {.name = "state_changed",
-     .payloadSize = slotSize<StateChangeSlot>,
+     .payloadSize = suture::slotSize<StateChangeSlot>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<StateChangeSlot, isValid>,
-     .shiftPayload = shiftSlot<StateChangeSlot>,
+     .accepts = suture::checkSlot<StateChangeSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<StateChangeSlot>,
      .payloadLevels = kLifecycleStateChangedPayloadLevels},
 };
 

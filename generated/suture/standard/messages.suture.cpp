@@ -10,23 +10,10 @@
 
 namespace suture {
 
-using suture::BoundedLevel;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::levelAt;
 using suture::load;
-using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -59,7 +46,9 @@ void reserve(const MessageSlot*, Message& value) {
   suture::reserveFor<decltype(MessageSlot::text)>(value.text);
 }
 
-void shiftStamps(MessageSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(MessageSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -70,14 +59,14 @@ void toWire(const MessageSlot& slot, wire::Message::Builder out) {
   out.setStamp(slot.stamp);
 }
 
-Errc fromWire(wire::Message::Reader in, MessageSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Message::Reader in, MessageSlot& slot, suture::Duration shift) {
   slot.code = in.getCode();
   slot.counter = in.getCounter();
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   return fromWire(in.getText(), slot.text);
 }
 
-bool isValid(const MessageSlot&, FieldPath*) {
+bool isValid(const MessageSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -89,42 +78,42 @@ void encodeMessagesStatusEvent(const MessageSlot& slot,
                                wire::MessagesEvents::StatusParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeMessagesStatusEvent(wire::MessagesEvents::StatusParams::Reader in, MessageSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeMessagesStatusEvent(wire::MessagesEvents::StatusParams::Reader in,
+                                       MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeMessagesWarningEvent(const MessageSlot& slot,
                                 wire::MessagesEvents::WarningParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeMessagesWarningEvent(wire::MessagesEvents::WarningParams::Reader in, MessageSlot& slot,
-                                suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeMessagesWarningEvent(wire::MessagesEvents::WarningParams::Reader in,
+                                        MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeMessagesErrorEvent(const MessageSlot& slot,
                               wire::MessagesEvents::ErrorParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeMessagesErrorEvent(wire::MessagesEvents::ErrorParams::Reader in, MessageSlot& slot,
-                              suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeMessagesErrorEvent(wire::MessagesEvents::ErrorParams::Reader in,
+                                      MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
-constexpr EventCodec kMessagesEventCodecs[] = {
+constexpr suture::rpc::EventCodec kMessagesEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::MessagesEvents::StatusParams>,
-     .payload = messageOf<wire::MessagesEvents::StatusParams, MessageSlot,
-                          encodeMessagesStatusEvent, decodeMessagesStatusEvent>},
+     .stamp = suture::rpc::stampIn<wire::MessagesEvents::StatusParams>,
+     .payload = suture::rpc::messageOf<wire::MessagesEvents::StatusParams, MessageSlot,
+                                       encodeMessagesStatusEvent, decodeMessagesStatusEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::MessagesEvents::WarningParams>,
-     .payload = messageOf<wire::MessagesEvents::WarningParams, MessageSlot,
-                          encodeMessagesWarningEvent, decodeMessagesWarningEvent>},
+     .stamp = suture::rpc::stampIn<wire::MessagesEvents::WarningParams>,
+     .payload = suture::rpc::messageOf<wire::MessagesEvents::WarningParams, MessageSlot,
+                                       encodeMessagesWarningEvent, decodeMessagesWarningEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::MessagesEvents::ErrorParams>,
-     .payload = messageOf<wire::MessagesEvents::ErrorParams, MessageSlot, encodeMessagesErrorEvent,
-                          decodeMessagesErrorEvent>},
+     .stamp = suture::rpc::stampIn<wire::MessagesEvents::ErrorParams>,
+     .payload = suture::rpc::messageOf<wire::MessagesEvents::ErrorParams, MessageSlot,
+                                       encodeMessagesErrorEvent, decodeMessagesErrorEvent>},
 };
 
 const suture::rpc::Codec& messagesCodec() {
@@ -139,39 +128,39 @@ const suture::rpc::Codec& messagesCodec() {
   return kCodec;
 }
 
-constexpr BoundedLevel kMessagesStatusPayloadLevels[] = {
-    levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
+constexpr suture::BoundedLevel kMessagesStatusPayloadLevels[] = {
+    suture::levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
 };
 
-constexpr BoundedLevel kMessagesWarningPayloadLevels[] = {
-    levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
+constexpr suture::BoundedLevel kMessagesWarningPayloadLevels[] = {
+    suture::levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
 };
 
-constexpr BoundedLevel kMessagesErrorPayloadLevels[] = {
-    levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
+constexpr suture::BoundedLevel kMessagesErrorPayloadLevels[] = {
+    suture::levelAt<suture::BoundedText<255>>(offsetof(MessageSlot, text)),
 };
 
-constexpr EventInfo kMessagesEvents[] = {
+constexpr suture::EventInfo kMessagesEvents[] = {
     {.name = "status",
-     .payloadSize = slotSize<MessageSlot>,
+     .payloadSize = suture::slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<MessageSlot, isValid>,
-     .shiftPayload = shiftSlot<MessageSlot>,
+     .accepts = suture::checkSlot<MessageSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<MessageSlot>,
      .payloadLevels = kMessagesStatusPayloadLevels},
     {.name = "warning",
-     .payloadSize = slotSize<MessageSlot>,
+     .payloadSize = suture::slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<MessageSlot, isValid>,
-     .shiftPayload = shiftSlot<MessageSlot>,
+     .accepts = suture::checkSlot<MessageSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<MessageSlot>,
      .payloadLevels = kMessagesWarningPayloadLevels},
     {.name = "error",
-     .payloadSize = slotSize<MessageSlot>,
+     .payloadSize = suture::slotSize<MessageSlot>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<MessageSlot, isValid>,
-     .shiftPayload = shiftSlot<MessageSlot>,
+     .accepts = suture::checkSlot<MessageSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<MessageSlot>,
      .payloadLevels = kMessagesErrorPayloadLevels},
 };
 

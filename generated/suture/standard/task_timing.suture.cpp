@@ -10,27 +10,10 @@
 
 namespace suture {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -88,9 +71,9 @@ void load(const TaskWindowSlot& slot, TaskWindow& value) {
   load(slot.compute, value.compute);
 }
 
-void shiftStamps(TaskWindowSlot& slot, Duration shift) {
-  slot.begin = shifted(slot.begin, shift);
-  slot.end = shifted(slot.end, shift);
+void shiftStamps(TaskWindowSlot& slot, suture::Duration shift) {
+  slot.begin = suture::rpc::shifted(slot.begin, shift);
+  slot.end = suture::rpc::shifted(slot.end, shift);
 }
 
 // --- between slots and Cap'n Proto
@@ -103,16 +86,17 @@ void toWire(const DurationSummarySlot& slot, wire::DurationSummary::Builder out)
   out.setP99(slot.p99);
 }
 
-Errc fromWire(wire::DurationSummary::Reader in, DurationSummarySlot& slot, Duration) {
+suture::Errc fromWire(wire::DurationSummary::Reader in, DurationSummarySlot& slot,
+                      suture::Duration) {
   slot.mean = in.getMean();
   slot.deviation = in.getDeviation();
   slot.min = in.getMin();
   slot.max = in.getMax();
   slot.p99 = in.getP99();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const DurationSummarySlot&, FieldPath*) {
+bool isValid(const DurationSummarySlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -125,20 +109,20 @@ void toWire(const TaskWindowSlot& slot, wire::TaskWindow::Builder out) {
   toWire(slot.compute, out.initCompute());
 }
 
-Errc fromWire(wire::TaskWindow::Reader in, TaskWindowSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::TaskWindow::Reader in, TaskWindowSlot& slot, suture::Duration shift) {
   slot.begin = suture::rpc::shifted(in.getBegin(), shift);
   slot.end = suture::rpc::shifted(in.getEnd(), shift);
   slot.cycles = in.getCycles();
   slot.skipped = in.getSkipped();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getPeriod(), slot.period, shift),
       fromWire(in.getCompute(), slot.compute, shift),
   });
 }
 
-bool isValid(const TaskWindowSlot& slot, FieldPath* path) {
-  if (!isValid(slot.period, path)) return refusedAt(path, "period");
-  return isValid(slot.compute, path) || refusedAt(path, "compute");
+bool isValid(const TaskWindowSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.period, path)) return suture::refusedAt(path, "period");
+  return isValid(slot.compute, path) || suture::refusedAt(path, "compute");
 }
 
 namespace {
@@ -149,58 +133,58 @@ void encodeTaskTimingWindowResult(const TaskWindowSlot& slot,
                                   wire::TaskTiming::WindowResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeTaskTimingWindowResult(wire::TaskTiming::WindowResults::Reader in, TaskWindowSlot& slot,
-                                  suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTaskTimingWindowResult(wire::TaskTiming::WindowResults::Reader in,
+                                          TaskWindowSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTaskTimingCyclesResult(const std::uint64_t& slot,
                                   wire::TaskTiming::CyclesResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeTaskTimingCyclesResult(wire::TaskTiming::CyclesResults::Reader in, std::uint64_t& slot,
-                                  suture::Duration) {
+suture::Errc decodeTaskTimingCyclesResult(wire::TaskTiming::CyclesResults::Reader in,
+                                          std::uint64_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeTaskTimingSkippedResult(const std::uint64_t& slot,
                                    wire::TaskTiming::SkippedResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeTaskTimingSkippedResult(wire::TaskTiming::SkippedResults::Reader in, std::uint64_t& slot,
-                                   suture::Duration) {
+suture::Errc decodeTaskTimingSkippedResult(wire::TaskTiming::SkippedResults::Reader in,
+                                           std::uint64_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeTaskTimingWindowColumn(const TaskWindowSlot& slot,
                                   wire::TaskTimingStateRow::Builder out) {
   toWire(slot, out.initWindow());
 }
-Errc decodeTaskTimingWindowColumn(wire::TaskTimingStateRow::Reader in, TaskWindowSlot& slot,
-                                  suture::Duration shift) {
-  return in.hasWindow() ? fromWire(in.getWindow(), slot, shift) : Errc::Invalid;
+suture::Errc decodeTaskTimingWindowColumn(wire::TaskTimingStateRow::Reader in, TaskWindowSlot& slot,
+                                          suture::Duration shift) {
+  return in.hasWindow() ? fromWire(in.getWindow(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeTaskTimingCyclesColumn(const std::uint64_t& slot,
                                   wire::TaskTimingStateRow::Builder out) {
   out.setCycles(slot);
 }
-Errc decodeTaskTimingCyclesColumn(wire::TaskTimingStateRow::Reader in, std::uint64_t& slot,
-                                  suture::Duration) {
+suture::Errc decodeTaskTimingCyclesColumn(wire::TaskTimingStateRow::Reader in, std::uint64_t& slot,
+                                          suture::Duration) {
   slot = in.getCycles();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeTaskTimingSkippedColumn(const std::uint64_t& slot,
                                    wire::TaskTimingStateRow::Builder out) {
   out.setSkipped(slot);
 }
-Errc decodeTaskTimingSkippedColumn(wire::TaskTimingStateRow::Reader in, std::uint64_t& slot,
-                                   suture::Duration) {
+suture::Errc decodeTaskTimingSkippedColumn(wire::TaskTimingStateRow::Reader in, std::uint64_t& slot,
+                                           suture::Duration) {
   slot = in.getSkipped();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -208,45 +192,45 @@ void encodeTaskTimingColumn(unsigned column, const std::byte* memory,
                             wire::TaskTimingStateRow::Builder out) {
   switch (static_cast<TaskTimingColumn>(column)) {
     case TaskTimingColumn::window:
-      return encodeTaskTimingWindowColumn(slotIn<TaskWindowSlot>(memory), out);
+      return encodeTaskTimingWindowColumn(suture::slotIn<TaskWindowSlot>(memory), out);
     case TaskTimingColumn::cycles:
-      return encodeTaskTimingCyclesColumn(slotIn<std::uint64_t>(memory), out);
+      return encodeTaskTimingCyclesColumn(suture::slotIn<std::uint64_t>(memory), out);
     case TaskTimingColumn::skipped:
-      return encodeTaskTimingSkippedColumn(slotIn<std::uint64_t>(memory), out);
+      return encodeTaskTimingSkippedColumn(suture::slotIn<std::uint64_t>(memory), out);
   }
 }
-Errc decodeTaskTimingColumn(wire::TaskTimingStateRow::Reader in, unsigned column, std::byte* memory,
-                            suture::Duration shift) {
+suture::Errc decodeTaskTimingColumn(wire::TaskTimingStateRow::Reader in, unsigned column,
+                                    std::byte* memory, suture::Duration shift) {
   switch (static_cast<TaskTimingColumn>(column)) {
     case TaskTimingColumn::window:
-      return decodeTaskTimingWindowColumn(in, newSlot<TaskWindowSlot>(memory), shift);
+      return decodeTaskTimingWindowColumn(in, suture::newSlot<TaskWindowSlot>(memory), shift);
     case TaskTimingColumn::cycles:
-      return decodeTaskTimingCyclesColumn(in, newSlot<std::uint64_t>(memory), shift);
+      return decodeTaskTimingCyclesColumn(in, suture::newSlot<std::uint64_t>(memory), shift);
     case TaskTimingColumn::skipped:
-      return decodeTaskTimingSkippedColumn(in, newSlot<std::uint64_t>(memory), shift);
+      return decodeTaskTimingSkippedColumn(in, suture::newSlot<std::uint64_t>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kTaskTimingCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kTaskTimingCommandCodecs[] = {
     {.interface = capnp::typeId<wire::TaskTiming>(),
      .method = 1,
-     .sent = sentIn<wire::TaskTiming::WindowParams>,
-     .result = messageOf<wire::TaskTiming::WindowResults, TaskWindowSlot,
-                         encodeTaskTimingWindowResult, decodeTaskTimingWindowResult>,
-     .stamp = stampIn<wire::TaskTiming::WindowResults>},
+     .sent = suture::rpc::sentIn<wire::TaskTiming::WindowParams>,
+     .result = suture::rpc::messageOf<wire::TaskTiming::WindowResults, TaskWindowSlot,
+                                      encodeTaskTimingWindowResult, decodeTaskTimingWindowResult>,
+     .stamp = suture::rpc::stampIn<wire::TaskTiming::WindowResults>},
     {.interface = capnp::typeId<wire::TaskTiming>(),
      .method = 2,
-     .sent = sentIn<wire::TaskTiming::CyclesParams>,
-     .result = messageOf<wire::TaskTiming::CyclesResults, std::uint64_t,
-                         encodeTaskTimingCyclesResult, decodeTaskTimingCyclesResult>,
-     .stamp = stampIn<wire::TaskTiming::CyclesResults>},
+     .sent = suture::rpc::sentIn<wire::TaskTiming::CyclesParams>,
+     .result = suture::rpc::messageOf<wire::TaskTiming::CyclesResults, std::uint64_t,
+                                      encodeTaskTimingCyclesResult, decodeTaskTimingCyclesResult>,
+     .stamp = suture::rpc::stampIn<wire::TaskTiming::CyclesResults>},
     {.interface = capnp::typeId<wire::TaskTiming>(),
      .method = 3,
-     .sent = sentIn<wire::TaskTiming::SkippedParams>,
-     .result = messageOf<wire::TaskTiming::SkippedResults, std::uint64_t,
-                         encodeTaskTimingSkippedResult, decodeTaskTimingSkippedResult>,
-     .stamp = stampIn<wire::TaskTiming::SkippedResults>},
+     .sent = suture::rpc::sentIn<wire::TaskTiming::SkippedParams>,
+     .result = suture::rpc::messageOf<wire::TaskTiming::SkippedResults, std::uint64_t,
+                                      encodeTaskTimingSkippedResult, decodeTaskTimingSkippedResult>,
+     .stamp = suture::rpc::stampIn<wire::TaskTiming::SkippedResults>},
 };
 
 const suture::rpc::Codec& taskTimingCodec() {
@@ -262,22 +246,22 @@ const suture::rpc::Codec& taskTimingCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kTaskTimingCommands[] = {
+constexpr suture::CommandInfo kTaskTimingCommands[] = {
     {.name = "window",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<TaskWindowSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<TaskWindowSlot>,
      .depth = 16,
      .column = static_cast<int>(TaskTimingColumn::window),
-     .acceptsResult = checkSlot<TaskWindowSlot, isValid>,
-     .shiftResult = shiftSlot<TaskWindowSlot>},
+     .acceptsResult = suture::checkSlot<TaskWindowSlot, isValid>,
+     .shiftResult = suture::shiftSlot<TaskWindowSlot>},
     {.name = "cycles",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint64_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::uint64_t>,
      .depth = 16,
      .column = static_cast<int>(TaskTimingColumn::cycles)},
     {.name = "skipped",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint64_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::uint64_t>,
      .depth = 16,
      .column = static_cast<int>(TaskTimingColumn::skipped)},
 };

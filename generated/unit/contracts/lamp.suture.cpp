@@ -17,19 +17,10 @@ bool isValid(const MessageSlot& slot, suture::FieldPath* path);
 
 namespace contracts {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::newSlot;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
+using suture::load;
 using suture::rpc::fromWire;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
+using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const bool& on, LampLightArguments& slot) { return store(on, slot.on); }
@@ -41,96 +32,99 @@ namespace {
 void encodeLampLight(const LampLightArguments& slot, wire::Lamp::LightParams::Builder out) {
   out.setOn(slot.on != 0);
 }
-Errc decodeLampLight(wire::Lamp::LightParams::Reader in, LampLightArguments& slot,
-                     suture::Duration) {
+suture::Errc decodeLampLight(wire::Lamp::LightParams::Reader in, LampLightArguments& slot,
+                             suture::Duration) {
   slot.on = in.getOn();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeLampLitResult(const std::uint8_t& slot, wire::Lamp::LitResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeLampLitResult(wire::Lamp::LitResults::Reader in, std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeLampLitResult(wire::Lamp::LitResults::Reader in, std::uint8_t& slot,
+                                 suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeLampStatusEvent(const suture::MessageSlot& slot,
                            wire::LampEvents::StatusParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeLampStatusEvent(wire::LampEvents::StatusParams::Reader in, suture::MessageSlot& slot,
-                           suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeLampStatusEvent(wire::LampEvents::StatusParams::Reader in,
+                                   suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeLampWarningEvent(const suture::MessageSlot& slot,
                             wire::LampEvents::WarningParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeLampWarningEvent(wire::LampEvents::WarningParams::Reader in, suture::MessageSlot& slot,
-                            suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeLampWarningEvent(wire::LampEvents::WarningParams::Reader in,
+                                    suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeLampErrorEvent(const suture::MessageSlot& slot,
                           wire::LampEvents::ErrorParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeLampErrorEvent(wire::LampEvents::ErrorParams::Reader in, suture::MessageSlot& slot,
-                          suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeLampErrorEvent(wire::LampEvents::ErrorParams::Reader in,
+                                  suture::MessageSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeLampLitColumn(const std::uint8_t& slot, wire::LampStateRow::Builder out) {
   out.setLit(slot != 0);
 }
-Errc decodeLampLitColumn(wire::LampStateRow::Reader in, std::uint8_t& slot, suture::Duration) {
+suture::Errc decodeLampLitColumn(wire::LampStateRow::Reader in, std::uint8_t& slot,
+                                 suture::Duration) {
   slot = in.getLit();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeLampColumn(unsigned column, const std::byte* memory, wire::LampStateRow::Builder out) {
   switch (static_cast<LampColumn>(column)) {
-    case LampColumn::lit: return encodeLampLitColumn(slotIn<std::uint8_t>(memory), out);
+    case LampColumn::lit: return encodeLampLitColumn(suture::slotIn<std::uint8_t>(memory), out);
   }
 }
-Errc decodeLampColumn(wire::LampStateRow::Reader in, unsigned column, std::byte* memory,
-                      suture::Duration shift) {
+suture::Errc decodeLampColumn(wire::LampStateRow::Reader in, unsigned column, std::byte* memory,
+                              suture::Duration shift) {
   switch (static_cast<LampColumn>(column)) {
-    case LampColumn::lit: return decodeLampLitColumn(in, newSlot<std::uint8_t>(memory), shift);
+    case LampColumn::lit:
+      return decodeLampLitColumn(in, suture::newSlot<std::uint8_t>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kLampCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kLampCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Lamp>(),
      .method = 1,
-     .sent = sentIn<wire::Lamp::LightParams>,
-     .arguments = messageOf<wire::Lamp::LightParams, LampLightArguments, encodeLampLight,
-                            decodeLampLight>},
+     .sent = suture::rpc::sentIn<wire::Lamp::LightParams>,
+     .arguments = suture::rpc::messageOf<wire::Lamp::LightParams, LampLightArguments,
+                                         encodeLampLight, decodeLampLight>},
     {.interface = capnp::typeId<wire::Lamp>(),
      .method = 2,
-     .sent = sentIn<wire::Lamp::LitParams>,
-     .result = messageOf<wire::Lamp::LitResults, std::uint8_t, encodeLampLitResult,
-                         decodeLampLitResult>,
-     .stamp = stampIn<wire::Lamp::LitResults>},
+     .sent = suture::rpc::sentIn<wire::Lamp::LitParams>,
+     .result = suture::rpc::messageOf<wire::Lamp::LitResults, std::uint8_t, encodeLampLitResult,
+                                      decodeLampLitResult>,
+     .stamp = suture::rpc::stampIn<wire::Lamp::LitResults>},
 };
 
-constexpr EventCodec kLampEventCodecs[] = {
+constexpr suture::rpc::EventCodec kLampEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::LampEvents::StatusParams>,
-     .payload = messageOf<wire::LampEvents::StatusParams, suture::MessageSlot,
-                          encodeLampStatusEvent, decodeLampStatusEvent>},
+     .stamp = suture::rpc::stampIn<wire::LampEvents::StatusParams>,
+     .payload = suture::rpc::messageOf<wire::LampEvents::StatusParams, suture::MessageSlot,
+                                       encodeLampStatusEvent, decodeLampStatusEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::LampEvents::WarningParams>,
-     .payload = messageOf<wire::LampEvents::WarningParams, suture::MessageSlot,
-                          encodeLampWarningEvent, decodeLampWarningEvent>},
+     .stamp = suture::rpc::stampIn<wire::LampEvents::WarningParams>,
+     .payload = suture::rpc::messageOf<wire::LampEvents::WarningParams, suture::MessageSlot,
+                                       encodeLampWarningEvent, decodeLampWarningEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::LampEvents::ErrorParams>,
-     .payload = messageOf<wire::LampEvents::ErrorParams, suture::MessageSlot, encodeLampErrorEvent,
-                          decodeLampErrorEvent>},
+     .stamp = suture::rpc::stampIn<wire::LampEvents::ErrorParams>,
+     .payload = suture::rpc::messageOf<wire::LampEvents::ErrorParams, suture::MessageSlot,
+                                       encodeLampErrorEvent, decodeLampErrorEvent>},
 };
 
 const suture::rpc::Codec& lampCodec() {
@@ -146,14 +140,14 @@ const suture::rpc::Codec& lampCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kLampCommands[] = {
+constexpr suture::CommandInfo kLampCommands[] = {
     {.name = "light",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<LampLightArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<LampLightArguments>,
      .depth = 16},
     {.name = "lit",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .column = static_cast<int>(LampColumn::lit)},
 };

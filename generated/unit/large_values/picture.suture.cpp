@@ -10,28 +10,10 @@
 
 namespace large_values {
 
-using suture::BoundedLevel;
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::levelAt;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -69,22 +51,22 @@ void toWire(const PictureSlot& slot, wire::Picture::Builder out) {
   toWire(slot.pixels, out.initPixels(sizeOf(slot.pixels)));
 }
 
-Errc fromWire(wire::Picture::Reader in, PictureSlot& slot, Duration) {
+suture::Errc fromWire(wire::Picture::Reader in, PictureSlot& slot, suture::Duration) {
   return fromWire(in.getPixels(), slot.pixels);
 }
 
-bool isValid(const PictureSlot&, FieldPath*) {
+bool isValid(const PictureSlot&, suture::FieldPath*) {
   return true;
 }
 
 namespace {
 
-bool acceptsGalleryDimmed(const GalleryDimmedArguments& slot, FieldPath* path) {
-  return isValid(slot.picture, path) || refusedAt(path, "picture");
+bool acceptsGalleryDimmed(const GalleryDimmedArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.picture, path) || suture::refusedAt(path, "picture");
 }
 
-bool acceptsGalleryHang(const GalleryHangArguments& slot, FieldPath* path) {
-  return isValid(slot.picture, path) || refusedAt(path, "picture");
+bool acceptsGalleryHang(const GalleryHangArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.picture, path) || suture::refusedAt(path, "picture");
 }
 
 // --- Gallery as Cap'n Proto
@@ -92,119 +74,121 @@ bool acceptsGalleryHang(const GalleryHangArguments& slot, FieldPath* path) {
 void encodeGalleryNewestResult(const PictureSlot& slot, wire::Gallery::NewestResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGalleryNewestResult(wire::Gallery::NewestResults::Reader in, PictureSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGalleryNewestResult(wire::Gallery::NewestResults::Reader in, PictureSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGalleryOldestResult(const PictureSlot& slot, wire::Gallery::OldestResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGalleryOldestResult(wire::Gallery::OldestResults::Reader in, PictureSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGalleryOldestResult(wire::Gallery::OldestResults::Reader in, PictureSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGalleryDimmed(const GalleryDimmedArguments& slot,
                          wire::Gallery::DimmedParams::Builder out) {
   toWire(slot.picture, out.initPicture());
 }
-Errc decodeGalleryDimmed(wire::Gallery::DimmedParams::Reader in, GalleryDimmedArguments& slot,
-                         suture::Duration shift) {
-  return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, shift) : Errc::Invalid;
+suture::Errc decodeGalleryDimmed(wire::Gallery::DimmedParams::Reader in,
+                                 GalleryDimmedArguments& slot, suture::Duration shift) {
+  return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, shift) : suture::Errc::Invalid;
 }
 
 void encodeGalleryDimmedResult(const PictureSlot& slot, wire::Gallery::DimmedResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGalleryDimmedResult(wire::Gallery::DimmedResults::Reader in, PictureSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGalleryDimmedResult(wire::Gallery::DimmedResults::Reader in, PictureSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGalleryHang(const GalleryHangArguments& slot, wire::Gallery::HangParams::Builder out) {
   toWire(slot.picture, out.initPicture());
 }
-Errc decodeGalleryHang(wire::Gallery::HangParams::Reader in, GalleryHangArguments& slot,
-                       suture::Duration shift) {
-  return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, shift) : Errc::Invalid;
+suture::Errc decodeGalleryHang(wire::Gallery::HangParams::Reader in, GalleryHangArguments& slot,
+                               suture::Duration shift) {
+  return in.hasPicture() ? fromWire(in.getPicture(), slot.picture, shift) : suture::Errc::Invalid;
 }
 
 void encodeGalleryHungEvent(const PictureSlot& slot, wire::GalleryEvents::HungParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGalleryHungEvent(wire::GalleryEvents::HungParams::Reader in, PictureSlot& slot,
-                            suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGalleryHungEvent(wire::GalleryEvents::HungParams::Reader in, PictureSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGalleryNewestColumn(const PictureSlot& slot, wire::GalleryStateRow::Builder out) {
   toWire(slot, out.initNewest());
 }
-Errc decodeGalleryNewestColumn(wire::GalleryStateRow::Reader in, PictureSlot& slot,
-                               suture::Duration shift) {
-  return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGalleryNewestColumn(wire::GalleryStateRow::Reader in, PictureSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGalleryOldestColumn(const PictureSlot& slot, wire::GalleryStateRow::Builder out) {
   toWire(slot, out.initOldest());
 }
-Errc decodeGalleryOldestColumn(wire::GalleryStateRow::Reader in, PictureSlot& slot,
-                               suture::Duration shift) {
-  return in.hasOldest() ? fromWire(in.getOldest(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGalleryOldestColumn(wire::GalleryStateRow::Reader in, PictureSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasOldest() ? fromWire(in.getOldest(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeGalleryColumn(unsigned column, const std::byte* memory,
                          wire::GalleryStateRow::Builder out) {
   switch (static_cast<GalleryColumn>(column)) {
-    case GalleryColumn::newest: return encodeGalleryNewestColumn(slotIn<PictureSlot>(memory), out);
-    case GalleryColumn::oldest: return encodeGalleryOldestColumn(slotIn<PictureSlot>(memory), out);
+    case GalleryColumn::newest:
+      return encodeGalleryNewestColumn(suture::slotIn<PictureSlot>(memory), out);
+    case GalleryColumn::oldest:
+      return encodeGalleryOldestColumn(suture::slotIn<PictureSlot>(memory), out);
   }
 }
-Errc decodeGalleryColumn(wire::GalleryStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeGalleryColumn(wire::GalleryStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<GalleryColumn>(column)) {
     case GalleryColumn::newest:
-      return decodeGalleryNewestColumn(in, newSlot<PictureSlot>(memory), shift);
+      return decodeGalleryNewestColumn(in, suture::newSlot<PictureSlot>(memory), shift);
     case GalleryColumn::oldest:
-      return decodeGalleryOldestColumn(in, newSlot<PictureSlot>(memory), shift);
+      return decodeGalleryOldestColumn(in, suture::newSlot<PictureSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kGalleryCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kGalleryCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Gallery>(),
      .method = 1,
-     .sent = sentIn<wire::Gallery::NewestParams>,
-     .result = messageOf<wire::Gallery::NewestResults, PictureSlot, encodeGalleryNewestResult,
-                         decodeGalleryNewestResult>,
-     .stamp = stampIn<wire::Gallery::NewestResults>},
+     .sent = suture::rpc::sentIn<wire::Gallery::NewestParams>,
+     .result = suture::rpc::messageOf<wire::Gallery::NewestResults, PictureSlot,
+                                      encodeGalleryNewestResult, decodeGalleryNewestResult>,
+     .stamp = suture::rpc::stampIn<wire::Gallery::NewestResults>},
     {.interface = capnp::typeId<wire::Gallery>(),
      .method = 2,
-     .sent = sentIn<wire::Gallery::OldestParams>,
-     .result = messageOf<wire::Gallery::OldestResults, PictureSlot, encodeGalleryOldestResult,
-                         decodeGalleryOldestResult>,
-     .stamp = stampIn<wire::Gallery::OldestResults>},
+     .sent = suture::rpc::sentIn<wire::Gallery::OldestParams>,
+     .result = suture::rpc::messageOf<wire::Gallery::OldestResults, PictureSlot,
+                                      encodeGalleryOldestResult, decodeGalleryOldestResult>,
+     .stamp = suture::rpc::stampIn<wire::Gallery::OldestResults>},
     {.interface = capnp::typeId<wire::Gallery>(),
      .method = 3,
-     .sent = sentIn<wire::Gallery::DimmedParams>,
-     .arguments = messageOf<wire::Gallery::DimmedParams, GalleryDimmedArguments,
-                            encodeGalleryDimmed, decodeGalleryDimmed>,
-     .result = messageOf<wire::Gallery::DimmedResults, PictureSlot, encodeGalleryDimmedResult,
-                         decodeGalleryDimmedResult>},
+     .sent = suture::rpc::sentIn<wire::Gallery::DimmedParams>,
+     .arguments = suture::rpc::messageOf<wire::Gallery::DimmedParams, GalleryDimmedArguments,
+                                         encodeGalleryDimmed, decodeGalleryDimmed>,
+     .result = suture::rpc::messageOf<wire::Gallery::DimmedResults, PictureSlot,
+                                      encodeGalleryDimmedResult, decodeGalleryDimmedResult>},
     {.interface = capnp::typeId<wire::Gallery>(),
      .method = 4,
-     .sent = sentIn<wire::Gallery::HangParams>,
-     .arguments = messageOf<wire::Gallery::HangParams, GalleryHangArguments, encodeGalleryHang,
-                            decodeGalleryHang>},
+     .sent = suture::rpc::sentIn<wire::Gallery::HangParams>,
+     .arguments = suture::rpc::messageOf<wire::Gallery::HangParams, GalleryHangArguments,
+                                         encodeGalleryHang, decodeGalleryHang>},
 };
 
-constexpr EventCodec kGalleryEventCodecs[] = {
+constexpr suture::rpc::EventCodec kGalleryEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::GalleryEvents::HungParams>,
-     .payload = messageOf<wire::GalleryEvents::HungParams, PictureSlot, encodeGalleryHungEvent,
-                          decodeGalleryHungEvent>},
+     .stamp = suture::rpc::stampIn<wire::GalleryEvents::HungParams>,
+     .payload = suture::rpc::messageOf<wire::GalleryEvents::HungParams, PictureSlot,
+                                       encodeGalleryHungEvent, decodeGalleryHungEvent>},
 };
 
 const suture::rpc::Codec& galleryCodec() {
@@ -220,70 +204,70 @@ const suture::rpc::Codec& galleryCodec() {
   return kCodec;
 }
 
-constexpr BoundedLevel kGalleryNewestResultLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
+constexpr suture::BoundedLevel kGalleryNewestResultLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
 };
 
-constexpr BoundedLevel kGalleryOldestResultLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
+constexpr suture::BoundedLevel kGalleryOldestResultLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
 };
 
-constexpr BoundedLevel kGalleryDimmedArgumentsLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(GalleryDimmedArguments,
-                                                                 picture.pixels)),
+constexpr suture::BoundedLevel kGalleryDimmedArgumentsLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(GalleryDimmedArguments,
+                                                                         picture.pixels)),
 };
 
-constexpr BoundedLevel kGalleryDimmedResultLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
+constexpr suture::BoundedLevel kGalleryDimmedResultLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
 };
 
-constexpr BoundedLevel kGalleryHangArgumentsLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(GalleryHangArguments,
-                                                                 picture.pixels)),
+constexpr suture::BoundedLevel kGalleryHangArgumentsLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(GalleryHangArguments,
+                                                                         picture.pixels)),
 };
 
-constexpr CommandInfo kGalleryCommands[] = {
+constexpr suture::CommandInfo kGalleryCommands[] = {
     {.name = "newest",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PictureSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PictureSlot>,
      .depth = 16,
      .column = static_cast<int>(GalleryColumn::newest),
-     .acceptsResult = checkSlot<PictureSlot, isValid>,
+     .acceptsResult = suture::checkSlot<PictureSlot, isValid>,
      .resultLevels = kGalleryNewestResultLevels},
     {.name = "oldest",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PictureSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PictureSlot>,
      .depth = 16,
      .column = static_cast<int>(GalleryColumn::oldest),
-     .acceptsResult = checkSlot<PictureSlot, isValid>,
+     .acceptsResult = suture::checkSlot<PictureSlot, isValid>,
      .resultLevels = kGalleryOldestResultLevels},
     {.name = "dimmed",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<GalleryDimmedArguments>,
-     .resultSize = slotSize<PictureSlot>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<GalleryDimmedArguments>,
+     .resultSize = suture::slotSize<PictureSlot>,
      .depth = 16,
-     .accepts = checkSlot<GalleryDimmedArguments, acceptsGalleryDimmed>,
-     .acceptsResult = checkSlot<PictureSlot, isValid>,
+     .accepts = suture::checkSlot<GalleryDimmedArguments, acceptsGalleryDimmed>,
+     .acceptsResult = suture::checkSlot<PictureSlot, isValid>,
      .argumentsLevels = kGalleryDimmedArgumentsLevels,
      .resultLevels = kGalleryDimmedResultLevels},
     {.name = "hang",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<GalleryHangArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<GalleryHangArguments>,
      .depth = 2,
-     .accepts = checkSlot<GalleryHangArguments, acceptsGalleryHang>,
+     .accepts = suture::checkSlot<GalleryHangArguments, acceptsGalleryHang>,
      .argumentsLevels = kGalleryHangArgumentsLevels},
 };
 
-constexpr BoundedLevel kGalleryHungPayloadLevels[] = {
-    levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
+constexpr suture::BoundedLevel kGalleryHungPayloadLevels[] = {
+    suture::levelAt<suture::BoundedList<std::uint8_t, 1048576>>(offsetof(PictureSlot, pixels)),
 };
 
-constexpr EventInfo kGalleryEvents[] = {
+constexpr suture::EventInfo kGalleryEvents[] = {
     {.name = "hung",
-     .payloadSize = slotSize<PictureSlot>,
+     .payloadSize = suture::slotSize<PictureSlot>,
      .depth = 16,
      .latest = true,
-     .accepts = checkSlot<PictureSlot, isValid>,
+     .accepts = suture::checkSlot<PictureSlot, isValid>,
      .payloadLevels = kGalleryHungPayloadLevels},
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/annotate.h>
 namespace demo {
-struct SUTURE_TYPE() Errc {
+struct SUTURE_TYPE() wire {
   int code = 0;
 };
 class ArmEvent {};

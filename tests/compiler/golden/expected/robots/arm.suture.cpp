@@ -18,35 +18,10 @@ bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::elementsIn;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -139,17 +114,19 @@ void reserve(const EverythingSlot*, Everything& value) {
   suture::reserveFor<decltype(EverythingSlot::track)>(value.track);
 }
 
-void shiftStamps(EverythingSlot& slot, Duration shift) {
+void shiftStamps(EverythingSlot& slot, suture::Duration shift) {
   shiftStamps(slot.goal, shift);
-  for (auto& element : elementsIn(slot.track)) {
+  for (auto& element : suture::elementsIn(slot.track)) {
     shiftStamps(element, shift);
   }
-  slot.when = shifted(slot.when, shift);
+  slot.when = suture::rpc::shifted(slot.when, shift);
 }
 
 bool store(const PoseStamped& goal, ArmServoCpArguments& slot) { return store(goal, slot.goal); }
 
-void shiftStamps(ArmServoCpArguments& slot, Duration shift) { shiftStamps(slot.goal, shift); }
+void shiftStamps(ArmServoCpArguments& slot, suture::Duration shift) {
+  shiftStamps(slot.goal, shift);
+}
 
 bool store(const double& speed, ArmSetSpeedArguments& slot) { return store(speed, slot.speed); }
 
@@ -157,7 +134,7 @@ bool store(const PoseStamped& x, const double& tolerance, ArmInverseKinematicsAr
   return store(x, slot.x) && store(tolerance, slot.tolerance);
 }
 
-void shiftStamps(ArmInverseKinematicsArguments& slot, Duration shift) {
+void shiftStamps(ArmInverseKinematicsArguments& slot, suture::Duration shift) {
   shiftStamps(slot.x, shift);
 }
 
@@ -176,7 +153,7 @@ void load(const ArmMovedPayload& slot, PoseStamped& value, double& value2, Mode&
   load(slot.value3, value3);
 }
 
-void shiftStamps(ArmMovedPayload& slot, Duration shift) { shiftStamps(slot.value, shift); }
+void shiftStamps(ArmMovedPayload& slot, suture::Duration shift) { shiftStamps(slot.value, shift); }
 
 // --- between slots and Cap'n Proto
 
@@ -199,13 +176,15 @@ bool isKnownMode(std::int8_t slot) {
   return false;
 }
 
-Errc fromWire(wire::Mode in, std::int8_t& slot) {
+suture::Errc fromWire(wire::Mode in, std::int8_t& slot) {
   switch (in) {
-    case wire::Mode::DISABLED: return slot = static_cast<std::int8_t>(Mode::Disabled), Errc{};
-    case wire::Mode::HOLD_STILL: return slot = static_cast<std::int8_t>(Mode::HoldStill), Errc{};
-    case wire::Mode::SERVO: return slot = static_cast<std::int8_t>(Mode::Servo), Errc{};
+    case wire::Mode::DISABLED: return slot =
+        static_cast<std::int8_t>(Mode::Disabled), suture::Errc{};
+    case wire::Mode::HOLD_STILL: return slot =
+        static_cast<std::int8_t>(Mode::HoldStill), suture::Errc{};
+    case wire::Mode::SERVO: return slot = static_cast<std::int8_t>(Mode::Servo), suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const EverythingSlot& slot, wire::Everything::Builder out) {
@@ -219,19 +198,19 @@ void toWire(const EverythingSlot& slot, wire::Everything::Builder out) {
   toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
   toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
   toWire(slot.names, out.initNames(sizeOf(slot.names)));
-  toWireList(slot.pairs, out.initPairs(sizeOf(slot.pairs)),
-             [](const std::array<double, 2>& element, auto list, std::uint32_t i) {
-               toWire(element, list.init(i, 2));
-             });
-  toWireList(slot.modes, out.initModes(2),
-             [](const std::int8_t& element, auto list, std::uint32_t i) {
-               list.set(i, wireMode(element));
-             });
+  suture::rpc::toWireList(slot.pairs, out.initPairs(sizeOf(slot.pairs)),
+                          [](const std::array<double, 2>& element, auto list, std::uint32_t i) {
+                            toWire(element, list.init(i, 2));
+                          });
+  suture::rpc::toWireList(slot.modes, out.initModes(2),
+                          [](const std::int8_t& element, auto list, std::uint32_t i) {
+                            list.set(i, wireMode(element));
+                          });
   toWire(slot.goal, out.initGoal());
-  toWireList(slot.track, out.initTrack(sizeOf(slot.track)),
-             [](const PoseStampedSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.track, out.initTrack(sizeOf(slot.track)),
+                          [](const PoseStampedSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.point, out.initPoint());
   toWire(slot.plane, out.initPlane(3));
   toWire(slot.inertia, out.initInertia());
@@ -241,7 +220,7 @@ void toWire(const EverythingSlot& slot, wire::Everything::Builder out) {
   out.setWhen(slot.when);
 }
 
-Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, suture::Duration shift) {
   slot.on = in.getOn();
   slot.tiny = in.getTiny();
   slot.count = in.getCount();
@@ -249,89 +228,96 @@ Errc fromWire(wire::Everything::Reader in, EverythingSlot& slot, Duration shift)
   slot.ratio = in.getRatio();
   slot.period = in.getPeriod();
   slot.when = suture::rpc::shifted(in.getWhen(), shift);
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getMode(), slot.mode),
       fromWire(in.getLabel(), slot.label),
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getFlags(), slot.flags),
       fromWire(in.getNames(), slot.names),
-      fromWireList(in.getPairs(), slot.pairs, [](auto item, std::array<double, 2>& target) {
-        return fromWire(item, target);
-      }),
-      fromWireList(in.getModes(), slot.modes, [](auto item, std::int8_t& target) {
+      suture::rpc::fromWireList(in.getPairs(), slot.pairs,
+                                [](auto item, std::array<double, 2>& target) {
+                                  return fromWire(item, target);
+                                }),
+      suture::rpc::fromWireList(in.getModes(), slot.modes, [](auto item, std::int8_t& target) {
         return fromWire(item, target);
       }),
       fromWire(in.getGoal(), slot.goal, shift),
-      fromWireList(in.getTrack(), slot.track, [&](auto item, PoseStampedSlot& target) {
+      suture::rpc::fromWireList(in.getTrack(), slot.track, [&](auto item, PoseStampedSlot& target) {
         return fromWire(item, target, shift);
       }),
       in.hasPoint() ? fromWire(in.getPoint(), slot.point)
-          : fromDefault(Everything().point, slot.point),
+          : suture::rpc::fromDefault(Everything().point, slot.point),
       in.getPlane().size() != 0 ? fromWire(in.getPlane(), slot.plane)
-          : fromDefault(Everything().plane, slot.plane),
+          : suture::rpc::fromDefault(Everything().plane, slot.plane),
       in.hasInertia() ? fromWire(in.getInertia(), slot.inertia)
-          : fromDefault(Everything().inertia, slot.inertia),
+          : suture::rpc::fromDefault(Everything().inertia, slot.inertia),
       in.getJacobian().size() != 0 ? fromWire(in.getJacobian(), slot.jacobian)
-          : fromDefault(Everything().jacobian, slot.jacobian),
+          : suture::rpc::fromDefault(Everything().jacobian, slot.jacobian),
       in.hasAttitude() ? fromWire(in.getAttitude(), slot.attitude)
-          : fromDefault(Everything().attitude, slot.attitude),
+          : suture::rpc::fromDefault(Everything().attitude, slot.attitude),
   });
 }
 
-bool isValid(const EverythingSlot& slot, FieldPath* path) {
-  if (!inRange(slot.speed, -0.5, 2)) return refusedAt(path, "speed");
-  if (!isValid(slot.ratio)) return refusedAt(path, "ratio");
-  if (!isKnownMode(slot.mode)) return refusedAt(path, "mode");
-  if (!allOf(slot.pairs, path, [path](const std::array<double, 2>& element) {
+bool isValid(const EverythingSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.speed, -0.5, 2)) return suture::refusedAt(path, "speed");
+  if (!isValid(slot.ratio)) return suture::refusedAt(path, "ratio");
+  if (!isKnownMode(slot.mode)) return suture::refusedAt(path, "mode");
+  if (!suture::rpc::allOf(slot.pairs, path, [path](const std::array<double, 2>& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "pairs");
+    return suture::refusedAt(path, "pairs");
   }
-  if (!allOf(slot.modes, path, [](const std::int8_t& element) { return isKnownMode(element); })) {
-    return refusedAt(path, "modes");
+  if (!suture::rpc::allOf(slot.modes, path, [](const std::int8_t& element) {
+    return isKnownMode(element);
+  })) {
+    return suture::refusedAt(path, "modes");
   }
-  if (!isValid(slot.goal, path)) return refusedAt(path, "goal");
-  if (!allOf(slot.track, path, [path](const PoseStampedSlot& element) {
+  if (!isValid(slot.goal, path)) return suture::refusedAt(path, "goal");
+  if (!suture::rpc::allOf(slot.track, path, [path](const PoseStampedSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "track");
+    return suture::refusedAt(path, "track");
   }
-  if (!isValid(slot.point, path)) return refusedAt(path, "point");
-  if (!isValid(slot.plane, path)) return refusedAt(path, "plane");
-  if (!isValid(slot.inertia)) return refusedAt(path, "inertia");
-  if (!isValid(slot.jacobian)) return refusedAt(path, "jacobian");
-  return isValid(slot.attitude) || refusedAt(path, "attitude");
+  if (!isValid(slot.point, path)) return suture::refusedAt(path, "point");
+  if (!isValid(slot.plane, path)) return suture::refusedAt(path, "plane");
+  if (!isValid(slot.inertia)) return suture::refusedAt(path, "inertia");
+  if (!isValid(slot.jacobian)) return suture::refusedAt(path, "jacobian");
+  return isValid(slot.attitude) || suture::refusedAt(path, "attitude");
 }
 
 namespace {
 
-bool acceptsArmServoCp(const ArmServoCpArguments& slot, FieldPath* path) {
-  return isValid(slot.goal, path) || refusedAt(path, "goal");
+bool acceptsArmServoCp(const ArmServoCpArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.goal, path) || suture::refusedAt(path, "goal");
 }
 
-bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot, FieldPath* path) {
-  return isValid(slot.speed) || refusedAt(path, "speed");
+bool acceptsArmSetSpeed(const ArmSetSpeedArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.speed) || suture::refusedAt(path, "speed");
 }
 
-bool acceptsArmModeResult(const std::int8_t& slot, FieldPath*) { return isKnownMode(slot); }
+bool acceptsArmModeResult(const std::int8_t& slot, suture::FieldPath*) { return isKnownMode(slot); }
 
-bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot, FieldPath* path) {
-  if (!isValid(slot.x, path)) return refusedAt(path, "x");
-  return inRange(slot.tolerance, 0, 1) || refusedAt(path, "tolerance");
+bool acceptsArmInverseKinematics(const ArmInverseKinematicsArguments& slot,
+                                 suture::FieldPath* path) {
+  if (!isValid(slot.x, path)) return suture::refusedAt(path, "x");
+  return suture::rpc::inRange(slot.tolerance, 0, 1) || suture::refusedAt(path, "tolerance");
 }
 
-bool acceptsArmGrasp(const ArmGraspArguments& slot, FieldPath* path) {
-  if (!isValid(slot.width)) return refusedAt(path, "width");
-  return isKnownMode(slot.mode) || refusedAt(path, "mode");
+bool acceptsArmGrasp(const ArmGraspArguments& slot, suture::FieldPath* path) {
+  if (!isValid(slot.width)) return suture::refusedAt(path, "width");
+  return isKnownMode(slot.mode) || suture::refusedAt(path, "mode");
 }
 
-bool acceptsArmLoadResult(const double& slot, FieldPath*) { return isValid(slot); }
-bool acceptsArmModeChangedEvent(const std::int8_t& slot, FieldPath*) { return isKnownMode(slot); }
+bool acceptsArmLoadResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
-bool acceptsArmMovedEvent(const ArmMovedPayload& slot, FieldPath* path) {
-  if (!isValid(slot.value, path)) return refusedAt(path, "value");
-  if (!isValid(slot.value2)) return refusedAt(path, "value2");
-  return isKnownMode(slot.value3) || refusedAt(path, "value3");
+bool acceptsArmModeChangedEvent(const std::int8_t& slot, suture::FieldPath*) {
+  return isKnownMode(slot);
+}
+
+bool acceptsArmMovedEvent(const ArmMovedPayload& slot, suture::FieldPath* path) {
+  if (!isValid(slot.value, path)) return suture::refusedAt(path, "value");
+  if (!isValid(slot.value2)) return suture::refusedAt(path, "value2");
+  return isKnownMode(slot.value3) || suture::refusedAt(path, "value3");
 }
 
 // --- Arm as Cap'n Proto
@@ -339,33 +325,34 @@ bool acceptsArmMovedEvent(const ArmMovedPayload& slot, FieldPath* path) {
 void encodeArmServoCp(const ArmServoCpArguments& slot, wire::Arm::ServoCpParams::Builder out) {
   toWire(slot.goal, out.initGoal());
 }
-Errc decodeArmServoCp(wire::Arm::ServoCpParams::Reader in, ArmServoCpArguments& slot,
-                      suture::Duration shift) {
-  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : Errc::Invalid;
+suture::Errc decodeArmServoCp(wire::Arm::ServoCpParams::Reader in, ArmServoCpArguments& slot,
+                              suture::Duration shift) {
+  return in.hasGoal() ? fromWire(in.getGoal(), slot.goal, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmSetSpeed(const ArmSetSpeedArguments& slot, wire::Arm::SetSpeedParams::Builder out) {
   out.setSpeed(slot.speed);
 }
-Errc decodeArmSetSpeed(wire::Arm::SetSpeedParams::Reader in, ArmSetSpeedArguments& slot,
-                       suture::Duration) {
+suture::Errc decodeArmSetSpeed(wire::Arm::SetSpeedParams::Reader in, ArmSetSpeedArguments& slot,
+                               suture::Duration) {
   slot.speed = in.getSpeed();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmMeasuredCpResult(const PoseStampedSlot& slot,
                                wire::Arm::MeasuredCpResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmMeasuredCpResult(wire::Arm::MeasuredCpResults::Reader in, PoseStampedSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredCpResult(wire::Arm::MeasuredCpResults::Reader in,
+                                       PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmModeResult(const std::int8_t& slot, wire::Arm::ModeResults::Builder out) {
   out.setValue(wireMode(slot));
 }
-Errc decodeArmModeResult(wire::Arm::ModeResults::Reader in, std::int8_t& slot, suture::Duration) {
+suture::Errc decodeArmModeResult(wire::Arm::ModeResults::Reader in, std::int8_t& slot,
+                                 suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -373,9 +360,9 @@ void encodeArmEverythingResult(const EverythingSlot& slot,
                                wire::Arm::EverythingResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmEverythingResult(wire::Arm::EverythingResults::Reader in, EverythingSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmEverythingResult(wire::Arm::EverythingResults::Reader in,
+                                       EverythingSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmInverseKinematics(const ArmInverseKinematicsArguments& slot,
@@ -383,26 +370,28 @@ void encodeArmInverseKinematics(const ArmInverseKinematicsArguments& slot,
   toWire(slot.x, out.initX());
   out.setTolerance(slot.tolerance);
 }
-Errc decodeArmInverseKinematics(wire::Arm::InverseKinematicsParams::Reader in,
-                                ArmInverseKinematicsArguments& slot, suture::Duration shift) {
+suture::Errc decodeArmInverseKinematics(wire::Arm::InverseKinematicsParams::Reader in,
+                                        ArmInverseKinematicsArguments& slot,
+                                        suture::Duration shift) {
   slot.tolerance = in.getTolerance();
-  return in.hasX() ? fromWire(in.getX(), slot.x, shift) : Errc::Invalid;
+  return in.hasX() ? fromWire(in.getX(), slot.x, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmInverseKinematicsResult(const EverythingSlot& slot,
                                       wire::Arm::InverseKinematicsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmInverseKinematicsResult(wire::Arm::InverseKinematicsResults::Reader in,
-                                      EverythingSlot& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmInverseKinematicsResult(wire::Arm::InverseKinematicsResults::Reader in,
+                                              EverythingSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmGrasp(const ArmGraspArguments& slot, wire::Arm::GraspParams::Builder out) {
   out.setWidth(slot.width);
   out.setMode(wireMode(slot.mode));
 }
-Errc decodeArmGrasp(wire::Arm::GraspParams::Reader in, ArmGraspArguments& slot, suture::Duration) {
+suture::Errc decodeArmGrasp(wire::Arm::GraspParams::Reader in, ArmGraspArguments& slot,
+                            suture::Duration) {
   slot.width = in.getWidth();
   return fromWire(in.getMode(), slot.mode);
 }
@@ -410,35 +399,36 @@ Errc decodeArmGrasp(wire::Arm::GraspParams::Reader in, ArmGraspArguments& slot, 
 void encodeArmGraspResult(const std::uint8_t& slot, wire::Arm::GraspResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeArmGraspResult(wire::Arm::GraspResults::Reader in, std::uint8_t& slot,
-                          suture::Duration) {
+suture::Errc decodeArmGraspResult(wire::Arm::GraspResults::Reader in, std::uint8_t& slot,
+                                  suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmNextTokenResult(const std::uint32_t& slot, wire::Arm::NextTokenResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmNextTokenResult(wire::Arm::NextTokenResults::Reader in, std::uint32_t& slot,
-                              suture::Duration) {
+suture::Errc decodeArmNextTokenResult(wire::Arm::NextTokenResults::Reader in, std::uint32_t& slot,
+                                      suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmLoadResult(const double& slot, wire::Arm::LoadResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeArmLoadResult(wire::Arm::LoadResults::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeArmLoadResult(wire::Arm::LoadResults::Reader in, double& slot,
+                                 suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeArmModeChangedEvent(const std::int8_t& slot,
                                wire::ArmEvents::ModeChangedParams::Builder out) {
   out.setValue(wireMode(slot));
 }
-Errc decodeArmModeChangedEvent(wire::ArmEvents::ModeChangedParams::Reader in, std::int8_t& slot,
-                               suture::Duration) {
+suture::Errc decodeArmModeChangedEvent(wire::ArmEvents::ModeChangedParams::Reader in,
+                                       std::int8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -446,9 +436,9 @@ void encodeArmArrivedEvent(const PoseStampedSlot& slot,
                            wire::ArmEvents::ArrivedParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArmArrivedEvent(wire::ArmEvents::ArrivedParams::Reader in, PoseStampedSlot& slot,
-                           suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmArrivedEvent(wire::ArmEvents::ArrivedParams::Reader in, PoseStampedSlot& slot,
+                                   suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmMovedEvent(const ArmMovedPayload& slot, wire::ArmEvents::MovedParams::Builder out) {
@@ -456,11 +446,11 @@ void encodeArmMovedEvent(const ArmMovedPayload& slot, wire::ArmEvents::MovedPara
   out.setValue2(slot.value2);
   out.setValue3(wireMode(slot.value3));
 }
-Errc decodeArmMovedEvent(wire::ArmEvents::MovedParams::Reader in, ArmMovedPayload& slot,
-                         suture::Duration shift) {
+suture::Errc decodeArmMovedEvent(wire::ArmEvents::MovedParams::Reader in, ArmMovedPayload& slot,
+                                 suture::Duration shift) {
   slot.value2 = in.getValue2();
-  return firstError({
-      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid,
+  return suture::rpc::firstError({
+      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid,
       fromWire(in.getValue3(), slot.value3),
   });
 }
@@ -468,129 +458,138 @@ Errc decodeArmMovedEvent(wire::ArmEvents::MovedParams::Reader in, ArmMovedPayloa
 void encodeArmMeasuredCpColumn(const PoseStampedSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initMeasuredCp());
 }
-Errc decodeArmMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
-                               suture::Duration shift) {
-  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmMeasuredCpColumn(wire::ArmStateRow::Reader in, PoseStampedSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmModeColumn(const std::int8_t& slot, wire::ArmStateRow::Builder out) {
   out.setMode(wireMode(slot));
 }
-Errc decodeArmModeColumn(wire::ArmStateRow::Reader in, std::int8_t& slot, suture::Duration) {
+suture::Errc decodeArmModeColumn(wire::ArmStateRow::Reader in, std::int8_t& slot,
+                                 suture::Duration) {
   return fromWire(in.getMode(), slot);
 }
 
 void encodeArmEverythingColumn(const EverythingSlot& slot, wire::ArmStateRow::Builder out) {
   toWire(slot, out.initEverything());
 }
-Errc decodeArmEverythingColumn(wire::ArmStateRow::Reader in, EverythingSlot& slot,
-                               suture::Duration shift) {
-  return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArmEverythingColumn(wire::ArmStateRow::Reader in, EverythingSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArmLoadColumn(const double& slot, wire::ArmStateRow::Builder out) {
   out.setLoad(slot);
 }
-Errc decodeArmLoadColumn(wire::ArmStateRow::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeArmLoadColumn(wire::ArmStateRow::Reader in, double& slot, suture::Duration) {
   slot = in.getLoad();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeArmColumn(unsigned column, const std::byte* memory, wire::ArmStateRow::Builder out) {
   switch (static_cast<ArmColumn>(column)) {
     case ArmColumn::measured_cp:
-      return encodeArmMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
-    case ArmColumn::mode: return encodeArmModeColumn(slotIn<std::int8_t>(memory), out);
+      return encodeArmMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
+    case ArmColumn::mode: return encodeArmModeColumn(suture::slotIn<std::int8_t>(memory), out);
     case ArmColumn::everything:
-      return encodeArmEverythingColumn(slotIn<EverythingSlot>(memory), out);
-    case ArmColumn::load: return encodeArmLoadColumn(slotIn<double>(memory), out);
+      return encodeArmEverythingColumn(suture::slotIn<EverythingSlot>(memory), out);
+    case ArmColumn::load: return encodeArmLoadColumn(suture::slotIn<double>(memory), out);
   }
 }
-Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
-                     suture::Duration shift) {
+suture::Errc decodeArmColumn(wire::ArmStateRow::Reader in, unsigned column, std::byte* memory,
+                             suture::Duration shift) {
   switch (static_cast<ArmColumn>(column)) {
     case ArmColumn::measured_cp:
-      return decodeArmMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
-    case ArmColumn::mode: return decodeArmModeColumn(in, newSlot<std::int8_t>(memory), shift);
+      return decodeArmMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
+    case ArmColumn::mode:
+      return decodeArmModeColumn(in, suture::newSlot<std::int8_t>(memory), shift);
     case ArmColumn::everything:
-      return decodeArmEverythingColumn(in, newSlot<EverythingSlot>(memory), shift);
-    case ArmColumn::load: return decodeArmLoadColumn(in, newSlot<double>(memory), shift);
+      return decodeArmEverythingColumn(in, suture::newSlot<EverythingSlot>(memory), shift);
+    case ArmColumn::load: return decodeArmLoadColumn(in, suture::newSlot<double>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kArmCommandCodecs[] = {
-    {.interface = capnp::typeId<wire::Arm>(), .method = 1, .sent = sentIn<wire::Arm::EnableParams>},
+constexpr suture::rpc::CommandCodec kArmCommandCodecs[] = {
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 1,
+     .sent = suture::rpc::sentIn<wire::Arm::EnableParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 2,
-     .sent = sentIn<wire::Arm::ServoCpParams>,
-     .arguments = messageOf<wire::Arm::ServoCpParams, ArmServoCpArguments, encodeArmServoCp,
-                            decodeArmServoCp>},
+     .sent = suture::rpc::sentIn<wire::Arm::ServoCpParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::ServoCpParams, ArmServoCpArguments,
+                                         encodeArmServoCp, decodeArmServoCp>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 3,
-     .sent = sentIn<wire::Arm::SetSpeedParams>,
-     .arguments = messageOf<wire::Arm::SetSpeedParams, ArmSetSpeedArguments, encodeArmSetSpeed,
-                            decodeArmSetSpeed>},
+     .sent = suture::rpc::sentIn<wire::Arm::SetSpeedParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::SetSpeedParams, ArmSetSpeedArguments,
+                                         encodeArmSetSpeed, decodeArmSetSpeed>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 4,
-     .sent = sentIn<wire::Arm::MeasuredCpParams>,
-     .result = messageOf<wire::Arm::MeasuredCpResults, PoseStampedSlot, encodeArmMeasuredCpResult,
-                         decodeArmMeasuredCpResult>,
-     .stamp = stampIn<wire::Arm::MeasuredCpResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::MeasuredCpParams>,
+     .result = suture::rpc::messageOf<wire::Arm::MeasuredCpResults, PoseStampedSlot,
+                                      encodeArmMeasuredCpResult, decodeArmMeasuredCpResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::MeasuredCpResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 5,
-     .sent = sentIn<wire::Arm::ModeParams>,
-     .result = messageOf<wire::Arm::ModeResults, std::int8_t, encodeArmModeResult,
-                         decodeArmModeResult>,
-     .stamp = stampIn<wire::Arm::ModeResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::ModeParams>,
+     .result = suture::rpc::messageOf<wire::Arm::ModeResults, std::int8_t, encodeArmModeResult,
+                                      decodeArmModeResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::ModeResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 6,
-     .sent = sentIn<wire::Arm::EverythingParams>,
-     .result = messageOf<wire::Arm::EverythingResults, EverythingSlot, encodeArmEverythingResult,
-                         decodeArmEverythingResult>,
-     .stamp = stampIn<wire::Arm::EverythingResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::EverythingParams>,
+     .result = suture::rpc::messageOf<wire::Arm::EverythingResults, EverythingSlot,
+                                      encodeArmEverythingResult, decodeArmEverythingResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::EverythingResults>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 7,
-     .sent = sentIn<wire::Arm::InverseKinematicsParams>,
-     .arguments = messageOf<wire::Arm::InverseKinematicsParams, ArmInverseKinematicsArguments,
-                            encodeArmInverseKinematics, decodeArmInverseKinematics>,
-     .result = messageOf<wire::Arm::InverseKinematicsResults, EverythingSlot,
-                         encodeArmInverseKinematicsResult, decodeArmInverseKinematicsResult>},
+     .sent = suture::rpc::sentIn<wire::Arm::InverseKinematicsParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::InverseKinematicsParams,
+                                         ArmInverseKinematicsArguments, encodeArmInverseKinematics,
+                                         decodeArmInverseKinematics>,
+     .result = suture::rpc::messageOf<wire::Arm::InverseKinematicsResults, EverythingSlot,
+                                      encodeArmInverseKinematicsResult,
+                                      decodeArmInverseKinematicsResult>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 8,
-     .sent = sentIn<wire::Arm::GraspParams>,
-     .arguments = messageOf<wire::Arm::GraspParams, ArmGraspArguments, encodeArmGrasp,
-                            decodeArmGrasp>,
-     .result = messageOf<wire::Arm::GraspResults, std::uint8_t, encodeArmGraspResult,
-                         decodeArmGraspResult>},
+     .sent = suture::rpc::sentIn<wire::Arm::GraspParams>,
+     .arguments = suture::rpc::messageOf<wire::Arm::GraspParams, ArmGraspArguments, encodeArmGrasp,
+                                         decodeArmGrasp>,
+     .result = suture::rpc::messageOf<wire::Arm::GraspResults, std::uint8_t, encodeArmGraspResult,
+                                      decodeArmGraspResult>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 9,
-     .sent = sentIn<wire::Arm::NextTokenParams>,
-     .result = messageOf<wire::Arm::NextTokenResults, std::uint32_t, encodeArmNextTokenResult,
-                         decodeArmNextTokenResult>},
-    {.interface = capnp::typeId<wire::Arm>(), .method = 10, .sent = sentIn<wire::Arm::ParkParams>},
+     .sent = suture::rpc::sentIn<wire::Arm::NextTokenParams>,
+     .result = suture::rpc::messageOf<wire::Arm::NextTokenResults, std::uint32_t,
+                                      encodeArmNextTokenResult, decodeArmNextTokenResult>},
+    {.interface = capnp::typeId<wire::Arm>(),
+     .method = 10,
+     .sent = suture::rpc::sentIn<wire::Arm::ParkParams>},
     {.interface = capnp::typeId<wire::Arm>(),
      .method = 11,
-     .sent = sentIn<wire::Arm::LoadParams>,
-     .result = messageOf<wire::Arm::LoadResults, double, encodeArmLoadResult, decodeArmLoadResult>,
-     .stamp = stampIn<wire::Arm::LoadResults>},
+     .sent = suture::rpc::sentIn<wire::Arm::LoadParams>,
+     .result = suture::rpc::messageOf<wire::Arm::LoadResults, double, encodeArmLoadResult,
+                                      decodeArmLoadResult>,
+     .stamp = suture::rpc::stampIn<wire::Arm::LoadResults>},
 };
 
-constexpr EventCodec kArmEventCodecs[] = {
+constexpr suture::rpc::EventCodec kArmEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::ArmEvents::ModeChangedParams>,
-     .payload = messageOf<wire::ArmEvents::ModeChangedParams, std::int8_t,
-                          encodeArmModeChangedEvent, decodeArmModeChangedEvent>},
-    {.method = 2, .stamp = stampIn<wire::ArmEvents::StoppedParams>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::ModeChangedParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::ModeChangedParams, std::int8_t,
+                                       encodeArmModeChangedEvent, decodeArmModeChangedEvent>},
+    {.method = 2, .stamp = suture::rpc::stampIn<wire::ArmEvents::StoppedParams>},
     {.method = 3,
-     .stamp = stampIn<wire::ArmEvents::ArrivedParams>,
-     .payload = messageOf<wire::ArmEvents::ArrivedParams, PoseStampedSlot, encodeArmArrivedEvent,
-                          decodeArmArrivedEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::ArrivedParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::ArrivedParams, PoseStampedSlot,
+                                       encodeArmArrivedEvent, decodeArmArrivedEvent>},
     {.method = 4,
-     .stamp = stampIn<wire::ArmEvents::MovedParams>,
-     .payload = messageOf<wire::ArmEvents::MovedParams, ArmMovedPayload, encodeArmMovedEvent,
-                          decodeArmMovedEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArmEvents::MovedParams>,
+     .payload = suture::rpc::messageOf<wire::ArmEvents::MovedParams, ArmMovedPayload,
+                                       encodeArmMovedEvent, decodeArmMovedEvent>},
 };
 
 const suture::rpc::Codec& armCodec() {
@@ -606,88 +605,88 @@ const suture::rpc::Codec& armCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kArmCommands[] = {
-    {.name = "enable", .kind = CommandKind::Void, .depth = 4},
+constexpr suture::CommandInfo kArmCommands[] = {
+    {.name = "enable", .kind = suture::CommandKind::Void, .depth = 4},
     {.name = "servo_cp",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmServoCpArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmServoCpArguments>,
      .depth = 16,
      .latest = true,
-     .ttl = Duration(20'000'000),
-     .accepts = checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
-     .shiftArguments = shiftSlot<ArmServoCpArguments>},
+     .ttl = suture::Duration(20'000'000),
+     .accepts = suture::checkSlot<ArmServoCpArguments, acceptsArmServoCp>,
+     .shiftArguments = suture::shiftSlot<ArmServoCpArguments>},
     {.name = "set_speed",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArmSetSpeedArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArmSetSpeedArguments>,
      .depth = 16,
-     .accepts = checkSlot<ArmSetSpeedArguments, acceptsArmSetSpeed>},
+     .accepts = suture::checkSlot<ArmSetSpeedArguments, acceptsArmSetSpeed>},
     {.name = "measured_cp",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<PoseStampedSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::measured_cp),
-     .acceptsResult = checkSlot<PoseStampedSlot, isValid>,
-     .shiftResult = shiftSlot<PoseStampedSlot>},
+     .acceptsResult = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftResult = suture::shiftSlot<PoseStampedSlot>},
     {.name = "mode",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::int8_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::int8_t>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::mode),
-     .acceptsResult = checkSlot<std::int8_t, acceptsArmModeResult>},
+     .acceptsResult = suture::checkSlot<std::int8_t, acceptsArmModeResult>},
     {.name = "everything",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<EverythingSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<EverythingSlot>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::everything),
-     .acceptsResult = checkSlot<EverythingSlot, isValid>,
-     .shiftResult = shiftSlot<EverythingSlot>},
+     .acceptsResult = suture::checkSlot<EverythingSlot, isValid>,
+     .shiftResult = suture::shiftSlot<EverythingSlot>},
     {.name = "inverse_kinematics",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArmInverseKinematicsArguments>,
-     .resultSize = slotSize<EverythingSlot>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<ArmInverseKinematicsArguments>,
+     .resultSize = suture::slotSize<EverythingSlot>,
      .depth = 16,
-     .accepts = checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
-     .acceptsResult = checkSlot<EverythingSlot, isValid>,
-     .shiftArguments = shiftSlot<ArmInverseKinematicsArguments>,
-     .shiftResult = shiftSlot<EverythingSlot>},
+     .accepts = suture::checkSlot<ArmInverseKinematicsArguments, acceptsArmInverseKinematics>,
+     .acceptsResult = suture::checkSlot<EverythingSlot, isValid>,
+     .shiftArguments = suture::shiftSlot<ArmInverseKinematicsArguments>,
+     .shiftResult = suture::shiftSlot<EverythingSlot>},
     {.name = "grasp",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<ArmGraspArguments>,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<ArmGraspArguments>,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 2,
-     .deadline = Duration(50'000'000),
-     .accepts = checkSlot<ArmGraspArguments, acceptsArmGrasp>},
+     .deadline = suture::Duration(50'000'000),
+     .accepts = suture::checkSlot<ArmGraspArguments, acceptsArmGrasp>},
     {.name = "next_token",
-     .kind = CommandKind::VoidReturn,
-     .resultSize = slotSize<std::uint32_t>,
+     .kind = suture::CommandKind::VoidReturn,
+     .resultSize = suture::slotSize<std::uint32_t>,
      .depth = 16},
-    {.name = "park", .kind = CommandKind::Void, .depth = 16, .inCallersThread = true},
+    {.name = "park", .kind = suture::CommandKind::Void, .depth = 16, .inCallersThread = true},
     {.name = "load",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(ArmColumn::load),
-     .acceptsResult = checkSlot<double, acceptsArmLoadResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsArmLoadResult>},
 };
 
-constexpr EventInfo kArmEvents[] = {
+constexpr suture::EventInfo kArmEvents[] = {
     {.name = "mode_changed",
-     .payloadSize = slotSize<std::int8_t>,
+     .payloadSize = suture::slotSize<std::int8_t>,
      .depth = 8,
      .latched = true,
-     .accepts = checkSlot<std::int8_t, acceptsArmModeChangedEvent>},
+     .accepts = suture::checkSlot<std::int8_t, acceptsArmModeChangedEvent>},
     {.name = "stopped", .depth = 16},
     {.name = "arrived",
-     .payloadSize = slotSize<PoseStampedSlot>,
+     .payloadSize = suture::slotSize<PoseStampedSlot>,
      .depth = 16,
-     .accepts = checkSlot<PoseStampedSlot, isValid>,
-     .shiftPayload = shiftSlot<PoseStampedSlot>},
+     .accepts = suture::checkSlot<PoseStampedSlot, isValid>,
+     .shiftPayload = suture::shiftSlot<PoseStampedSlot>},
     {.name = "moved",
-     .payloadSize = slotSize<ArmMovedPayload>,
+     .payloadSize = suture::slotSize<ArmMovedPayload>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<ArmMovedPayload, acceptsArmMovedEvent>,
-     .shiftPayload = shiftSlot<ArmMovedPayload>},
+     .accepts = suture::checkSlot<ArmMovedPayload, acceptsArmMovedEvent>,
+     .shiftPayload = suture::shiftSlot<ArmMovedPayload>},
 };
 
 // The self-description, as in robots/arm.suture.json.

@@ -9,15 +9,9 @@
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
 using suture::store;
 
@@ -44,7 +38,9 @@ void load(const PoseStampedSlot& slot, PoseStamped& value) {
   load(slot.valid, value.valid);
 }
 
-void shiftStamps(PoseStampedSlot& slot, Duration shift) { slot.stamp = shifted(slot.stamp, shift); }
+void shiftStamps(PoseStampedSlot& slot, suture::Duration shift) {
+  slot.stamp = suture::rpc::shifted(slot.stamp, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -54,15 +50,15 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
   out.setValid(slot.valid != 0);
 }
 
-Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
   slot.stamp = suture::rpc::shifted(in.getStamp(), shift);
   slot.valid = in.getValid();
   return in.hasPose() ? fromWire(in.getPose(), slot.pose)
-      : fromDefault(PoseStamped().pose, slot.pose);
+      : suture::rpc::fromDefault(PoseStamped().pose, slot.pose);
 }
 
-bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
-  return isValid(slot.pose) || refusedAt(path, "pose");
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.pose) || suture::refusedAt(path, "pose");
 }
 
 }  // namespace robots

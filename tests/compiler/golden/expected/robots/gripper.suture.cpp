@@ -27,26 +27,10 @@ bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path);
 
 namespace robots {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 bool store(const double& width, GripperOpenArguments& slot) { return store(width, slot.width); }
@@ -72,18 +56,18 @@ bool store(const double& range, const double& slot, const double& store_,
 
 namespace {
 
-bool acceptsGripperOpen(const GripperOpenArguments& slot, FieldPath* path) {
-  return isValid(slot.width) || refusedAt(path, "width");
+bool acceptsGripperOpen(const GripperOpenArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.width) || suture::refusedAt(path, "width");
 }
 
-bool acceptsGripperOpeningResult(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsGripperOpeningResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
-bool acceptsGripperFits(const GripperFitsArguments& slot, FieldPath* path) {
-  return isValid(slot.width) || refusedAt(path, "width");
+bool acceptsGripperFits(const GripperFitsArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.width) || suture::refusedAt(path, "width");
 }
 
-bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot, FieldPath* path) {
-  return isValid(slot.value) || refusedAt(path, "value");
+bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot, suture::FieldPath* path) {
+  return isValid(slot.value) || suture::refusedAt(path, "value");
 }
 
 // --- Gripper as Cap'n Proto
@@ -91,45 +75,45 @@ bool acceptsGripperGrippedEvent(const GripperGrippedPayload& slot, FieldPath* pa
 void encodeGripperOpen(const GripperOpenArguments& slot, wire::Gripper::OpenParams::Builder out) {
   out.setWidth(slot.width);
 }
-Errc decodeGripperOpen(wire::Gripper::OpenParams::Reader in, GripperOpenArguments& slot,
-                       suture::Duration) {
+suture::Errc decodeGripperOpen(wire::Gripper::OpenParams::Reader in, GripperOpenArguments& slot,
+                               suture::Duration) {
   slot.width = in.getWidth();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperOpeningResult(const double& slot, wire::Gripper::OpeningResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeGripperOpeningResult(wire::Gripper::OpeningResults::Reader in, double& slot,
-                                suture::Duration) {
+suture::Errc decodeGripperOpeningResult(wire::Gripper::OpeningResults::Reader in, double& slot,
+                                        suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperFits(const GripperFitsArguments& slot, wire::Gripper::FitsParams::Builder out) {
   out.setWidth(slot.width);
 }
-Errc decodeGripperFits(wire::Gripper::FitsParams::Reader in, GripperFitsArguments& slot,
-                       suture::Duration) {
+suture::Errc decodeGripperFits(wire::Gripper::FitsParams::Reader in, GripperFitsArguments& slot,
+                               suture::Duration) {
   slot.width = in.getWidth();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperFitsResult(const std::uint8_t& slot, wire::Gripper::FitsResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeGripperFitsResult(wire::Gripper::FitsResults::Reader in, std::uint8_t& slot,
-                             suture::Duration) {
+suture::Errc decodeGripperFitsResult(wire::Gripper::FitsResults::Reader in, std::uint8_t& slot,
+                                     suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperModeChangedEvent(const std::int8_t& slot,
                                    wire::GripperEvents::ModeChangedParams::Builder out) {
   out.setValue(wireMode(slot));
 }
-Errc decodeGripperModeChangedEvent(wire::GripperEvents::ModeChangedParams::Reader in,
-                                   std::int8_t& slot, suture::Duration) {
+suture::Errc decodeGripperModeChangedEvent(wire::GripperEvents::ModeChangedParams::Reader in,
+                                           std::int8_t& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -137,9 +121,9 @@ void encodeGripperArrivedEvent(const PoseStampedSlot& slot,
                                wire::GripperEvents::ArrivedParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeGripperArrivedEvent(wire::GripperEvents::ArrivedParams::Reader in, PoseStampedSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperArrivedEvent(wire::GripperEvents::ArrivedParams::Reader in,
+                                       PoseStampedSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperMovedEvent(const ArmMovedPayload& slot,
@@ -148,11 +132,11 @@ void encodeGripperMovedEvent(const ArmMovedPayload& slot,
   out.setValue2(slot.value2);
   out.setValue3(wireMode(slot.value3));
 }
-Errc decodeGripperMovedEvent(wire::GripperEvents::MovedParams::Reader in, ArmMovedPayload& slot,
-                             suture::Duration shift) {
+suture::Errc decodeGripperMovedEvent(wire::GripperEvents::MovedParams::Reader in,
+                                     ArmMovedPayload& slot, suture::Duration shift) {
   slot.value2 = in.getValue2();
-  return firstError({
-      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid,
+  return suture::rpc::firstError({
+      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid,
       fromWire(in.getValue3(), slot.value3),
   });
 }
@@ -162,52 +146,54 @@ void encodeGripperGrippedEvent(const GripperGrippedPayload& slot,
   out.setValue(slot.value);
   out.setValue2(slot.value2 != 0);
 }
-Errc decodeGripperGrippedEvent(wire::GripperEvents::GrippedParams::Reader in,
-                               GripperGrippedPayload& slot, suture::Duration) {
+suture::Errc decodeGripperGrippedEvent(wire::GripperEvents::GrippedParams::Reader in,
+                                       GripperGrippedPayload& slot, suture::Duration) {
   slot.value = in.getValue();
   slot.value2 = in.getValue2();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperMeasuredCpColumn(const PoseStampedSlot& slot,
                                    wire::GripperStateRow::Builder out) {
   toWire(slot, out.initMeasuredCp());
 }
-Errc decodeGripperMeasuredCpColumn(wire::GripperStateRow::Reader in, PoseStampedSlot& slot,
-                                   suture::Duration shift) {
-  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperMeasuredCpColumn(wire::GripperStateRow::Reader in, PoseStampedSlot& slot,
+                                           suture::Duration shift) {
+  return in.hasMeasuredCp() ? fromWire(in.getMeasuredCp(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperModeColumn(const std::int8_t& slot, wire::GripperStateRow::Builder out) {
   out.setMode(wireMode(slot));
 }
-Errc decodeGripperModeColumn(wire::GripperStateRow::Reader in, std::int8_t& slot,
-                             suture::Duration) {
+suture::Errc decodeGripperModeColumn(wire::GripperStateRow::Reader in, std::int8_t& slot,
+                                     suture::Duration) {
   return fromWire(in.getMode(), slot);
 }
 
 void encodeGripperEverythingColumn(const EverythingSlot& slot, wire::GripperStateRow::Builder out) {
   toWire(slot, out.initEverything());
 }
-Errc decodeGripperEverythingColumn(wire::GripperStateRow::Reader in, EverythingSlot& slot,
-                                   suture::Duration shift) {
-  return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : Errc::Invalid;
+suture::Errc decodeGripperEverythingColumn(wire::GripperStateRow::Reader in, EverythingSlot& slot,
+                                           suture::Duration shift) {
+  return in.hasEverything() ? fromWire(in.getEverything(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeGripperLoadColumn(const double& slot, wire::GripperStateRow::Builder out) {
   out.setLoad(slot);
 }
-Errc decodeGripperLoadColumn(wire::GripperStateRow::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeGripperLoadColumn(wire::GripperStateRow::Reader in, double& slot,
+                                     suture::Duration) {
   slot = in.getLoad();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeGripperOpeningColumn(const double& slot, wire::GripperStateRow::Builder out) {
   out.setOpening(slot);
 }
-Errc decodeGripperOpeningColumn(wire::GripperStateRow::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeGripperOpeningColumn(wire::GripperStateRow::Reader in, double& slot,
+                                        suture::Duration) {
   slot = in.getOpening();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
@@ -215,69 +201,73 @@ void encodeGripperColumn(unsigned column, const std::byte* memory,
                          wire::GripperStateRow::Builder out) {
   switch (static_cast<GripperColumn>(column)) {
     case GripperColumn::measured_cp:
-      return encodeGripperMeasuredCpColumn(slotIn<PoseStampedSlot>(memory), out);
-    case GripperColumn::mode: return encodeGripperModeColumn(slotIn<std::int8_t>(memory), out);
+      return encodeGripperMeasuredCpColumn(suture::slotIn<PoseStampedSlot>(memory), out);
+    case GripperColumn::mode:
+      return encodeGripperModeColumn(suture::slotIn<std::int8_t>(memory), out);
     case GripperColumn::everything:
-      return encodeGripperEverythingColumn(slotIn<EverythingSlot>(memory), out);
-    case GripperColumn::load: return encodeGripperLoadColumn(slotIn<double>(memory), out);
-    case GripperColumn::opening: return encodeGripperOpeningColumn(slotIn<double>(memory), out);
+      return encodeGripperEverythingColumn(suture::slotIn<EverythingSlot>(memory), out);
+    case GripperColumn::load: return encodeGripperLoadColumn(suture::slotIn<double>(memory), out);
+    case GripperColumn::opening:
+      return encodeGripperOpeningColumn(suture::slotIn<double>(memory), out);
   }
 }
-Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeGripperColumn(wire::GripperStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<GripperColumn>(column)) {
     case GripperColumn::measured_cp:
-      return decodeGripperMeasuredCpColumn(in, newSlot<PoseStampedSlot>(memory), shift);
+      return decodeGripperMeasuredCpColumn(in, suture::newSlot<PoseStampedSlot>(memory), shift);
     case GripperColumn::mode:
-      return decodeGripperModeColumn(in, newSlot<std::int8_t>(memory), shift);
+      return decodeGripperModeColumn(in, suture::newSlot<std::int8_t>(memory), shift);
     case GripperColumn::everything:
-      return decodeGripperEverythingColumn(in, newSlot<EverythingSlot>(memory), shift);
-    case GripperColumn::load: return decodeGripperLoadColumn(in, newSlot<double>(memory), shift);
+      return decodeGripperEverythingColumn(in, suture::newSlot<EverythingSlot>(memory), shift);
+    case GripperColumn::load:
+      return decodeGripperLoadColumn(in, suture::newSlot<double>(memory), shift);
     case GripperColumn::opening:
-      return decodeGripperOpeningColumn(in, newSlot<double>(memory), shift);
+      return decodeGripperOpeningColumn(in, suture::newSlot<double>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kGripperCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kGripperCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 1,
-     .sent = sentIn<wire::Gripper::OpenParams>,
-     .arguments = messageOf<wire::Gripper::OpenParams, GripperOpenArguments, encodeGripperOpen,
-                            decodeGripperOpen>},
+     .sent = suture::rpc::sentIn<wire::Gripper::OpenParams>,
+     .arguments = suture::rpc::messageOf<wire::Gripper::OpenParams, GripperOpenArguments,
+                                         encodeGripperOpen, decodeGripperOpen>},
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 2,
-     .sent = sentIn<wire::Gripper::OpeningParams>,
-     .result = messageOf<wire::Gripper::OpeningResults, double, encodeGripperOpeningResult,
-                         decodeGripperOpeningResult>,
-     .stamp = stampIn<wire::Gripper::OpeningResults>},
+     .sent = suture::rpc::sentIn<wire::Gripper::OpeningParams>,
+     .result = suture::rpc::messageOf<wire::Gripper::OpeningResults, double,
+                                      encodeGripperOpeningResult, decodeGripperOpeningResult>,
+     .stamp = suture::rpc::stampIn<wire::Gripper::OpeningResults>},
     {.interface = capnp::typeId<wire::Gripper>(),
      .method = 3,
-     .sent = sentIn<wire::Gripper::FitsParams>,
-     .arguments = messageOf<wire::Gripper::FitsParams, GripperFitsArguments, encodeGripperFits,
-                            decodeGripperFits>,
-     .result = messageOf<wire::Gripper::FitsResults, std::uint8_t, encodeGripperFitsResult,
-                         decodeGripperFitsResult>},
+     .sent = suture::rpc::sentIn<wire::Gripper::FitsParams>,
+     .arguments = suture::rpc::messageOf<wire::Gripper::FitsParams, GripperFitsArguments,
+                                         encodeGripperFits, decodeGripperFits>,
+     .result = suture::rpc::messageOf<wire::Gripper::FitsResults, std::uint8_t,
+                                      encodeGripperFitsResult, decodeGripperFitsResult>},
 };
 
-constexpr EventCodec kGripperEventCodecs[] = {
+constexpr suture::rpc::EventCodec kGripperEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::GripperEvents::ModeChangedParams>,
-     .payload = messageOf<wire::GripperEvents::ModeChangedParams, std::int8_t,
-                          encodeGripperModeChangedEvent, decodeGripperModeChangedEvent>},
-    {.method = 2, .stamp = stampIn<wire::GripperEvents::StoppedParams>},
+     .stamp = suture::rpc::stampIn<wire::GripperEvents::ModeChangedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperEvents::ModeChangedParams, std::int8_t,
+                                       encodeGripperModeChangedEvent,
+                                       decodeGripperModeChangedEvent>},
+    {.method = 2, .stamp = suture::rpc::stampIn<wire::GripperEvents::StoppedParams>},
     {.method = 3,
-     .stamp = stampIn<wire::GripperEvents::ArrivedParams>,
-     .payload = messageOf<wire::GripperEvents::ArrivedParams, PoseStampedSlot,
-                          encodeGripperArrivedEvent, decodeGripperArrivedEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperEvents::ArrivedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperEvents::ArrivedParams, PoseStampedSlot,
+                                       encodeGripperArrivedEvent, decodeGripperArrivedEvent>},
     {.method = 4,
-     .stamp = stampIn<wire::GripperEvents::MovedParams>,
-     .payload = messageOf<wire::GripperEvents::MovedParams, ArmMovedPayload,
-                          encodeGripperMovedEvent, decodeGripperMovedEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperEvents::MovedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperEvents::MovedParams, ArmMovedPayload,
+                                       encodeGripperMovedEvent, decodeGripperMovedEvent>},
     {.method = 5,
-     .stamp = stampIn<wire::GripperEvents::GrippedParams>,
-     .payload = messageOf<wire::GripperEvents::GrippedParams, GripperGrippedPayload,
-                          encodeGripperGrippedEvent, decodeGripperGrippedEvent>},
+     .stamp = suture::rpc::stampIn<wire::GripperEvents::GrippedParams>,
+     .payload = suture::rpc::messageOf<wire::GripperEvents::GrippedParams, GripperGrippedPayload,
+                                       encodeGripperGrippedEvent, decodeGripperGrippedEvent>},
 };
 
 const suture::rpc::Codec& gripperCodec() {
@@ -295,32 +285,32 @@ const suture::rpc::Codec& gripperCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kGripperCommands[] = {
+constexpr suture::CommandInfo kGripperCommands[] = {
     {.name = "open",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<GripperOpenArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<GripperOpenArguments>,
      .depth = 16,
-     .accepts = checkSlot<GripperOpenArguments, acceptsGripperOpen>},
+     .accepts = suture::checkSlot<GripperOpenArguments, acceptsGripperOpen>},
     {.name = "opening",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(GripperColumn::opening),
-     .acceptsResult = checkSlot<double, acceptsGripperOpeningResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsGripperOpeningResult>},
     {.name = "fits",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<GripperFitsArguments>,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<GripperFitsArguments>,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
      .inCallersThread = true,
-     .accepts = checkSlot<GripperFitsArguments, acceptsGripperFits>},
+     .accepts = suture::checkSlot<GripperFitsArguments, acceptsGripperFits>},
 };
 
-constexpr EventInfo kGripperEvents[] = {
+constexpr suture::EventInfo kGripperEvents[] = {
     {.name = "gripped",
-     .payloadSize = slotSize<GripperGrippedPayload>,
+     .payloadSize = suture::slotSize<GripperGrippedPayload>,
      .depth = 16,
-     .accepts = checkSlot<GripperGrippedPayload, acceptsGripperGrippedEvent>},
+     .accepts = suture::checkSlot<GripperGrippedPayload, acceptsGripperGrippedEvent>},
 };
 
 // The self-description, as in robots/gripper.suture.json.
@@ -484,24 +474,24 @@ constexpr char kGripperDescription[] = R"json(
 "is": "@0xab8c3dd92b2643d4"}, {"at": 5, "name": "everything", "is": "@0xe827b555e2bdb416"}, {
 "at": 6, "name": "load", "is": "Float64"}, {"at": 7, "name": "opening", "is": "Float64"}]}]})json";
 
-bool acceptsNamesTitle(const NamesNameArguments& slot, FieldPath* path) {
-  if (!isValid(slot.range)) return refusedAt(path, "range");
-  if (!isValid(slot.slot)) return refusedAt(path, "slot");
-  return isValid(slot.store) || refusedAt(path, "store");
+bool acceptsNamesTitle(const NamesNameArguments& slot, suture::FieldPath* path) {
+  if (!isValid(slot.range)) return suture::refusedAt(path, "range");
+  if (!isValid(slot.slot)) return suture::refusedAt(path, "slot");
+  return isValid(slot.store) || suture::refusedAt(path, "store");
 }
 
-bool acceptsNamesRangeResult(const double& slot, FieldPath*) { return isValid(slot); }
-bool acceptsNamesLatchedEvent(const double& slot, FieldPath*) { return isValid(slot); }
+bool acceptsNamesRangeResult(const double& slot, suture::FieldPath*) { return isValid(slot); }
+bool acceptsNamesLatchedEvent(const double& slot, suture::FieldPath*) { return isValid(slot); }
 
 // --- Names as Cap'n Proto
 
 void encodeNamesQueue(const NamesQueueArguments& slot, wire::Names::QueueParams::Builder out) {
   out.setName(slot.name);
 }
-Errc decodeNamesQueue(wire::Names::QueueParams::Reader in, NamesQueueArguments& slot,
-                      suture::Duration) {
+suture::Errc decodeNamesQueue(wire::Names::QueueParams::Reader in, NamesQueueArguments& slot,
+                              suture::Duration) {
   slot.name = in.getName();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeNamesTitle(const NamesNameArguments& slot, wire::Names::TitleParams::Builder out) {
@@ -509,88 +499,91 @@ void encodeNamesTitle(const NamesNameArguments& slot, wire::Names::TitleParams::
   out.setSlot(slot.slot);
   out.setStore(slot.store);
 }
-Errc decodeNamesTitle(wire::Names::TitleParams::Reader in, NamesNameArguments& slot,
-                      suture::Duration) {
+suture::Errc decodeNamesTitle(wire::Names::TitleParams::Reader in, NamesNameArguments& slot,
+                              suture::Duration) {
   slot.range = in.getRange();
   slot.slot = in.getSlot();
   slot.store = in.getStore();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeNamesTitleResult(const std::uint8_t& slot, wire::Names::TitleResults::Builder out) {
   out.setValue(slot != 0);
 }
-Errc decodeNamesTitleResult(wire::Names::TitleResults::Reader in, std::uint8_t& slot,
-                            suture::Duration) {
+suture::Errc decodeNamesTitleResult(wire::Names::TitleResults::Reader in, std::uint8_t& slot,
+                                    suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeNamesRangeResult(const double& slot, wire::Names::RangeResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeNamesRangeResult(wire::Names::RangeResults::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeNamesRangeResult(wire::Names::RangeResults::Reader in, double& slot,
+                                    suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeNamesLatchedEvent(const double& slot, wire::NamesEvents::LatchedParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeNamesLatchedEvent(wire::NamesEvents::LatchedParams::Reader in, double& slot,
-                             suture::Duration) {
+suture::Errc decodeNamesLatchedEvent(wire::NamesEvents::LatchedParams::Reader in, double& slot,
+                                     suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeNamesRangeColumn(const double& slot, wire::NamesStateRow::Builder out) {
   out.setRange(slot);
 }
-Errc decodeNamesRangeColumn(wire::NamesStateRow::Reader in, double& slot, suture::Duration) {
+suture::Errc decodeNamesRangeColumn(wire::NamesStateRow::Reader in, double& slot,
+                                    suture::Duration) {
   slot = in.getRange();
-  return Errc{};
+  return suture::Errc{};
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeNamesColumn(unsigned column, const std::byte* memory, wire::NamesStateRow::Builder out) {
   switch (static_cast<NamesColumn>(column)) {
-    case NamesColumn::range: return encodeNamesRangeColumn(slotIn<double>(memory), out);
+    case NamesColumn::range: return encodeNamesRangeColumn(suture::slotIn<double>(memory), out);
   }
 }
-Errc decodeNamesColumn(wire::NamesStateRow::Reader in, unsigned column, std::byte* memory,
-                       suture::Duration shift) {
+suture::Errc decodeNamesColumn(wire::NamesStateRow::Reader in, unsigned column, std::byte* memory,
+                               suture::Duration shift) {
   switch (static_cast<NamesColumn>(column)) {
-    case NamesColumn::range: return decodeNamesRangeColumn(in, newSlot<double>(memory), shift);
+    case NamesColumn::range:
+      return decodeNamesRangeColumn(in, suture::newSlot<double>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kNamesCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kNamesCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Names>(),
      .method = 1,
-     .sent = sentIn<wire::Names::QueueParams>,
-     .arguments = messageOf<wire::Names::QueueParams, NamesQueueArguments, encodeNamesQueue,
-                            decodeNamesQueue>},
+     .sent = suture::rpc::sentIn<wire::Names::QueueParams>,
+     .arguments = suture::rpc::messageOf<wire::Names::QueueParams, NamesQueueArguments,
+                                         encodeNamesQueue, decodeNamesQueue>},
     {.interface = capnp::typeId<wire::Names>(),
      .method = 2,
-     .sent = sentIn<wire::Names::TitleParams>,
-     .arguments = messageOf<wire::Names::TitleParams, NamesNameArguments, encodeNamesTitle,
-                            decodeNamesTitle>,
-     .result = messageOf<wire::Names::TitleResults, std::uint8_t, encodeNamesTitleResult,
-                         decodeNamesTitleResult>},
+     .sent = suture::rpc::sentIn<wire::Names::TitleParams>,
+     .arguments = suture::rpc::messageOf<wire::Names::TitleParams, NamesNameArguments,
+                                         encodeNamesTitle, decodeNamesTitle>,
+     .result = suture::rpc::messageOf<wire::Names::TitleResults, std::uint8_t,
+                                      encodeNamesTitleResult, decodeNamesTitleResult>},
     {.interface = capnp::typeId<wire::Names>(),
      .method = 3,
-     .sent = sentIn<wire::Names::RangeParams>,
-     .result = messageOf<wire::Names::RangeResults, double, encodeNamesRangeResult,
-                         decodeNamesRangeResult>,
-     .stamp = stampIn<wire::Names::RangeResults>},
+     .sent = suture::rpc::sentIn<wire::Names::RangeParams>,
+     .result = suture::rpc::messageOf<wire::Names::RangeResults, double, encodeNamesRangeResult,
+                                      decodeNamesRangeResult>,
+     .stamp = suture::rpc::stampIn<wire::Names::RangeResults>},
 };
 
-constexpr EventCodec kNamesEventCodecs[] = {
+constexpr suture::rpc::EventCodec kNamesEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::NamesEvents::LatchedParams>,
-     .payload = messageOf<wire::NamesEvents::LatchedParams, double, encodeNamesLatchedEvent,
-                          decodeNamesLatchedEvent>},
+     .stamp = suture::rpc::stampIn<wire::NamesEvents::LatchedParams>,
+     .payload = suture::rpc::messageOf<wire::NamesEvents::LatchedParams, double,
+                                       encodeNamesLatchedEvent, decodeNamesLatchedEvent>},
 };
 
 const suture::rpc::Codec& namesCodec() {
@@ -606,31 +599,31 @@ const suture::rpc::Codec& namesCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kNamesCommands[] = {
+constexpr suture::CommandInfo kNamesCommands[] = {
     {.name = "queue",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<NamesQueueArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<NamesQueueArguments>,
      .depth = 4},
     {.name = "name",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<NamesNameArguments>,
-     .resultSize = slotSize<std::uint8_t>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<NamesNameArguments>,
+     .resultSize = suture::slotSize<std::uint8_t>,
      .depth = 16,
-     .accepts = checkSlot<NamesNameArguments, acceptsNamesTitle>},
+     .accepts = suture::checkSlot<NamesNameArguments, acceptsNamesTitle>},
     {.name = "range",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<double>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<double>,
      .depth = 16,
      .column = static_cast<int>(NamesColumn::range),
-     .acceptsResult = checkSlot<double, acceptsNamesRangeResult>},
+     .acceptsResult = suture::checkSlot<double, acceptsNamesRangeResult>},
 };
 
-constexpr EventInfo kNamesEvents[] = {
+constexpr suture::EventInfo kNamesEvents[] = {
     {.name = "latched",
-     .payloadSize = slotSize<double>,
+     .payloadSize = suture::slotSize<double>,
      .depth = 16,
      .latched = true,
-     .accepts = checkSlot<double, acceptsNamesLatchedEvent>},
+     .accepts = suture::checkSlot<double, acceptsNamesLatchedEvent>},
 };
 
 // The self-description, as in robots/gripper.suture.json.

@@ -17,14 +17,8 @@ suture::Errc fromWire(wire::Mode in, std::int8_t& slot);
 
 namespace robots {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -60,17 +54,17 @@ void toWire(const ArmParametersSlot& slot, wire::ArmParameters::Builder out) {
   out.setStart(wireMode(slot.start));
 }
 
-Errc fromWire(wire::ArmParameters::Reader in, ArmParametersSlot& slot, Duration) {
+suture::Errc fromWire(wire::ArmParameters::Reader in, ArmParametersSlot& slot, suture::Duration) {
   slot.rate = in.getRate();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getStart(), slot.start),
   });
 }
 
-bool isValid(const ArmParametersSlot& slot, FieldPath* path) {
-  if (!inRange(slot.rate, 1, 4000)) return refusedAt(path, "rate");
-  return isKnownMode(slot.start) || refusedAt(path, "start");
+bool isValid(const ArmParametersSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.rate, 1, 4000)) return suture::refusedAt(path, "rate");
+  return isKnownMode(slot.start) || suture::refusedAt(path, "start");
 }
 
 }  // namespace robots

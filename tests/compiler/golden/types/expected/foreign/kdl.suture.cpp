@@ -9,16 +9,8 @@
 
 namespace foreign {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -130,26 +122,26 @@ void toWire(const KDLVectorSlot& slot, wire::Vector::Builder out) {
   toWire(slot.data, out.initData(3));
 }
 
-Errc fromWire(wire::Vector::Reader in, KDLVectorSlot& slot, Duration) {
+suture::Errc fromWire(wire::Vector::Reader in, KDLVectorSlot& slot, suture::Duration) {
   return in.getData().size() != 0 ? fromWire(in.getData(), slot.data)
-      : fromDefault(KDL::Vector().data, slot.data);
+      : suture::rpc::fromDefault(KDL::Vector().data, slot.data);
 }
 
-bool isValid(const KDLVectorSlot& slot, FieldPath* path) {
-  return isValid(slot.data, path) || refusedAt(path, "data");
+bool isValid(const KDLVectorSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.data, path) || suture::refusedAt(path, "data");
 }
 
 void toWire(const KDLRotationSlot& slot, wire::Rotation::Builder out) {
   toWire(slot.data, out.initData(9));
 }
 
-Errc fromWire(wire::Rotation::Reader in, KDLRotationSlot& slot, Duration) {
+suture::Errc fromWire(wire::Rotation::Reader in, KDLRotationSlot& slot, suture::Duration) {
   return in.getData().size() != 0 ? fromWire(in.getData(), slot.data)
-      : fromDefault(KDL::Rotation().data, slot.data);
+      : suture::rpc::fromDefault(KDL::Rotation().data, slot.data);
 }
 
-bool isValid(const KDLRotationSlot& slot, FieldPath* path) {
-  return isValid(slot.data, path) || refusedAt(path, "data");
+bool isValid(const KDLRotationSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.data, path) || suture::refusedAt(path, "data");
 }
 
 void toWire(const KDLFrameSlot& slot, wire::Frame::Builder out) {
@@ -157,16 +149,18 @@ void toWire(const KDLFrameSlot& slot, wire::Frame::Builder out) {
   toWire(slot.M, out.initM());
 }
 
-Errc fromWire(wire::Frame::Reader in, KDLFrameSlot& slot, Duration shift) {
-  return firstError({
-      in.hasP() ? fromWire(in.getP(), slot.p, shift) : fromDefault(KDL::Frame().p, slot.p),
-      in.hasM() ? fromWire(in.getM(), slot.M, shift) : fromDefault(KDL::Frame().M, slot.M),
+suture::Errc fromWire(wire::Frame::Reader in, KDLFrameSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
+      in.hasP() ? fromWire(in.getP(), slot.p, shift)
+          : suture::rpc::fromDefault(KDL::Frame().p, slot.p),
+      in.hasM() ? fromWire(in.getM(), slot.M, shift)
+          : suture::rpc::fromDefault(KDL::Frame().M, slot.M),
   });
 }
 
-bool isValid(const KDLFrameSlot& slot, FieldPath* path) {
-  if (!isValid(slot.p, path)) return refusedAt(path, "p");
-  return isValid(slot.M, path) || refusedAt(path, "M");
+bool isValid(const KDLFrameSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.p, path)) return suture::refusedAt(path, "p");
+  return isValid(slot.M, path) || suture::refusedAt(path, "M");
 }
 
 void toWire(const KDLTwistSlot& slot, wire::Twist::Builder out) {
@@ -174,18 +168,18 @@ void toWire(const KDLTwistSlot& slot, wire::Twist::Builder out) {
   toWire(slot.rot, out.initRot());
 }
 
-Errc fromWire(wire::Twist::Reader in, KDLTwistSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::Twist::Reader in, KDLTwistSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       in.hasVel() ? fromWire(in.getVel(), slot.vel, shift)
-          : fromDefault(KDL::Twist().vel, slot.vel),
+          : suture::rpc::fromDefault(KDL::Twist().vel, slot.vel),
       in.hasRot() ? fromWire(in.getRot(), slot.rot, shift)
-          : fromDefault(KDL::Twist().rot, slot.rot),
+          : suture::rpc::fromDefault(KDL::Twist().rot, slot.rot),
   });
 }
 
-bool isValid(const KDLTwistSlot& slot, FieldPath* path) {
-  if (!isValid(slot.vel, path)) return refusedAt(path, "vel");
-  return isValid(slot.rot, path) || refusedAt(path, "rot");
+bool isValid(const KDLTwistSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.vel, path)) return suture::refusedAt(path, "vel");
+  return isValid(slot.rot, path) || suture::refusedAt(path, "rot");
 }
 
 void toWire(const KDLWrenchSlot& slot, wire::Wrench::Builder out) {
@@ -193,32 +187,34 @@ void toWire(const KDLWrenchSlot& slot, wire::Wrench::Builder out) {
   toWire(slot.torque, out.initTorque());
 }
 
-Errc fromWire(wire::Wrench::Reader in, KDLWrenchSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::Wrench::Reader in, KDLWrenchSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       in.hasForce() ? fromWire(in.getForce(), slot.force, shift)
-          : fromDefault(KDL::Wrench().force, slot.force),
+          : suture::rpc::fromDefault(KDL::Wrench().force, slot.force),
       in.hasTorque() ? fromWire(in.getTorque(), slot.torque, shift)
-          : fromDefault(KDL::Wrench().torque, slot.torque),
+          : suture::rpc::fromDefault(KDL::Wrench().torque, slot.torque),
   });
 }
 
-bool isValid(const KDLWrenchSlot& slot, FieldPath* path) {
-  if (!isValid(slot.force, path)) return refusedAt(path, "force");
-  return isValid(slot.torque, path) || refusedAt(path, "torque");
+bool isValid(const KDLWrenchSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.force, path)) return suture::refusedAt(path, "force");
+  return isValid(slot.torque, path) || suture::refusedAt(path, "torque");
 }
 
 void toWire(const KDLJntArraySlot& slot, wire::Joints::Builder out) {
   toWire(slot.data, out.initData(sizeOf(slot.data)));
 }
 
-Errc fromWire(wire::Joints::Reader in, KDLJntArraySlot& slot, Duration) {
+suture::Errc fromWire(wire::Joints::Reader in, KDLJntArraySlot& slot, suture::Duration) {
   return in.hasData() ? fromWire(in.getData(), slot.data)
-      : fromDefault(KDL::JntArray().data, slot.data);
+      : suture::rpc::fromDefault(KDL::JntArray().data, slot.data);
 }
 
-bool isValid(const KDLJntArraySlot& slot, FieldPath* path) {
-  if (!allOf(slot.data, path, [](const double& element) { return inRange(element, -6.5, 6.5); })) {
-    return refusedAt(path, "data");
+bool isValid(const KDLJntArraySlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::allOf(slot.data, path, [](const double& element) {
+    return suture::rpc::inRange(element, -6.5, 6.5);
+  })) {
+    return suture::refusedAt(path, "data");
   }
   return true;
 }
@@ -230,8 +226,8 @@ void toWire(const MotionSlot& slot, wire::Motion::Builder out) {
   toWire(slot.joints, out.initJoints());
 }
 
-Errc fromWire(wire::Motion::Reader in, MotionSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::Motion::Reader in, MotionSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getFrame(), slot.frame, shift),
       fromWire(in.getTwist(), slot.twist, shift),
       fromWire(in.getWrench(), slot.wrench, shift),
@@ -239,11 +235,11 @@ Errc fromWire(wire::Motion::Reader in, MotionSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const MotionSlot& slot, FieldPath* path) {
-  if (!isValid(slot.frame, path)) return refusedAt(path, "frame");
-  if (!isValid(slot.twist, path)) return refusedAt(path, "twist");
-  if (!isValid(slot.wrench, path)) return refusedAt(path, "wrench");
-  return isValid(slot.joints, path) || refusedAt(path, "joints");
+bool isValid(const MotionSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.frame, path)) return suture::refusedAt(path, "frame");
+  if (!isValid(slot.twist, path)) return suture::refusedAt(path, "twist");
+  if (!isValid(slot.wrench, path)) return suture::refusedAt(path, "wrench");
+  return isValid(slot.joints, path) || suture::refusedAt(path, "joints");
 }
 
 }  // namespace foreign

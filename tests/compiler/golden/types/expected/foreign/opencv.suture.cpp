@@ -10,29 +10,10 @@
 
 namespace foreign {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -97,63 +78,63 @@ void toWire(const cvPoint3dSlot& slot, wire::Point3d::Builder out) {
   out.setZ(slot.z);
 }
 
-Errc fromWire(wire::Point3d::Reader in, cvPoint3dSlot& slot, Duration) {
+suture::Errc fromWire(wire::Point3d::Reader in, cvPoint3dSlot& slot, suture::Duration) {
   slot.x = in.getX();
   slot.y = in.getY();
   slot.z = in.getZ();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const cvPoint3dSlot& slot, FieldPath* path) {
-  if (!isValid(slot.x)) return refusedAt(path, "x");
-  if (!isValid(slot.y)) return refusedAt(path, "y");
-  return isValid(slot.z) || refusedAt(path, "z");
+bool isValid(const cvPoint3dSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.x)) return suture::refusedAt(path, "x");
+  if (!isValid(slot.y)) return suture::refusedAt(path, "y");
+  return isValid(slot.z) || suture::refusedAt(path, "z");
 }
 
 void toWire(const cvMatx33dSlot& slot, wire::Matx33d::Builder out) {
   toWire(slot.val, out.initVal(9));
 }
 
-Errc fromWire(wire::Matx33d::Reader in, cvMatx33dSlot& slot, Duration) {
+suture::Errc fromWire(wire::Matx33d::Reader in, cvMatx33dSlot& slot, suture::Duration) {
   return in.getVal().size() != 0 ? fromWire(in.getVal(), slot.val)
-      : fromDefault(cv::Matx33d().val, slot.val);
+      : suture::rpc::fromDefault(cv::Matx33d().val, slot.val);
 }
 
-bool isValid(const cvMatx33dSlot& slot, FieldPath* path) {
-  return isValid(slot.val, path) || refusedAt(path, "val");
+bool isValid(const cvMatx33dSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.val, path) || suture::refusedAt(path, "val");
 }
 
 void toWire(const ViewSlot& slot, wire::View::Builder out) {
   toWire(slot.intrinsics, out.initIntrinsics());
-  toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
-             [](const cvPoint3dSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
+                          [](const cvPoint3dSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
 }
 
-Errc fromWire(wire::View::Reader in, ViewSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::View::Reader in, ViewSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getIntrinsics(), slot.intrinsics, shift),
-      fromWireList(in.getPoints(), slot.points, [&](auto item, cvPoint3dSlot& target) {
+      suture::rpc::fromWireList(in.getPoints(), slot.points, [&](auto item, cvPoint3dSlot& target) {
         return fromWire(item, target, shift);
       }),
   });
 }
 
-bool isValid(const ViewSlot& slot, FieldPath* path) {
-  if (!isValid(slot.intrinsics, path)) return refusedAt(path, "intrinsics");
-  if (!allOf(slot.points, path, [path](const cvPoint3dSlot& element) {
+bool isValid(const ViewSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.intrinsics, path)) return suture::refusedAt(path, "intrinsics");
+  if (!suture::rpc::allOf(slot.points, path, [path](const cvPoint3dSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "points");
+    return suture::refusedAt(path, "points");
   }
   return true;
 }
 
 namespace {
 
-bool acceptsCameraAim(const CameraAimArguments& slot, FieldPath* path) {
-  return isValid(slot.at, path) || refusedAt(path, "at");
+bool acceptsCameraAim(const CameraAimArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.at, path) || suture::refusedAt(path, "at");
 }
 
 // --- Camera as Cap'n Proto
@@ -161,54 +142,55 @@ bool acceptsCameraAim(const CameraAimArguments& slot, FieldPath* path) {
 void encodeCameraAim(const CameraAimArguments& slot, wire::Camera::AimParams::Builder out) {
   toWire(slot.at, out.initAt());
 }
-Errc decodeCameraAim(wire::Camera::AimParams::Reader in, CameraAimArguments& slot,
-                     suture::Duration shift) {
-  return in.hasAt() ? fromWire(in.getAt(), slot.at, shift) : Errc::Invalid;
+suture::Errc decodeCameraAim(wire::Camera::AimParams::Reader in, CameraAimArguments& slot,
+                             suture::Duration shift) {
+  return in.hasAt() ? fromWire(in.getAt(), slot.at, shift) : suture::Errc::Invalid;
 }
 
 void encodeCameraViewResult(const ViewSlot& slot, wire::Camera::ViewResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeCameraViewResult(wire::Camera::ViewResults::Reader in, ViewSlot& slot,
-                            suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeCameraViewResult(wire::Camera::ViewResults::Reader in, ViewSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeCameraViewColumn(const ViewSlot& slot, wire::CameraStateRow::Builder out) {
   toWire(slot, out.initView());
 }
-Errc decodeCameraViewColumn(wire::CameraStateRow::Reader in, ViewSlot& slot,
-                            suture::Duration shift) {
-  return in.hasView() ? fromWire(in.getView(), slot, shift) : Errc::Invalid;
+suture::Errc decodeCameraViewColumn(wire::CameraStateRow::Reader in, ViewSlot& slot,
+                                    suture::Duration shift) {
+  return in.hasView() ? fromWire(in.getView(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeCameraColumn(unsigned column, const std::byte* memory,
                         wire::CameraStateRow::Builder out) {
   switch (static_cast<CameraColumn>(column)) {
-    case CameraColumn::view: return encodeCameraViewColumn(slotIn<ViewSlot>(memory), out);
+    case CameraColumn::view: return encodeCameraViewColumn(suture::slotIn<ViewSlot>(memory), out);
   }
 }
-Errc decodeCameraColumn(wire::CameraStateRow::Reader in, unsigned column, std::byte* memory,
-                        suture::Duration shift) {
+suture::Errc decodeCameraColumn(wire::CameraStateRow::Reader in, unsigned column, std::byte* memory,
+                                suture::Duration shift) {
   switch (static_cast<CameraColumn>(column)) {
-    case CameraColumn::view: return decodeCameraViewColumn(in, newSlot<ViewSlot>(memory), shift);
+    case CameraColumn::view:
+      return decodeCameraViewColumn(in, suture::newSlot<ViewSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kCameraCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kCameraCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Camera>(),
      .method = 1,
-     .sent = sentIn<wire::Camera::AimParams>,
-     .arguments = messageOf<wire::Camera::AimParams, CameraAimArguments, encodeCameraAim,
-                            decodeCameraAim>},
+     .sent = suture::rpc::sentIn<wire::Camera::AimParams>,
+     .arguments = suture::rpc::messageOf<wire::Camera::AimParams, CameraAimArguments,
+                                         encodeCameraAim, decodeCameraAim>},
     {.interface = capnp::typeId<wire::Camera>(),
      .method = 2,
-     .sent = sentIn<wire::Camera::ViewParams>,
-     .result = messageOf<wire::Camera::ViewResults, ViewSlot, encodeCameraViewResult,
-                         decodeCameraViewResult>,
-     .stamp = stampIn<wire::Camera::ViewResults>},
+     .sent = suture::rpc::sentIn<wire::Camera::ViewParams>,
+     .result = suture::rpc::messageOf<wire::Camera::ViewResults, ViewSlot, encodeCameraViewResult,
+                                      decodeCameraViewResult>,
+     .stamp = suture::rpc::stampIn<wire::Camera::ViewResults>},
 };
 
 const suture::rpc::Codec& cameraCodec() {
@@ -224,18 +206,18 @@ const suture::rpc::Codec& cameraCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kCameraCommands[] = {
+constexpr suture::CommandInfo kCameraCommands[] = {
     {.name = "aim",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<CameraAimArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<CameraAimArguments>,
      .depth = 16,
-     .accepts = checkSlot<CameraAimArguments, acceptsCameraAim>},
+     .accepts = suture::checkSlot<CameraAimArguments, acceptsCameraAim>},
     {.name = "view",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<ViewSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<ViewSlot>,
      .depth = 16,
      .column = static_cast<int>(CameraColumn::view),
-     .acceptsResult = checkSlot<ViewSlot, isValid>},
+     .acceptsResult = suture::checkSlot<ViewSlot, isValid>},
 };
 
 // The self-description, as in foreign/opencv.suture.json.

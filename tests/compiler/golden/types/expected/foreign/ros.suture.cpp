@@ -9,13 +9,7 @@
 
 namespace foreign {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -169,13 +163,13 @@ void toWire(const rosTimeSlot& slot, wire::Time::Builder out) {
   out.setNsec(slot.nsec);
 }
 
-Errc fromWire(wire::Time::Reader in, rosTimeSlot& slot, Duration) {
+suture::Errc fromWire(wire::Time::Reader in, rosTimeSlot& slot, suture::Duration) {
   slot.sec = in.getSec();
   slot.nsec = in.getNsec();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const rosTimeSlot&, FieldPath*) {
+bool isValid(const rosTimeSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -185,18 +179,18 @@ void toWire(const HeaderSlot& slot, wire::Header::Builder out) {
   toWire(slot.frame_id, out.initFrameId(sizeOf(slot.frame_id)));
 }
 
-Errc fromWire(wire::Header::Reader in, HeaderSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Header::Reader in, HeaderSlot& slot, suture::Duration shift) {
   slot.seq = in.getSeq();
-  return firstError({
+  return suture::rpc::firstError({
       in.hasStamp() ? fromWire(in.getStamp(), slot.stamp, shift)
-          : fromDefault(Header().stamp, slot.stamp),
+          : suture::rpc::fromDefault(Header().stamp, slot.stamp),
       in.hasFrameId() ? fromWire(in.getFrameId(), slot.frame_id)
-          : fromDefault(Header().frame_id, slot.frame_id),
+          : suture::rpc::fromDefault(Header().frame_id, slot.frame_id),
   });
 }
 
-bool isValid(const HeaderSlot& slot, FieldPath* path) {
-  return isValid(slot.stamp, path) || refusedAt(path, "stamp");
+bool isValid(const HeaderSlot& slot, suture::FieldPath* path) {
+  return isValid(slot.stamp, path) || suture::refusedAt(path, "stamp");
 }
 
 void toWire(const PointSlot& slot, wire::Point::Builder out) {
@@ -205,17 +199,17 @@ void toWire(const PointSlot& slot, wire::Point::Builder out) {
   out.setZ(slot.z);
 }
 
-Errc fromWire(wire::Point::Reader in, PointSlot& slot, Duration) {
+suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration) {
   slot.x = in.getX();
   slot.y = in.getY();
   slot.z = in.getZ();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const PointSlot& slot, FieldPath* path) {
-  if (!isValid(slot.x)) return refusedAt(path, "x");
-  if (!isValid(slot.y)) return refusedAt(path, "y");
-  return isValid(slot.z) || refusedAt(path, "z");
+bool isValid(const PointSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.x)) return suture::refusedAt(path, "x");
+  if (!isValid(slot.y)) return suture::refusedAt(path, "y");
+  return isValid(slot.z) || suture::refusedAt(path, "z");
 }
 
 void toWire(const QuaternionSlot& slot, wire::Quaternion::Builder out) {
@@ -225,19 +219,19 @@ void toWire(const QuaternionSlot& slot, wire::Quaternion::Builder out) {
   out.setW(slot.w);
 }
 
-Errc fromWire(wire::Quaternion::Reader in, QuaternionSlot& slot, Duration) {
+suture::Errc fromWire(wire::Quaternion::Reader in, QuaternionSlot& slot, suture::Duration) {
   slot.x = in.getX();
   slot.y = in.getY();
   slot.z = in.getZ();
   slot.w = in.getW();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const QuaternionSlot& slot, FieldPath* path) {
-  if (!isValid(slot.x)) return refusedAt(path, "x");
-  if (!isValid(slot.y)) return refusedAt(path, "y");
-  if (!isValid(slot.z)) return refusedAt(path, "z");
-  return isValid(slot.w) || refusedAt(path, "w");
+bool isValid(const QuaternionSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.x)) return suture::refusedAt(path, "x");
+  if (!isValid(slot.y)) return suture::refusedAt(path, "y");
+  if (!isValid(slot.z)) return suture::refusedAt(path, "z");
+  return isValid(slot.w) || suture::refusedAt(path, "w");
 }
 
 void toWire(const PoseSlot& slot, wire::Pose::Builder out) {
@@ -245,18 +239,18 @@ void toWire(const PoseSlot& slot, wire::Pose::Builder out) {
   toWire(slot.orientation, out.initOrientation());
 }
 
-Errc fromWire(wire::Pose::Reader in, PoseSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::Pose::Reader in, PoseSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       in.hasPosition() ? fromWire(in.getPosition(), slot.position, shift)
-          : fromDefault(Pose().position, slot.position),
+          : suture::rpc::fromDefault(Pose().position, slot.position),
       in.hasOrientation() ? fromWire(in.getOrientation(), slot.orientation, shift)
-          : fromDefault(Pose().orientation, slot.orientation),
+          : suture::rpc::fromDefault(Pose().orientation, slot.orientation),
   });
 }
 
-bool isValid(const PoseSlot& slot, FieldPath* path) {
-  if (!isValid(slot.position, path)) return refusedAt(path, "position");
-  return isValid(slot.orientation, path) || refusedAt(path, "orientation");
+bool isValid(const PoseSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
+  return isValid(slot.orientation, path) || suture::refusedAt(path, "orientation");
 }
 
 void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
@@ -264,18 +258,18 @@ void toWire(const PoseStampedSlot& slot, wire::PoseStamped::Builder out) {
   toWire(slot.pose, out.initPose());
 }
 
-Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::PoseStamped::Reader in, PoseStampedSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift)
-          : fromDefault(PoseStamped().header, slot.header),
+          : suture::rpc::fromDefault(PoseStamped().header, slot.header),
       in.hasPose() ? fromWire(in.getPose(), slot.pose, shift)
-          : fromDefault(PoseStamped().pose, slot.pose),
+          : suture::rpc::fromDefault(PoseStamped().pose, slot.pose),
   });
 }
 
-bool isValid(const PoseStampedSlot& slot, FieldPath* path) {
-  if (!isValid(slot.header, path)) return refusedAt(path, "header");
-  return isValid(slot.pose, path) || refusedAt(path, "pose");
+bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.header, path)) return suture::refusedAt(path, "header");
+  return isValid(slot.pose, path) || suture::refusedAt(path, "pose");
 }
 
 void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
@@ -286,25 +280,26 @@ void toWire(const JointStateSlot& slot, wire::JointState::Builder out) {
   toWire(slot.effort, out.initEffort(sizeOf(slot.effort)));
 }
 
-Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::JointState::Reader in, JointStateSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       in.hasHeader() ? fromWire(in.getHeader(), slot.header, shift)
-          : fromDefault(JointState().header, slot.header),
-      in.hasName() ? fromWire(in.getName(), slot.name) : fromDefault(JointState().name, slot.name),
+          : suture::rpc::fromDefault(JointState().header, slot.header),
+      in.hasName() ? fromWire(in.getName(), slot.name)
+          : suture::rpc::fromDefault(JointState().name, slot.name),
       in.hasPosition() ? fromWire(in.getPosition(), slot.position)
-          : fromDefault(JointState().position, slot.position),
+          : suture::rpc::fromDefault(JointState().position, slot.position),
       in.hasVelocity() ? fromWire(in.getVelocity(), slot.velocity)
-          : fromDefault(JointState().velocity, slot.velocity),
+          : suture::rpc::fromDefault(JointState().velocity, slot.velocity),
       in.hasEffort() ? fromWire(in.getEffort(), slot.effort)
-          : fromDefault(JointState().effort, slot.effort),
+          : suture::rpc::fromDefault(JointState().effort, slot.effort),
   });
 }
 
-bool isValid(const JointStateSlot& slot, FieldPath* path) {
-  if (!isValid(slot.header, path)) return refusedAt(path, "header");
-  if (!isValid(slot.position, path)) return refusedAt(path, "position");
-  if (!isValid(slot.velocity, path)) return refusedAt(path, "velocity");
-  return isValid(slot.effort, path) || refusedAt(path, "effort");
+bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.header, path)) return suture::refusedAt(path, "header");
+  if (!isValid(slot.position, path)) return suture::refusedAt(path, "position");
+  if (!isValid(slot.velocity, path)) return suture::refusedAt(path, "velocity");
+  return isValid(slot.effort, path) || suture::refusedAt(path, "effort");
 }
 
 }  // namespace foreign

@@ -9,16 +9,8 @@
 
 namespace shapes {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
 using suture::store;
@@ -71,28 +63,28 @@ void toWire(const BulkSlot& slot, wire::Bulk::Builder out) {
   toWire(slot.image, out.initImage());
 }
 
-Errc fromWire(wire::Bulk::Reader in, BulkSlot& slot, Duration) {
-  return firstError({
+suture::Errc fromWire(wire::Bulk::Reader in, BulkSlot& slot, suture::Duration) {
+  return suture::rpc::firstError({
       fromWire(in.getSamples(), slot.samples),
       fromWire(in.getTriple(), slot.triple),
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getLine(), slot.line),
       in.getJacobian().size() != 0 ? fromWire(in.getJacobian(), slot.jacobian)
-          : fromDefault(Bulk().jacobian, slot.jacobian),
+          : suture::rpc::fromDefault(Bulk().jacobian, slot.jacobian),
       fromWire(in.getImage(), slot.image),
   });
 }
 
-bool isValid(const BulkSlot& slot, FieldPath* path) {
-  if (!isValid(slot.samples, path)) return refusedAt(path, "samples");
-  if (!allOf(slot.triple, path, [](const std::int16_t& element) {
-    return inRange(element, -5, 5);
+bool isValid(const BulkSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.samples, path)) return suture::refusedAt(path, "samples");
+  if (!suture::rpc::allOf(slot.triple, path, [](const std::int16_t& element) {
+    return suture::rpc::inRange(element, -5, 5);
   })) {
-    return refusedAt(path, "triple");
+    return suture::refusedAt(path, "triple");
   }
-  if (!isValid(slot.line, path)) return refusedAt(path, "line");
-  if (!isValid(slot.jacobian)) return refusedAt(path, "jacobian");
-  return isValid(slot.image) || refusedAt(path, "image");
+  if (!isValid(slot.line, path)) return suture::refusedAt(path, "line");
+  if (!isValid(slot.jacobian)) return suture::refusedAt(path, "jacobian");
+  return isValid(slot.image) || suture::refusedAt(path, "image");
 }
 
 }  // namespace shapes

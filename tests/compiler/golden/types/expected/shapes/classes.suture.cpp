@@ -19,19 +19,10 @@ bool isValid(const PointSlot& slot, suture::FieldPath* path);
 
 namespace shapes {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
 using suture::store;
 
 namespace {
@@ -171,11 +162,11 @@ void toWire(const NamedSlot& slot, wire::Named::Builder out) {
   toWire(slot.name, out.initName(sizeOf(slot.name)));
 }
 
-Errc fromWire(wire::Named::Reader in, NamedSlot& slot, Duration) {
+suture::Errc fromWire(wire::Named::Reader in, NamedSlot& slot, suture::Duration) {
   return fromWire(in.getName(), slot.name);
 }
 
-bool isValid(const NamedSlot&, FieldPath*) {
+bool isValid(const NamedSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -184,14 +175,15 @@ void toWire(const StampedPointSlot& slot, wire::StampedPoint::Builder out) {
   out.setTime(slot.time);
 }
 
-Errc fromWire(wire::StampedPoint::Reader in, StampedPointSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::StampedPoint::Reader in, StampedPointSlot& slot,
+                      suture::Duration shift) {
   slot.time = in.getTime();
   return fromWire(in.getValue(), slot.value, shift);
 }
 
-bool isValid(const StampedPointSlot& slot, FieldPath* path) {
-  if (!isValid(slot.value, path)) return refusedAt(path, "value");
-  return isValid(slot.time) || refusedAt(path, "time");
+bool isValid(const StampedPointSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.value, path)) return suture::refusedAt(path, "value");
+  return isValid(slot.time) || suture::refusedAt(path, "time");
 }
 
 void toWire(const ToolSlot& slot, wire::Tool::Builder out) {
@@ -200,18 +192,18 @@ void toWire(const ToolSlot& slot, wire::Tool::Builder out) {
   toWire(slot.last, out.initLast());
 }
 
-Errc fromWire(wire::Tool::Reader in, ToolSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::Tool::Reader in, ToolSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getBase(), slot.base, shift),
       fromWire(in.getBasePoint(), slot.basePoint, shift),
       fromWire(in.getLast(), slot.last, shift),
   });
 }
 
-bool isValid(const ToolSlot& slot, FieldPath* path) {
+bool isValid(const ToolSlot& slot, suture::FieldPath* path) {
   if (!isValid(slot.base, path)) return false;
   if (!isValid(slot.basePoint, path)) return false;
-  return isValid(slot.last, path) || refusedAt(path, "last");
+  return isValid(slot.last, path) || suture::refusedAt(path, "last");
 }
 
 void toWire(const StampedLevelSlot& slot, wire::StampedLevel::Builder out) {
@@ -219,27 +211,27 @@ void toWire(const StampedLevelSlot& slot, wire::StampedLevel::Builder out) {
   out.setTime(slot.time);
 }
 
-Errc fromWire(wire::StampedLevel::Reader in, StampedLevelSlot& slot, Duration) {
+suture::Errc fromWire(wire::StampedLevel::Reader in, StampedLevelSlot& slot, suture::Duration) {
   slot.time = in.getTime();
   return fromWire(in.getValue(), slot.value);
 }
 
-bool isValid(const StampedLevelSlot& slot, FieldPath* path) {
-  if (!isKnownLevel(slot.value)) return refusedAt(path, "value");
-  return isValid(slot.time) || refusedAt(path, "time");
+bool isValid(const StampedLevelSlot& slot, suture::FieldPath* path) {
+  if (!isKnownLevel(slot.value)) return suture::refusedAt(path, "value");
+  return isValid(slot.time) || suture::refusedAt(path, "time");
 }
 
 void toWire(const CounterSlot& slot, wire::Counter::Builder out) {
   out.setCount(slot.count_);
 }
 
-Errc fromWire(wire::Counter::Reader in, CounterSlot& slot, Duration) {
+suture::Errc fromWire(wire::Counter::Reader in, CounterSlot& slot, suture::Duration) {
   slot.count_ = in.getCount();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const CounterSlot& slot, FieldPath* path) {
-  return inRange(slot.count_, 0, 100) || refusedAt(path, "count_");
+bool isValid(const CounterSlot& slot, suture::FieldPath* path) {
+  return suture::rpc::inRange(slot.count_, 0, 100) || suture::refusedAt(path, "count_");
 }
 
 void toWire(const suture::OpenOptional<TreeSlot>& slot,
@@ -248,40 +240,40 @@ void toWire(const suture::OpenOptional<TreeSlot>& slot,
   toWire(*slot.value, out.initSome());
 }
 
-Errc fromWire(wire::ShapesClassesOptionalTree::Reader in, suture::OpenOptional<TreeSlot>& slot,
-              Duration shift) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesClassesOptionalTree::Reader in,
+                      suture::OpenOptional<TreeSlot>& slot, suture::Duration shift) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   engage(slot);
   return fromWire(in.getSome(), *slot.value, shift);
 }
 
 void toWire(const TreeSlot& slot, wire::Tree::Builder out) {
   out.setValue(slot.value);
-  toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
-             [](const TreeSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
+                          [](const TreeSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.shadow, out.initShadow());
 }
 
-Errc fromWire(wire::Tree::Reader in, TreeSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Tree::Reader in, TreeSlot& slot, suture::Duration shift) {
   slot.value = in.getValue();
-  return firstError({
-      fromWireList(in.getChildren(), slot.children, [&](auto item, TreeSlot& target) {
+  return suture::rpc::firstError({
+      suture::rpc::fromWireList(in.getChildren(), slot.children, [&](auto item, TreeSlot& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getShadow(), slot.shadow, shift),
   });
 }
 
-bool isValid(const TreeSlot& slot, FieldPath* path) {
-  if (!allOf(slot.children, path, [path](const TreeSlot& element) {
+bool isValid(const TreeSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::allOf(slot.children, path, [path](const TreeSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "children");
+    return suture::refusedAt(path, "children");
   }
-  return isValid(slot.shadow, path) || refusedAt(path, "shadow");
+  return isValid(slot.shadow, path) || suture::refusedAt(path, "shadow");
 }
 
 void toWire(const ClassesSlot& slot, wire::Classes::Builder out) {
@@ -289,33 +281,33 @@ void toWire(const ClassesSlot& slot, wire::Classes::Builder out) {
   toWire(slot.level, out.initLevel());
   toWire(slot.counter, out.initCounter());
   toWire(slot.polar, out.initPolar());
-  toWireList(slot.spiral, out.initSpiral(sizeOf(slot.spiral)),
-             [](const PointSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.spiral, out.initSpiral(sizeOf(slot.spiral)),
+                          [](const PointSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
 }
 
-Errc fromWire(wire::Classes::Reader in, ClassesSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::Classes::Reader in, ClassesSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getTool(), slot.tool, shift),
       fromWire(in.getLevel(), slot.level, shift),
       fromWire(in.getCounter(), slot.counter, shift),
       fromWire(in.getPolar(), slot.polar, shift),
-      fromWireList(in.getSpiral(), slot.spiral, [&](auto item, PointSlot& target) {
+      suture::rpc::fromWireList(in.getSpiral(), slot.spiral, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
   });
 }
 
-bool isValid(const ClassesSlot& slot, FieldPath* path) {
-  if (!isValid(slot.tool, path)) return refusedAt(path, "tool");
-  if (!isValid(slot.level, path)) return refusedAt(path, "level");
-  if (!isValid(slot.counter, path)) return refusedAt(path, "counter");
-  if (!isValid(slot.polar, path)) return refusedAt(path, "polar");
-  if (!allOf(slot.spiral, path, [path](const PointSlot& element) {
+bool isValid(const ClassesSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.tool, path)) return suture::refusedAt(path, "tool");
+  if (!isValid(slot.level, path)) return suture::refusedAt(path, "level");
+  if (!isValid(slot.counter, path)) return suture::refusedAt(path, "counter");
+  if (!isValid(slot.polar, path)) return suture::refusedAt(path, "polar");
+  if (!suture::rpc::allOf(slot.spiral, path, [path](const PointSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "spiral");
+    return suture::refusedAt(path, "spiral");
   }
   return true;
 }

@@ -10,35 +10,10 @@
 
 namespace shapes {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::Valid;
-using suture::rpc::allItems;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
-using suture::rpc::fromDefault;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::theOneOf;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -259,13 +234,14 @@ bool isKnownLevel(std::int16_t slot) {
   return false;
 }
 
-Errc fromWire(wire::Level in, std::int16_t& slot) {
+suture::Errc fromWire(wire::Level in, std::int16_t& slot) {
   switch (in) {
-    case wire::Level::UNKNOWN: return slot = static_cast<std::int16_t>(Level::Unknown), Errc{};
-    case wire::Level::LOW: return slot = static_cast<std::int16_t>(Level::Low), Errc{};
-    case wire::Level::HIGH: return slot = static_cast<std::int16_t>(Level::High), Errc{};
+    case wire::Level::UNKNOWN: return slot =
+        static_cast<std::int16_t>(Level::Unknown), suture::Errc{};
+    case wire::Level::LOW: return slot = static_cast<std::int16_t>(Level::Low), suture::Errc{};
+    case wire::Level::HIGH: return slot = static_cast<std::int16_t>(Level::High), suture::Errc{};
   }
-  return slot = static_cast<std::int16_t>(Level::Unknown), Errc{};
+  return slot = static_cast<std::int16_t>(Level::Unknown), suture::Errc{};
 }
 
 void toWire(const PointSlot& slot, wire::Point::Builder out) {
@@ -273,15 +249,15 @@ void toWire(const PointSlot& slot, wire::Point::Builder out) {
   out.setY(slot.y);
 }
 
-Errc fromWire(wire::Point::Reader in, PointSlot& slot, Duration) {
+suture::Errc fromWire(wire::Point::Reader in, PointSlot& slot, suture::Duration) {
   slot.x = in.getX();
   slot.y = in.getY();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const PointSlot& slot, FieldPath* path) {
-  if (!inRange(slot.x, -10, 10)) return refusedAt(path, "x");
-  return isValid(slot.y) || refusedAt(path, "y");
+bool isValid(const PointSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.x, -10, 10)) return suture::refusedAt(path, "x");
+  return isValid(slot.y) || suture::refusedAt(path, "y");
 }
 
 void toWire(const suture::SlotEntry<suture::BoundedText<6>, double>& slot,
@@ -290,8 +266,8 @@ void toWire(const suture::SlotEntry<suture::BoundedText<6>, double>& slot,
   out.setValue(slot.value);
 }
 
-Errc fromWire(wire::ShapesContainersEntryOfTextToFloat64::Reader in,
-              suture::SlotEntry<suture::BoundedText<6>, double>& slot, Duration) {
+suture::Errc fromWire(wire::ShapesContainersEntryOfTextToFloat64::Reader in,
+                      suture::SlotEntry<suture::BoundedText<6>, double>& slot, suture::Duration) {
   slot.value = in.getValue();
   return fromWire(in.getKey(), slot.key);
 }
@@ -302,8 +278,8 @@ void toWire(const suture::SlotEntry<std::uint16_t, PointSlot>& slot,
   toWire(slot.value, out.initValue());
 }
 
-Errc fromWire(wire::ShapesContainersEntryOfUInt16ToPoint::Reader in,
-              suture::SlotEntry<std::uint16_t, PointSlot>& slot, Duration shift) {
+suture::Errc fromWire(wire::ShapesContainersEntryOfUInt16ToPoint::Reader in,
+                      suture::SlotEntry<std::uint16_t, PointSlot>& slot, suture::Duration shift) {
   slot.key = in.getKey();
   return fromWire(in.getValue(), slot.value, shift);
 }
@@ -314,10 +290,10 @@ void toWire(const suture::SlotEntry<suture::BoundedText<4>, suture::BoundedList<
   toWire(slot.value, out.initValue(sizeOf(slot.value)));
 }
 
-Errc fromWire(wire::ShapesContainersEntryOfTextToListOfFloat32::Reader in,
-              suture::SlotEntry<suture::BoundedText<4>, suture::BoundedList<float, 3>>& slot,
-              Duration) {
-  return firstError({
+suture::Errc fromWire(wire::ShapesContainersEntryOfTextToListOfFloat32::Reader in,
+                      suture::SlotEntry<suture::BoundedText<4>, suture::BoundedList<float, 3>>& slot,
+                      suture::Duration) {
+  return suture::rpc::firstError({
       fromWire(in.getKey(), slot.key),
       fromWire(in.getValue(), slot.value),
   });
@@ -329,8 +305,8 @@ void toWire(const suture::SlotEntry<std::int16_t, double>& slot,
   out.setValue(slot.value);
 }
 
-Errc fromWire(wire::ShapesContainersEntryOfLevelToFloat64::Reader in,
-              suture::SlotEntry<std::int16_t, double>& slot, Duration) {
+suture::Errc fromWire(wire::ShapesContainersEntryOfLevelToFloat64::Reader in,
+                      suture::SlotEntry<std::int16_t, double>& slot, suture::Duration) {
   slot.value = in.getValue();
   return fromWire(in.getKey(), slot.key);
 }
@@ -339,63 +315,64 @@ void toWire(const SequencesSlot& slot, wire::Sequences::Builder out) {
   toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
   out.setOne(slot.one);
   toWire(slot.row, out.initRow(3));
-  toWireList(slot.grid, out.initGrid(2),
-             [](const std::array<std::int32_t, 3>& element, auto list, std::uint32_t i) {
-               toWire(element, list.init(i, 3));
-             });
-  toWireList(slot.corners, out.initCorners(2),
-             [](const PointSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
-  toWireList(slot.path, out.initPath(sizeOf(slot.path)),
-             [](const PointSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.grid, out.initGrid(2),
+                          [](const std::array<std::int32_t, 3>& element, auto list, std::uint32_t i) {
+                            toWire(element, list.init(i, 3));
+                          });
+  suture::rpc::toWireList(slot.corners, out.initCorners(2),
+                          [](const PointSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
+  suture::rpc::toWireList(slot.path, out.initPath(sizeOf(slot.path)),
+                          [](const PointSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.bits, out.initBits(sizeOf(slot.bits)));
   toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
   toWire(slot.numbers, out.initNumbers(sizeOf(slot.numbers)));
   toWire(slot.words, out.initWords(sizeOf(slot.words)));
-  toWireList(slot.levels, out.initLevels(sizeOf(slot.levels)),
-             [](const std::int16_t& element, auto list, std::uint32_t i) {
-               list.set(i, wireLevel(element));
-             });
-  toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
-  toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
-  toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
-  toWireList(slot.shares, out.initShares(sizeOf(slot.shares)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.levels, out.initLevels(sizeOf(slot.levels)),
+                          [](const std::int16_t& element, auto list, std::uint32_t i) {
+                            list.set(i, wireLevel(element));
+                          });
+  suture::rpc::toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
+  suture::rpc::toWireList(slot.points, out.initPoints(sizeOf(slot.points)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
+  suture::rpc::toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
+  suture::rpc::toWireList(slot.shares, out.initShares(sizeOf(slot.shares)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
 }
 
-Errc fromWire(wire::Sequences::Reader in, SequencesSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Sequences::Reader in, SequencesSlot& slot, suture::Duration shift) {
   slot.one = in.getOne();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getRow(), slot.row),
-      fromWireList(in.getGrid(), slot.grid, [](auto item, std::array<std::int32_t, 3>& target) {
-        return fromWire(item, target);
-      }),
-      fromWireList(in.getCorners(), slot.corners, [&](auto item, PointSlot& target) {
+      suture::rpc::fromWireList(in.getGrid(), slot.grid,
+                                [](auto item, std::array<std::int32_t, 3>& target) {
+                                  return fromWire(item, target);
+                                }),
+      suture::rpc::fromWireList(in.getCorners(), slot.corners, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
-      fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
+      suture::rpc::fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getBits(), slot.bits),
       fromWire(in.getFlags(), slot.flags),
       suture::rpc::fromWireDistinct(in.getNumbers(), slot.numbers,
                                     [](auto item, std::int32_t& target) {
-                                      return target = item, Errc{};
+                                      return target = item, suture::Errc{};
                                     }),
       suture::rpc::fromWireDistinct(in.getWords(), slot.words,
                                     [](auto item, suture::BoundedText<6>& target) {
@@ -420,30 +397,31 @@ Errc fromWire(wire::Sequences::Reader in, SequencesSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const SequencesSlot& slot, FieldPath* path) {
-  if (!isValid(slot.row, path)) return refusedAt(path, "row");
-  if (!allOf(slot.corners, path, [path](const PointSlot& element) {
+bool isValid(const SequencesSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.row, path)) return suture::refusedAt(path, "row");
+  if (!suture::rpc::allOf(slot.corners, path, [path](const PointSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "corners");
+    return suture::refusedAt(path, "corners");
   }
-  if (!allOf(slot.path, path, [path](const PointSlot& element) {
+  if (!suture::rpc::allOf(slot.path, path, [path](const PointSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "path");
+    return suture::refusedAt(path, "path");
   }
-  if (!allOf(slot.levels, path, [](const std::int16_t& element) {
+  if (!suture::rpc::allOf(slot.levels, path, [](const std::int16_t& element) {
     return isKnownLevel(element);
   })) {
-    return refusedAt(path, "levels");
+    return suture::refusedAt(path, "levels");
   }
-  if (!isValid(slot.gains, path)) return refusedAt(path, "gains");
-  if (!isValid(slot.points, path)) return refusedAt(path, "points");
-  if (!isValid(slot.series, path)) return refusedAt(path, "series");
-  if (!allOf(slot.shares, path, [](const suture::SlotEntry<std::int16_t, double>& element) {
-    return isKnownLevel(element.key) && inRange(element.value, 0, 1);
-  })) {
-    return refusedAt(path, "shares");
+  if (!isValid(slot.gains, path)) return suture::refusedAt(path, "gains");
+  if (!isValid(slot.points, path)) return suture::refusedAt(path, "points");
+  if (!isValid(slot.series, path)) return suture::refusedAt(path, "series");
+  if (!suture::rpc::allOf(slot.shares, path,
+                          [](const suture::SlotEntry<std::int16_t, double>& element) {
+                            return isKnownLevel(element.key) && suture::rpc::inRange(element.value, 0, 1);
+                          })) {
+    return suture::refusedAt(path, "shares");
   }
   return true;
 }
@@ -454,13 +432,13 @@ void toWire(const suture::SlotOptional<double>& slot,
   out.setSome(slot.value);
 }
 
-Errc fromWire(wire::ShapesContainersOptionalFloat64::Reader in, suture::SlotOptional<double>& slot,
-              Duration) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesContainersOptionalFloat64::Reader in,
+                      suture::SlotOptional<double>& slot, suture::Duration) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   slot.value = in.getSome();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void toWire(const suture::SlotOptional<std::uint8_t>& slot,
@@ -469,13 +447,13 @@ void toWire(const suture::SlotOptional<std::uint8_t>& slot,
   out.setSome(slot.value != 0);
 }
 
-Errc fromWire(wire::ShapesContainersOptionalBool::Reader in,
-              suture::SlotOptional<std::uint8_t>& slot, Duration) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesContainersOptionalBool::Reader in,
+                      suture::SlotOptional<std::uint8_t>& slot, suture::Duration) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   slot.value = in.getSome();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void toWire(const suture::SlotOptional<suture::BoundedText<8>>& slot,
@@ -484,10 +462,10 @@ void toWire(const suture::SlotOptional<suture::BoundedText<8>>& slot,
   toWire(slot.value, out.initSome(sizeOf(slot.value)));
 }
 
-Errc fromWire(wire::ShapesContainersOptionalText::Reader in,
-              suture::SlotOptional<suture::BoundedText<8>>& slot, Duration) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesContainersOptionalText::Reader in,
+                      suture::SlotOptional<suture::BoundedText<8>>& slot, suture::Duration) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   return fromWire(in.getSome(), slot.value);
 }
@@ -498,10 +476,10 @@ void toWire(const suture::SlotOptional<PointSlot>& slot,
   toWire(slot.value, out.initSome());
 }
 
-Errc fromWire(wire::ShapesContainersOptionalPoint::Reader in, suture::SlotOptional<PointSlot>& slot,
-              Duration shift) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesContainersOptionalPoint::Reader in,
+                      suture::SlotOptional<PointSlot>& slot, suture::Duration shift) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   return fromWire(in.getSome(), slot.value, shift);
 }
@@ -509,18 +487,19 @@ Errc fromWire(wire::ShapesContainersOptionalPoint::Reader in, suture::SlotOption
 void toWire(const suture::SlotOptional<suture::BoundedList<PointSlot, 2>>& slot,
             wire::ShapesContainersOptionalListOfPoint::Builder out) {
   if (slot.present == 0) return out.setNone();
-  toWireList(slot.value, out.initSome(sizeOf(slot.value)),
-             [](const PointSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.value, out.initSome(sizeOf(slot.value)),
+                          [](const PointSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
 }
 
-Errc fromWire(wire::ShapesContainersOptionalListOfPoint::Reader in,
-              suture::SlotOptional<suture::BoundedList<PointSlot, 2>>& slot, Duration shift) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesContainersOptionalListOfPoint::Reader in,
+                      suture::SlotOptional<suture::BoundedList<PointSlot, 2>>& slot,
+                      suture::Duration shift) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
-  return fromWireList(in.getSome(), slot.value, [&](auto item, PointSlot& target) {
+  return suture::rpc::fromWireList(in.getSome(), slot.value, [&](auto item, PointSlot& target) {
     return fromWire(item, target, shift);
   });
 }
@@ -531,13 +510,13 @@ void toWire(const suture::SlotOptional<std::int32_t>& slot,
   out.setSome(slot.value);
 }
 
-Errc fromWire(wire::ShapesContainersOptionalInt32::Reader in,
-              suture::SlotOptional<std::int32_t>& slot, Duration) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesContainersOptionalInt32::Reader in,
+                      suture::SlotOptional<std::int32_t>& slot, suture::Duration) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   slot.value = in.getSome();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void toWire(const suture::SlotOptional<suture::SlotOptional<std::int32_t>>& slot,
@@ -546,10 +525,11 @@ void toWire(const suture::SlotOptional<suture::SlotOptional<std::int32_t>>& slot
   toWire(slot.value, out.initSome());
 }
 
-Errc fromWire(wire::ShapesContainersOptionalOptionalInt32::Reader in,
-              suture::SlotOptional<suture::SlotOptional<std::int32_t>>& slot, Duration shift) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesContainersOptionalOptionalInt32::Reader in,
+                      suture::SlotOptional<suture::SlotOptional<std::int32_t>>& slot,
+                      suture::Duration shift) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   return fromWire(in.getSome(), slot.value, shift);
 }
@@ -560,10 +540,10 @@ void toWire(const suture::SlotOptional<std::array<double, 3>>& slot,
   toWire(slot.value, out.initSome());
 }
 
-Errc fromWire(wire::ShapesContainersOptionalVec3::Reader in,
-              suture::SlotOptional<std::array<double, 3>>& slot, Duration) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesContainersOptionalVec3::Reader in,
+                      suture::SlotOptional<std::array<double, 3>>& slot, suture::Duration) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   return fromWire(in.getSome(), slot.value);
 }
@@ -574,11 +554,11 @@ void toWire(const suture::SlotTuple<std::int32_t, double>& slot,
   out.setItem1(suture::item<1>(slot));
 }
 
-Errc fromWire(wire::ShapesContainersTupleOfInt32AndFloat64::Reader in,
-              suture::SlotTuple<std::int32_t, double>& slot, Duration) {
+suture::Errc fromWire(wire::ShapesContainersTupleOfInt32AndFloat64::Reader in,
+                      suture::SlotTuple<std::int32_t, double>& slot, suture::Duration) {
   suture::item<0>(slot) = in.getItem0();
   suture::item<1>(slot) = in.getItem1();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void toWire(const suture::SlotTuple<std::uint8_t, suture::BoundedText<4>, PointSlot>& slot,
@@ -588,11 +568,11 @@ void toWire(const suture::SlotTuple<std::uint8_t, suture::BoundedText<4>, PointS
   toWire(suture::item<2>(slot), out.initItem2());
 }
 
-Errc fromWire(wire::ShapesContainersTupleOfBoolAndTextAndPoint::Reader in,
-              suture::SlotTuple<std::uint8_t, suture::BoundedText<4>, PointSlot>& slot,
-              Duration shift) {
+suture::Errc fromWire(wire::ShapesContainersTupleOfBoolAndTextAndPoint::Reader in,
+                      suture::SlotTuple<std::uint8_t, suture::BoundedText<4>, PointSlot>& slot,
+                      suture::Duration shift) {
   suture::item<0>(slot) = in.getItem0();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getItem1(), suture::item<1>(slot)),
       fromWire(in.getItem2(), suture::item<2>(slot), shift),
   });
@@ -608,17 +588,17 @@ void toWire(const suture::SlotVariant<suture::SlotNothing, double, PointSlot, su
   if (slot.index == 4) return out.setFloat64At4(suture::alternative<4>(slot));
 }
 
-Errc fromWire(wire::ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat64::Reader in,
-              suture::SlotVariant<suture::SlotNothing, double, PointSlot, suture::BoundedText<4>, double>& slot,
-              Duration shift) {
+suture::Errc fromWire(wire::ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat64::Reader in,
+                      suture::SlotVariant<suture::SlotNothing, double, PointSlot, suture::BoundedText<4>, double>& slot,
+                      suture::Duration shift) {
   if (in.isNothing()) {
     slot.index = 0;
-    return Errc{};
+    return suture::Errc{};
   }
   if (in.isFloat64()) {
     slot.index = 1;
     suture::alternative<1>(slot) = in.getFloat64();
-    return Errc{};
+    return suture::Errc{};
   }
   if (in.isPoint()) {
     slot.index = 2;
@@ -631,9 +611,9 @@ Errc fromWire(wire::ShapesContainersEitherOfNothingOrFloat64OrPointOrTextOrFloat
   if (in.isFloat64At4()) {
     slot.index = 4;
     suture::alternative<4>(slot) = in.getFloat64At4();
-    return Errc{};
+    return suture::Errc{};
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const suture::SlotVariant<std::int16_t, suture::SlotOptional<PointSlot>>& slot,
@@ -642,9 +622,9 @@ void toWire(const suture::SlotVariant<std::int16_t, suture::SlotOptional<PointSl
   if (slot.index == 1) return toWire(suture::alternative<1>(slot), out.initOptionalPoint());
 }
 
-Errc fromWire(wire::ShapesContainersEitherOfLevelOrOptionalPoint::Reader in,
-              suture::SlotVariant<std::int16_t, suture::SlotOptional<PointSlot>>& slot,
-              Duration shift) {
+suture::Errc fromWire(wire::ShapesContainersEitherOfLevelOrOptionalPoint::Reader in,
+                      suture::SlotVariant<std::int16_t, suture::SlotOptional<PointSlot>>& slot,
+                      suture::Duration shift) {
   if (in.isLevel()) {
     slot.index = 0;
     return fromWire(in.getLevel(), suture::alternative<0>(slot));
@@ -653,7 +633,7 @@ Errc fromWire(wire::ShapesContainersEitherOfLevelOrOptionalPoint::Reader in,
     slot.index = 1;
     return fromWire(in.getOptionalPoint(), suture::alternative<1>(slot), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const suture::SlotTuple<double, std::int16_t>& slot,
@@ -662,8 +642,8 @@ void toWire(const suture::SlotTuple<double, std::int16_t>& slot,
   out.setItem1(wireLevel(suture::item<1>(slot)));
 }
 
-Errc fromWire(wire::ShapesContainersTupleOfFloat64AndLevel::Reader in,
-              suture::SlotTuple<double, std::int16_t>& slot, Duration) {
+suture::Errc fromWire(wire::ShapesContainersTupleOfFloat64AndLevel::Reader in,
+                      suture::SlotTuple<double, std::int16_t>& slot, suture::Duration) {
   suture::item<0>(slot) = in.getItem0();
   return fromWire(in.getItem1(), suture::item<1>(slot));
 }
@@ -676,10 +656,10 @@ void toWire(const ChoicesSlot& slot, wire::Choices::Builder out) {
   toWire(slot.target, out.initTarget());
   toWire(slot.polygon, out.initPolygon());
   toWire(slot.twice, out.initTwice());
-  toWireList(slot.seen, out.initSeen(sizeOf(slot.seen)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.seen, out.initSeen(sizeOf(slot.seen)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.entry, out.initEntry());
   toWire(slot.triple, out.initTriple());
   toWire(slot.either, out.initEither());
@@ -688,8 +668,8 @@ void toWire(const ChoicesSlot& slot, wire::Choices::Builder out) {
   toWire(slot.rated, out.initRated());
 }
 
-Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getGain(), slot.gain, shift),
       fromWire(in.getShare(), slot.share, shift),
       fromWire(in.getAnswer(), slot.answer, shift),
@@ -697,7 +677,7 @@ Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, Duration shift) {
       fromWire(in.getTarget(), slot.target, shift),
       fromWire(in.getPolygon(), slot.polygon, shift),
       fromWire(in.getTwice(), slot.twice, shift),
-      fromWireList(in.getSeen(), slot.seen, [&](auto item, auto& target) {
+      suture::rpc::fromWireList(in.getSeen(), slot.seen, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getEntry(), slot.entry, shift),
@@ -709,24 +689,30 @@ Errc fromWire(wire::Choices::Reader in, ChoicesSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const ChoicesSlot& slot, FieldPath* path) {
-  if (!isValid(slot.gain, path)) return refusedAt(path, "gain");
-  if (!allOf(slot.share, path, [](const double& element) { return inRange(element, 0, 1); })) {
-    return refusedAt(path, "share");
-  }
-  if (!isValid(slot.target, path)) return refusedAt(path, "target");
-  if (!isValid(slot.polygon, path)) return refusedAt(path, "polygon");
-  if (!allOf(slot.seen, path, [path](const suture::SlotOptional<std::array<double, 3>>& element) {
-    return isValid(element, path);
+bool isValid(const ChoicesSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.gain, path)) return suture::refusedAt(path, "gain");
+  if (!suture::rpc::allOf(slot.share, path, [](const double& element) {
+    return suture::rpc::inRange(element, 0, 1);
   })) {
-    return refusedAt(path, "seen");
+    return suture::refusedAt(path, "share");
   }
-  if (!isValid(slot.entry, path)) return refusedAt(path, "entry");
-  if (!isValid(slot.triple, path)) return refusedAt(path, "triple");
-  if (!isValid(slot.either, path)) return refusedAt(path, "either");
-  if (!theOneOf(slot.nested, path, isKnownLevel, Valid{path})) return refusedAt(path, "nested");
-  if (!isValid(slot.owned, path)) return refusedAt(path, "owned");
-  return allItems(slot.rated, path, Valid{path}, isKnownLevel) || refusedAt(path, "rated");
+  if (!isValid(slot.target, path)) return suture::refusedAt(path, "target");
+  if (!isValid(slot.polygon, path)) return suture::refusedAt(path, "polygon");
+  if (!suture::rpc::allOf(slot.seen, path,
+                          [path](const suture::SlotOptional<std::array<double, 3>>& element) {
+                            return isValid(element, path);
+                          })) {
+    return suture::refusedAt(path, "seen");
+  }
+  if (!isValid(slot.entry, path)) return suture::refusedAt(path, "entry");
+  if (!isValid(slot.triple, path)) return suture::refusedAt(path, "triple");
+  if (!isValid(slot.either, path)) return suture::refusedAt(path, "either");
+  if (!suture::rpc::theOneOf(slot.nested, path, isKnownLevel, suture::rpc::Valid{path})) {
+    return suture::refusedAt(path, "nested");
+  }
+  if (!isValid(slot.owned, path)) return suture::refusedAt(path, "owned");
+  return suture::rpc::allItems(slot.rated, path, suture::rpc::Valid{path}, isKnownLevel) ||
+      suture::refusedAt(path, "rated");
 }
 
 void toWire(const MatricesSlot& slot, wire::Matrices::Builder out) {
@@ -743,9 +729,9 @@ void toWire(const MatricesSlot& slot, wire::Matrices::Builder out) {
   out.setWait(slot.wait);
 }
 
-Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, Duration) {
+suture::Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, suture::Duration) {
   slot.wait = in.getWait();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getJoints(), slot.joints),
       fromWire(in.getRow(), slot.row),
       fromWire(in.getAny(), slot.any),
@@ -753,37 +739,37 @@ Errc fromWire(wire::Matrices::Reader in, MatricesSlot& slot, Duration) {
       suture::rpc::fromWireFlat(in.getColumns(), slot.columns),
       fromWire(in.getLimited(), slot.limited),
       in.getFixed().size() != 0 ? fromWire(in.getFixed(), slot.fixed)
-          : fromDefault(Matrices().fixed, slot.fixed),
+          : suture::rpc::fromDefault(Matrices().fixed, slot.fixed),
       suture::rpc::fromWireFlat(in.getCloud(), slot.cloud),
       suture::rpc::fromWireFlat(in.getWrenches(), slot.wrenches),
       in.hasScaled() ? suture::rpc::fromWireAffine(in.getScaled(), slot.scaled)
-          : fromDefault(Matrices().scaled, slot.scaled),
+          : suture::rpc::fromDefault(Matrices().scaled, slot.scaled),
   });
 }
 
-bool isValid(const MatricesSlot& slot, FieldPath* path) {
-  if (!isValid(slot.joints, path)) return refusedAt(path, "joints");
-  if (!isValid(slot.row, path)) return refusedAt(path, "row");
-  if (!isValid(slot.any)) return refusedAt(path, "any");
-  if (!allOf(slot.columns, path, [path](const std::array<double, 3>& element) {
+bool isValid(const MatricesSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.joints, path)) return suture::refusedAt(path, "joints");
+  if (!isValid(slot.row, path)) return suture::refusedAt(path, "row");
+  if (!isValid(slot.any)) return suture::refusedAt(path, "any");
+  if (!suture::rpc::allOf(slot.columns, path, [path](const std::array<double, 3>& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "columns");
+    return suture::refusedAt(path, "columns");
   }
-  if (!isValid(slot.limited, path)) return refusedAt(path, "limited");
-  if (!isValid(slot.fixed)) return refusedAt(path, "fixed");
-  if (!allOf(slot.cloud, path, [path](const std::array<double, 3>& element) {
+  if (!isValid(slot.limited, path)) return suture::refusedAt(path, "limited");
+  if (!isValid(slot.fixed)) return suture::refusedAt(path, "fixed");
+  if (!suture::rpc::allOf(slot.cloud, path, [path](const std::array<double, 3>& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "cloud");
+    return suture::refusedAt(path, "cloud");
   }
-  if (!allOf(slot.wrenches, path, [path](const std::array<float, 6>& element) {
+  if (!suture::rpc::allOf(slot.wrenches, path, [path](const std::array<float, 6>& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "wrenches");
+    return suture::refusedAt(path, "wrenches");
   }
-  if (!isValid(slot.scaled)) return refusedAt(path, "scaled");
-  return isValid(slot.wait) || refusedAt(path, "wait");
+  if (!isValid(slot.scaled)) return suture::refusedAt(path, "scaled");
+  return isValid(slot.wait) || suture::refusedAt(path, "wait");
 }
 
 void toWire(const suture::SlotVariant<double, PointSlot>& slot,
@@ -792,36 +778,37 @@ void toWire(const suture::SlotVariant<double, PointSlot>& slot,
   if (slot.index == 1) return toWire(suture::alternative<1>(slot), out.initPoint());
 }
 
-Errc fromWire(wire::ShapesContainersEitherOfFloat64OrPoint::Reader in,
-              suture::SlotVariant<double, PointSlot>& slot, Duration shift) {
+suture::Errc fromWire(wire::ShapesContainersEitherOfFloat64OrPoint::Reader in,
+                      suture::SlotVariant<double, PointSlot>& slot, suture::Duration shift) {
   if (in.isFloat64()) {
     slot.index = 0;
     suture::alternative<0>(slot) = in.getFloat64();
-    return Errc{};
+    return suture::Errc{};
   }
   if (in.isPoint()) {
     slot.index = 1;
     return fromWire(in.getPoint(), suture::alternative<1>(slot), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 namespace {
 
-bool acceptsStorePut(const StorePutArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsStorePut(const StorePutArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsStoreChoose(const StoreChooseArguments& slot, FieldPath* path) {
-  return isValid(slot.gain, path) || refusedAt(path, "gain");
+bool acceptsStoreChoose(const StoreChooseArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.gain, path) || suture::refusedAt(path, "gain");
 }
 
 bool acceptsStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot,
-                               FieldPath* path) {
-  return allItems(slot, path, Valid{path}, isKnownLevel);
+                               suture::FieldPath* path) {
+  return suture::rpc::allItems(slot, path, suture::rpc::Valid{path}, isKnownLevel);
 }
 
-bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot, FieldPath* path) {
+bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot,
+                              suture::FieldPath* path) {
   return isValid(slot, path);
 }
 
@@ -830,16 +817,16 @@ bool acceptsStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot
 void encodeStorePut(const StorePutArguments& slot, wire::Store::PutParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeStorePut(wire::Store::PutParams::Reader in, StorePutArguments& slot,
-                    suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeStorePut(wire::Store::PutParams::Reader in, StorePutArguments& slot,
+                            suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreChoose(const StoreChooseArguments& slot, wire::Store::ChooseParams::Builder out) {
   toWire(slot.gain, out.initGain());
 }
-Errc decodeStoreChoose(wire::Store::ChooseParams::Reader in, StoreChooseArguments& slot,
-                       suture::Duration shift) {
+suture::Errc decodeStoreChoose(wire::Store::ChooseParams::Reader in, StoreChooseArguments& slot,
+                               suture::Duration shift) {
   return fromWire(in.getGain(), slot.gain, shift);
 }
 
@@ -847,150 +834,157 @@ void encodeStoreSequencesResult(const SequencesSlot& slot,
                                 wire::Store::SequencesResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeStoreSequencesResult(wire::Store::SequencesResults::Reader in, SequencesSlot& slot,
-                                suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreSequencesResult(wire::Store::SequencesResults::Reader in,
+                                        SequencesSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreChoicesResult(const ChoicesSlot& slot, wire::Store::ChoicesResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeStoreChoicesResult(wire::Store::ChoicesResults::Reader in, ChoicesSlot& slot,
-                              suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreChoicesResult(wire::Store::ChoicesResults::Reader in, ChoicesSlot& slot,
+                                      suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreMatricesResult(const MatricesSlot& slot,
                                wire::Store::MatricesResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeStoreMatricesResult(wire::Store::MatricesResults::Reader in, MatricesSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreMatricesResult(wire::Store::MatricesResults::Reader in, MatricesSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreReadingResult(const suture::SlotTuple<double, std::int16_t>& slot,
                               wire::Store::ReadingResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeStoreReadingResult(wire::Store::ReadingResults::Reader in,
-                              suture::SlotTuple<double, std::int16_t>& slot,
-                              suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreReadingResult(wire::Store::ReadingResults::Reader in,
+                                      suture::SlotTuple<double, std::int16_t>& slot,
+                                      suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreChangedEvent(const suture::SlotVariant<double, PointSlot>& slot,
                              wire::StoreEvents::ChangedParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeStoreChangedEvent(wire::StoreEvents::ChangedParams::Reader in,
-                             suture::SlotVariant<double, PointSlot>& slot, suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreChangedEvent(wire::StoreEvents::ChangedParams::Reader in,
+                                     suture::SlotVariant<double, PointSlot>& slot,
+                                     suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreSequencesColumn(const SequencesSlot& slot, wire::StoreStateRow::Builder out) {
   toWire(slot, out.initSequences());
 }
-Errc decodeStoreSequencesColumn(wire::StoreStateRow::Reader in, SequencesSlot& slot,
-                                suture::Duration shift) {
-  return in.hasSequences() ? fromWire(in.getSequences(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreSequencesColumn(wire::StoreStateRow::Reader in, SequencesSlot& slot,
+                                        suture::Duration shift) {
+  return in.hasSequences() ? fromWire(in.getSequences(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreChoicesColumn(const ChoicesSlot& slot, wire::StoreStateRow::Builder out) {
   toWire(slot, out.initChoices());
 }
-Errc decodeStoreChoicesColumn(wire::StoreStateRow::Reader in, ChoicesSlot& slot,
-                              suture::Duration shift) {
-  return in.hasChoices() ? fromWire(in.getChoices(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreChoicesColumn(wire::StoreStateRow::Reader in, ChoicesSlot& slot,
+                                      suture::Duration shift) {
+  return in.hasChoices() ? fromWire(in.getChoices(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreMatricesColumn(const MatricesSlot& slot, wire::StoreStateRow::Builder out) {
   toWire(slot, out.initMatrices());
 }
-Errc decodeStoreMatricesColumn(wire::StoreStateRow::Reader in, MatricesSlot& slot,
-                               suture::Duration shift) {
-  return in.hasMatrices() ? fromWire(in.getMatrices(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreMatricesColumn(wire::StoreStateRow::Reader in, MatricesSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasMatrices() ? fromWire(in.getMatrices(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeStoreReadingColumn(const suture::SlotTuple<double, std::int16_t>& slot,
                               wire::StoreStateRow::Builder out) {
   toWire(slot, out.initReading());
 }
-Errc decodeStoreReadingColumn(wire::StoreStateRow::Reader in,
-                              suture::SlotTuple<double, std::int16_t>& slot,
-                              suture::Duration shift) {
-  return in.hasReading() ? fromWire(in.getReading(), slot, shift) : Errc::Invalid;
+suture::Errc decodeStoreReadingColumn(wire::StoreStateRow::Reader in,
+                                      suture::SlotTuple<double, std::int16_t>& slot,
+                                      suture::Duration shift) {
+  return in.hasReading() ? fromWire(in.getReading(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeStoreColumn(unsigned column, const std::byte* memory, wire::StoreStateRow::Builder out) {
   switch (static_cast<StoreColumn>(column)) {
     case StoreColumn::sequences:
-      return encodeStoreSequencesColumn(slotIn<SequencesSlot>(memory), out);
-    case StoreColumn::choices: return encodeStoreChoicesColumn(slotIn<ChoicesSlot>(memory), out);
-    case StoreColumn::matrices: return encodeStoreMatricesColumn(slotIn<MatricesSlot>(memory), out);
+      return encodeStoreSequencesColumn(suture::slotIn<SequencesSlot>(memory), out);
+    case StoreColumn::choices:
+      return encodeStoreChoicesColumn(suture::slotIn<ChoicesSlot>(memory), out);
+    case StoreColumn::matrices:
+      return encodeStoreMatricesColumn(suture::slotIn<MatricesSlot>(memory), out);
     case StoreColumn::reading:
-      return encodeStoreReadingColumn(slotIn<suture::SlotTuple<double, std::int16_t>>(memory), out);
+      return encodeStoreReadingColumn(
+          suture::slotIn<suture::SlotTuple<double, std::int16_t>>(memory), out);
   }
 }
-Errc decodeStoreColumn(wire::StoreStateRow::Reader in, unsigned column, std::byte* memory,
-                       suture::Duration shift) {
+suture::Errc decodeStoreColumn(wire::StoreStateRow::Reader in, unsigned column, std::byte* memory,
+                               suture::Duration shift) {
   switch (static_cast<StoreColumn>(column)) {
     case StoreColumn::sequences:
-      return decodeStoreSequencesColumn(in, newSlot<SequencesSlot>(memory), shift);
+      return decodeStoreSequencesColumn(in, suture::newSlot<SequencesSlot>(memory), shift);
     case StoreColumn::choices:
-      return decodeStoreChoicesColumn(in, newSlot<ChoicesSlot>(memory), shift);
+      return decodeStoreChoicesColumn(in, suture::newSlot<ChoicesSlot>(memory), shift);
     case StoreColumn::matrices:
-      return decodeStoreMatricesColumn(in, newSlot<MatricesSlot>(memory), shift);
+      return decodeStoreMatricesColumn(in, suture::newSlot<MatricesSlot>(memory), shift);
     case StoreColumn::reading:
-      return decodeStoreReadingColumn(in, newSlot<suture::SlotTuple<double, std::int16_t>>(memory),
+      return decodeStoreReadingColumn(in,
+                                      suture::newSlot<suture::SlotTuple<double, std::int16_t>>(memory),
                                       shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kStoreCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kStoreCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Store>(),
      .method = 1,
-     .sent = sentIn<wire::Store::PutParams>,
-     .arguments = messageOf<wire::Store::PutParams, StorePutArguments, encodeStorePut,
-                            decodeStorePut>},
+     .sent = suture::rpc::sentIn<wire::Store::PutParams>,
+     .arguments = suture::rpc::messageOf<wire::Store::PutParams, StorePutArguments, encodeStorePut,
+                                         decodeStorePut>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 2,
-     .sent = sentIn<wire::Store::ChooseParams>,
-     .arguments = messageOf<wire::Store::ChooseParams, StoreChooseArguments, encodeStoreChoose,
-                            decodeStoreChoose>},
+     .sent = suture::rpc::sentIn<wire::Store::ChooseParams>,
+     .arguments = suture::rpc::messageOf<wire::Store::ChooseParams, StoreChooseArguments,
+                                         encodeStoreChoose, decodeStoreChoose>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 3,
-     .sent = sentIn<wire::Store::SequencesParams>,
-     .result = messageOf<wire::Store::SequencesResults, SequencesSlot, encodeStoreSequencesResult,
-                         decodeStoreSequencesResult>,
-     .stamp = stampIn<wire::Store::SequencesResults>},
+     .sent = suture::rpc::sentIn<wire::Store::SequencesParams>,
+     .result = suture::rpc::messageOf<wire::Store::SequencesResults, SequencesSlot,
+                                      encodeStoreSequencesResult, decodeStoreSequencesResult>,
+     .stamp = suture::rpc::stampIn<wire::Store::SequencesResults>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 4,
-     .sent = sentIn<wire::Store::ChoicesParams>,
-     .result = messageOf<wire::Store::ChoicesResults, ChoicesSlot, encodeStoreChoicesResult,
-                         decodeStoreChoicesResult>,
-     .stamp = stampIn<wire::Store::ChoicesResults>},
+     .sent = suture::rpc::sentIn<wire::Store::ChoicesParams>,
+     .result = suture::rpc::messageOf<wire::Store::ChoicesResults, ChoicesSlot,
+                                      encodeStoreChoicesResult, decodeStoreChoicesResult>,
+     .stamp = suture::rpc::stampIn<wire::Store::ChoicesResults>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 5,
-     .sent = sentIn<wire::Store::MatricesParams>,
-     .result = messageOf<wire::Store::MatricesResults, MatricesSlot, encodeStoreMatricesResult,
-                         decodeStoreMatricesResult>,
-     .stamp = stampIn<wire::Store::MatricesResults>},
+     .sent = suture::rpc::sentIn<wire::Store::MatricesParams>,
+     .result = suture::rpc::messageOf<wire::Store::MatricesResults, MatricesSlot,
+                                      encodeStoreMatricesResult, decodeStoreMatricesResult>,
+     .stamp = suture::rpc::stampIn<wire::Store::MatricesResults>},
     {.interface = capnp::typeId<wire::Store>(),
      .method = 6,
-     .sent = sentIn<wire::Store::ReadingParams>,
-     .result = messageOf<wire::Store::ReadingResults, suture::SlotTuple<double, std::int16_t>,
-                         encodeStoreReadingResult, decodeStoreReadingResult>,
-     .stamp = stampIn<wire::Store::ReadingResults>},
+     .sent = suture::rpc::sentIn<wire::Store::ReadingParams>,
+     .result = suture::rpc::messageOf<wire::Store::ReadingResults,
+                                      suture::SlotTuple<double, std::int16_t>,
+                                      encodeStoreReadingResult, decodeStoreReadingResult>,
+     .stamp = suture::rpc::stampIn<wire::Store::ReadingResults>},
 };
 
-constexpr EventCodec kStoreEventCodecs[] = {
+constexpr suture::rpc::EventCodec kStoreEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::StoreEvents::ChangedParams>,
-     .payload = messageOf<wire::StoreEvents::ChangedParams, suture::SlotVariant<double, PointSlot>,
-                          encodeStoreChangedEvent, decodeStoreChangedEvent>},
+     .stamp = suture::rpc::stampIn<wire::StoreEvents::ChangedParams>,
+     .payload = suture::rpc::messageOf<wire::StoreEvents::ChangedParams,
+                                       suture::SlotVariant<double, PointSlot>,
+                                       encodeStoreChangedEvent, decodeStoreChangedEvent>},
 };
 
 const suture::rpc::Codec& storeCodec() {
@@ -1006,48 +1000,48 @@ const suture::rpc::Codec& storeCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kStoreCommands[] = {
+constexpr suture::CommandInfo kStoreCommands[] = {
     {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<StorePutArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<StorePutArguments>,
      .depth = 16,
-     .accepts = checkSlot<StorePutArguments, acceptsStorePut>},
+     .accepts = suture::checkSlot<StorePutArguments, acceptsStorePut>},
     {.name = "choose",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<StoreChooseArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<StoreChooseArguments>,
      .depth = 16,
-     .accepts = checkSlot<StoreChooseArguments, acceptsStoreChoose>},
+     .accepts = suture::checkSlot<StoreChooseArguments, acceptsStoreChoose>},
     {.name = "sequences",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<SequencesSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<SequencesSlot>,
      .depth = 16,
      .column = static_cast<int>(StoreColumn::sequences),
-     .acceptsResult = checkSlot<SequencesSlot, isValid>},
+     .acceptsResult = suture::checkSlot<SequencesSlot, isValid>},
     {.name = "choices",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<ChoicesSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<ChoicesSlot>,
      .depth = 16,
      .column = static_cast<int>(StoreColumn::choices),
-     .acceptsResult = checkSlot<ChoicesSlot, isValid>},
+     .acceptsResult = suture::checkSlot<ChoicesSlot, isValid>},
     {.name = "matrices",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<MatricesSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<MatricesSlot>,
      .depth = 16,
      .column = static_cast<int>(StoreColumn::matrices),
-     .acceptsResult = checkSlot<MatricesSlot, isValid>},
+     .acceptsResult = suture::checkSlot<MatricesSlot, isValid>},
     {.name = "reading",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<suture::SlotTuple<double, std::int16_t>>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<suture::SlotTuple<double, std::int16_t>>,
      .depth = 16,
      .column = static_cast<int>(StoreColumn::reading),
-     .acceptsResult = checkSlot<suture::SlotTuple<double, std::int16_t>, acceptsStoreReadingResult>},
+     .acceptsResult = suture::checkSlot<suture::SlotTuple<double, std::int16_t>, acceptsStoreReadingResult>},
 };
 
-constexpr EventInfo kStoreEvents[] = {
+constexpr suture::EventInfo kStoreEvents[] = {
     {.name = "changed",
-     .payloadSize = slotSize<suture::SlotVariant<double, PointSlot>>,
+     .payloadSize = suture::slotSize<suture::SlotVariant<double, PointSlot>>,
      .depth = 16,
-     .accepts = checkSlot<suture::SlotVariant<double, PointSlot>, acceptsStoreChangedEvent>},
+     .accepts = suture::checkSlot<suture::SlotVariant<double, PointSlot>, acceptsStoreChangedEvent>},
 };
 
 // The self-description, as in shapes/containers.suture.json.

@@ -10,11 +10,7 @@
 
 namespace shapes {
 
-using suture::Duration;
-using suture::Errc;
-using suture::FieldPath;
 using suture::load;
-using suture::refusedAt;
 using suture::rpc::fromWire;
 using suture::rpc::isValid;
 using suture::rpc::toWire;
@@ -47,15 +43,15 @@ void toWire(const guestLimitsSlot& slot, wire::Limits::Builder out) {
   out.setHigh(slot.high);
 }
 
-Errc fromWire(wire::Limits::Reader in, guestLimitsSlot& slot, Duration) {
+suture::Errc fromWire(wire::Limits::Reader in, guestLimitsSlot& slot, suture::Duration) {
   slot.low = in.getLow();
   slot.high = in.getHigh();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const guestLimitsSlot& slot, FieldPath* path) {
-  if (!isValid(slot.low)) return refusedAt(path, "low");
-  return isValid(slot.high) || refusedAt(path, "high");
+bool isValid(const guestLimitsSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.low)) return suture::refusedAt(path, "low");
+  return isValid(slot.high) || suture::refusedAt(path, "high");
 }
 
 }  // namespace shapes

@@ -10,32 +10,10 @@
 
 namespace shapes {
 
-using suture::BoundedLevel;
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::levelAt;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -149,15 +127,15 @@ void toWire(const TraceSlot& slot, wire::Trace::Builder out) {
   out.setGain(slot.gain);
 }
 
-Errc fromWire(wire::Trace::Reader in, TraceSlot& slot, Duration) {
+suture::Errc fromWire(wire::Trace::Reader in, TraceSlot& slot, suture::Duration) {
   slot.channel = in.getChannel();
   slot.gain = in.getGain();
   return fromWire(in.getSamples(), slot.samples);
 }
 
-bool isValid(const TraceSlot& slot, FieldPath* path) {
-  if (!isValid(slot.samples, path)) return refusedAt(path, "samples");
-  return isValid(slot.gain) || refusedAt(path, "gain");
+bool isValid(const TraceSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.samples, path)) return suture::refusedAt(path, "samples");
+  return isValid(slot.gain) || suture::refusedAt(path, "gain");
 }
 
 void toWire(const suture::SlotOptional<TraceSlot>& slot,
@@ -166,10 +144,10 @@ void toWire(const suture::SlotOptional<TraceSlot>& slot,
   toWire(slot.value, out.initSome());
 }
 
-Errc fromWire(wire::ShapesLargeOptionalTrace::Reader in, suture::SlotOptional<TraceSlot>& slot,
-              Duration shift) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesLargeOptionalTrace::Reader in,
+                      suture::SlotOptional<TraceSlot>& slot, suture::Duration shift) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   return fromWire(in.getSome(), slot.value, shift);
 }
@@ -181,11 +159,11 @@ void toWire(const suture::SlotTuple<std::int8_t, TraceSlot, suture::BoundedList<
   toWire(suture::item<2>(slot), out.initItem2(sizeOf(suture::item<2>(slot))));
 }
 
-Errc fromWire(wire::ShapesLargeTupleOfInt8AndTraceAndListOfInt64::Reader in,
-              suture::SlotTuple<std::int8_t, TraceSlot, suture::BoundedList<std::int64_t, 40>>& slot,
-              Duration shift) {
+suture::Errc fromWire(wire::ShapesLargeTupleOfInt8AndTraceAndListOfInt64::Reader in,
+                      suture::SlotTuple<std::int8_t, TraceSlot, suture::BoundedList<std::int64_t, 40>>& slot,
+                      suture::Duration shift) {
   suture::item<0>(slot) = in.getItem0();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getItem1(), suture::item<1>(slot), shift),
       fromWire(in.getItem2(), suture::item<2>(slot)),
   });
@@ -197,11 +175,11 @@ void toWire(const suture::SlotEntry<std::uint16_t, double>& slot,
   out.setValue(slot.value);
 }
 
-Errc fromWire(wire::ShapesLargeEntryOfUInt16ToFloat64::Reader in,
-              suture::SlotEntry<std::uint16_t, double>& slot, Duration) {
+suture::Errc fromWire(wire::ShapesLargeEntryOfUInt16ToFloat64::Reader in,
+                      suture::SlotEntry<std::uint16_t, double>& slot, suture::Duration) {
   slot.key = in.getKey();
   slot.value = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void toWire(const suture::SlotVariant<suture::SlotNothing, TraceSlot, suture::BoundedList<float, 70>>& slot,
@@ -212,12 +190,12 @@ void toWire(const suture::SlotVariant<suture::SlotNothing, TraceSlot, suture::Bo
                                      out.initListOfFloat32(sizeOf(suture::alternative<2>(slot))));
 }
 
-Errc fromWire(wire::ShapesLargeEitherOfNothingOrTraceOrListOfFloat32::Reader in,
-              suture::SlotVariant<suture::SlotNothing, TraceSlot, suture::BoundedList<float, 70>>& slot,
-              Duration shift) {
+suture::Errc fromWire(wire::ShapesLargeEitherOfNothingOrTraceOrListOfFloat32::Reader in,
+                      suture::SlotVariant<suture::SlotNothing, TraceSlot, suture::BoundedList<float, 70>>& slot,
+                      suture::Duration shift) {
   if (in.isNothing()) {
     slot.index = 0;
-    return Errc{};
+    return suture::Errc{};
   }
   if (in.isTrace()) {
     slot.index = 1;
@@ -227,39 +205,40 @@ Errc fromWire(wire::ShapesLargeEitherOfNothingOrTraceOrListOfFloat32::Reader in,
     slot.index = 2;
     return fromWire(in.getListOfFloat32(), suture::alternative<2>(slot));
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const LargeSlot& slot, wire::Large::Builder out) {
   out.setFirst(slot.first);
   toWire(slot.text, out.initText(sizeOf(slot.text)));
   toWire(slot.name, out.initName(sizeOf(slot.name)));
-  toWireList(slot.traces, out.initTraces(sizeOf(slot.traces)),
-             [](const TraceSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.traces, out.initTraces(sizeOf(slot.traces)),
+                          [](const TraceSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.image, out.initImage());
   toWire(slot.inner, out.initInner());
   toWire(slot.maybe, out.initMaybe());
   toWire(slot.both, out.initBoth());
-  toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
-  toWireList(slot.pair, out.initPair(2), [](const TraceSlot& element, auto list, std::uint32_t i) {
-    toWire(element, list[i]);
-  });
+  suture::rpc::toWireList(slot.gains, out.initGains(sizeOf(slot.gains)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
+  suture::rpc::toWireList(slot.pair, out.initPair(2),
+                          [](const TraceSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.choice, out.initChoice());
   out.setLast(slot.last);
 }
 
-Errc fromWire(wire::Large::Reader in, LargeSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Large::Reader in, LargeSlot& slot, suture::Duration shift) {
   slot.first = in.getFirst();
   slot.last = in.getLast();
-  return firstError({
+  return suture::rpc::firstError({
       fromWire(in.getText(), slot.text),
       fromWire(in.getName(), slot.name),
-      fromWireList(in.getTraces(), slot.traces, [&](auto item, TraceSlot& target) {
+      suture::rpc::fromWireList(in.getTraces(), slot.traces, [&](auto item, TraceSlot& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getImage(), slot.image),
@@ -269,42 +248,42 @@ Errc fromWire(wire::Large::Reader in, LargeSlot& slot, Duration shift) {
       suture::rpc::fromWireDistinct(in.getGains(), slot.gains, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
-      fromWireList(in.getPair(), slot.pair, [&](auto item, TraceSlot& target) {
+      suture::rpc::fromWireList(in.getPair(), slot.pair, [&](auto item, TraceSlot& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getChoice(), slot.choice, shift),
   });
 }
 
-bool isValid(const LargeSlot& slot, FieldPath* path) {
-  if (!isValid(slot.first)) return refusedAt(path, "first");
-  if (!allOf(slot.traces, path, [path](const TraceSlot& element) {
+bool isValid(const LargeSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.first)) return suture::refusedAt(path, "first");
+  if (!suture::rpc::allOf(slot.traces, path, [path](const TraceSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "traces");
+    return suture::refusedAt(path, "traces");
   }
-  if (!isValid(slot.image)) return refusedAt(path, "image");
-  if (!isValid(slot.inner, path)) return refusedAt(path, "inner");
-  if (!isValid(slot.maybe, path)) return refusedAt(path, "maybe");
-  if (!isValid(slot.both, path)) return refusedAt(path, "both");
-  if (!isValid(slot.gains, path)) return refusedAt(path, "gains");
-  if (!allOf(slot.pair, path, [path](const TraceSlot& element) {
+  if (!isValid(slot.image)) return suture::refusedAt(path, "image");
+  if (!isValid(slot.inner, path)) return suture::refusedAt(path, "inner");
+  if (!isValid(slot.maybe, path)) return suture::refusedAt(path, "maybe");
+  if (!isValid(slot.both, path)) return suture::refusedAt(path, "both");
+  if (!isValid(slot.gains, path)) return suture::refusedAt(path, "gains");
+  if (!suture::rpc::allOf(slot.pair, path, [path](const TraceSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "pair");
+    return suture::refusedAt(path, "pair");
   }
-  return isValid(slot.choice, path) || refusedAt(path, "choice");
+  return isValid(slot.choice, path) || suture::refusedAt(path, "choice");
 }
 
 namespace {
 
-bool acceptsRecorderKeep(const RecorderKeepArguments& slot, FieldPath* path) {
-  if (!isValid(slot.values, path)) return refusedAt(path, "values");
-  return isValid(slot.rest, path) || refusedAt(path, "rest");
+bool acceptsRecorderKeep(const RecorderKeepArguments& slot, suture::FieldPath* path) {
+  if (!isValid(slot.values, path)) return suture::refusedAt(path, "values");
+  return isValid(slot.rest, path) || suture::refusedAt(path, "rest");
 }
 
-bool acceptsRecorderSaidEvent(const RecorderSaidPayload& slot, FieldPath* path) {
-  return isValid(slot.value2, path) || refusedAt(path, "value2");
+bool acceptsRecorderSaidEvent(const RecorderSaidPayload& slot, suture::FieldPath* path) {
+  return isValid(slot.value2, path) || suture::refusedAt(path, "value2");
 }
 
 // --- Recorder as Cap'n Proto
@@ -314,11 +293,11 @@ void encodeRecorderKeep(const RecorderKeepArguments& slot,
   toWire(slot.values, out.initValues(sizeOf(slot.values)));
   toWire(slot.rest, out.initRest());
 }
-Errc decodeRecorderKeep(wire::Recorder::KeepParams::Reader in, RecorderKeepArguments& slot,
-                        suture::Duration shift) {
-  return firstError({
+suture::Errc decodeRecorderKeep(wire::Recorder::KeepParams::Reader in, RecorderKeepArguments& slot,
+                                suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getValues(), slot.values),
-      in.hasRest() ? fromWire(in.getRest(), slot.rest, shift) : Errc::Invalid,
+      in.hasRest() ? fromWire(in.getRest(), slot.rest, shift) : suture::Errc::Invalid,
   });
 }
 
@@ -326,26 +305,26 @@ void encodeRecorderRename(const RecorderRenameArguments& slot,
                           wire::Recorder::RenameParams::Builder out) {
   toWire(slot.name, out.initName(sizeOf(slot.name)));
 }
-Errc decodeRecorderRename(wire::Recorder::RenameParams::Reader in, RecorderRenameArguments& slot,
-                          suture::Duration) {
+suture::Errc decodeRecorderRename(wire::Recorder::RenameParams::Reader in,
+                                  RecorderRenameArguments& slot, suture::Duration) {
   return fromWire(in.getName(), slot.name);
 }
 
 void encodeRecorderKeptResult(const LargeSlot& slot, wire::Recorder::KeptResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeRecorderKeptResult(wire::Recorder::KeptResults::Reader in, LargeSlot& slot,
-                              suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeRecorderKeptResult(wire::Recorder::KeptResults::Reader in, LargeSlot& slot,
+                                      suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeRecorderHeardEvent(const TraceSlot& slot,
                               wire::RecorderEvents::HeardParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeRecorderHeardEvent(wire::RecorderEvents::HeardParams::Reader in, TraceSlot& slot,
-                              suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeRecorderHeardEvent(wire::RecorderEvents::HeardParams::Reader in, TraceSlot& slot,
+                                      suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeRecorderSaidEvent(const RecorderSaidPayload& slot,
@@ -353,64 +332,65 @@ void encodeRecorderSaidEvent(const RecorderSaidPayload& slot,
   out.setValue(slot.value);
   toWire(slot.value2, out.initValue2());
 }
-Errc decodeRecorderSaidEvent(wire::RecorderEvents::SaidParams::Reader in, RecorderSaidPayload& slot,
-                             suture::Duration shift) {
+suture::Errc decodeRecorderSaidEvent(wire::RecorderEvents::SaidParams::Reader in,
+                                     RecorderSaidPayload& slot, suture::Duration shift) {
   slot.value = in.getValue();
-  return in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : Errc::Invalid;
+  return in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : suture::Errc::Invalid;
 }
 
 void encodeRecorderKeptColumn(const LargeSlot& slot, wire::RecorderStateRow::Builder out) {
   toWire(slot, out.initKept());
 }
-Errc decodeRecorderKeptColumn(wire::RecorderStateRow::Reader in, LargeSlot& slot,
-                              suture::Duration shift) {
-  return in.hasKept() ? fromWire(in.getKept(), slot, shift) : Errc::Invalid;
+suture::Errc decodeRecorderKeptColumn(wire::RecorderStateRow::Reader in, LargeSlot& slot,
+                                      suture::Duration shift) {
+  return in.hasKept() ? fromWire(in.getKept(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeRecorderColumn(unsigned column, const std::byte* memory,
                           wire::RecorderStateRow::Builder out) {
   switch (static_cast<RecorderColumn>(column)) {
-    case RecorderColumn::kept: return encodeRecorderKeptColumn(slotIn<LargeSlot>(memory), out);
+    case RecorderColumn::kept:
+      return encodeRecorderKeptColumn(suture::slotIn<LargeSlot>(memory), out);
   }
 }
-Errc decodeRecorderColumn(wire::RecorderStateRow::Reader in, unsigned column, std::byte* memory,
-                          suture::Duration shift) {
+suture::Errc decodeRecorderColumn(wire::RecorderStateRow::Reader in, unsigned column,
+                                  std::byte* memory, suture::Duration shift) {
   switch (static_cast<RecorderColumn>(column)) {
     case RecorderColumn::kept:
-      return decodeRecorderKeptColumn(in, newSlot<LargeSlot>(memory), shift);
+      return decodeRecorderKeptColumn(in, suture::newSlot<LargeSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kRecorderCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kRecorderCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Recorder>(),
      .method = 1,
-     .sent = sentIn<wire::Recorder::KeepParams>,
-     .arguments = messageOf<wire::Recorder::KeepParams, RecorderKeepArguments, encodeRecorderKeep,
-                            decodeRecorderKeep>},
+     .sent = suture::rpc::sentIn<wire::Recorder::KeepParams>,
+     .arguments = suture::rpc::messageOf<wire::Recorder::KeepParams, RecorderKeepArguments,
+                                         encodeRecorderKeep, decodeRecorderKeep>},
     {.interface = capnp::typeId<wire::Recorder>(),
      .method = 2,
-     .sent = sentIn<wire::Recorder::RenameParams>,
-     .arguments = messageOf<wire::Recorder::RenameParams, RecorderRenameArguments,
-                            encodeRecorderRename, decodeRecorderRename>},
+     .sent = suture::rpc::sentIn<wire::Recorder::RenameParams>,
+     .arguments = suture::rpc::messageOf<wire::Recorder::RenameParams, RecorderRenameArguments,
+                                         encodeRecorderRename, decodeRecorderRename>},
     {.interface = capnp::typeId<wire::Recorder>(),
      .method = 3,
-     .sent = sentIn<wire::Recorder::KeptParams>,
-     .result = messageOf<wire::Recorder::KeptResults, LargeSlot, encodeRecorderKeptResult,
-                         decodeRecorderKeptResult>,
-     .stamp = stampIn<wire::Recorder::KeptResults>},
+     .sent = suture::rpc::sentIn<wire::Recorder::KeptParams>,
+     .result = suture::rpc::messageOf<wire::Recorder::KeptResults, LargeSlot,
+                                      encodeRecorderKeptResult, decodeRecorderKeptResult>,
+     .stamp = suture::rpc::stampIn<wire::Recorder::KeptResults>},
 };
 
-constexpr EventCodec kRecorderEventCodecs[] = {
+constexpr suture::rpc::EventCodec kRecorderEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::RecorderEvents::HeardParams>,
-     .payload = messageOf<wire::RecorderEvents::HeardParams, TraceSlot, encodeRecorderHeardEvent,
-                          decodeRecorderHeardEvent>},
+     .stamp = suture::rpc::stampIn<wire::RecorderEvents::HeardParams>,
+     .payload = suture::rpc::messageOf<wire::RecorderEvents::HeardParams, TraceSlot,
+                                       encodeRecorderHeardEvent, decodeRecorderHeardEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::RecorderEvents::SaidParams>,
-     .payload = messageOf<wire::RecorderEvents::SaidParams, RecorderSaidPayload,
-                          encodeRecorderSaidEvent, decodeRecorderSaidEvent>},
+     .stamp = suture::rpc::stampIn<wire::RecorderEvents::SaidParams>,
+     .payload = suture::rpc::messageOf<wire::RecorderEvents::SaidParams, RecorderSaidPayload,
+                                       encodeRecorderSaidEvent, decodeRecorderSaidEvent>},
 };
 
 const suture::rpc::Codec& recorderCodec() {
@@ -426,83 +406,90 @@ const suture::rpc::Codec& recorderCodec() {
   return kCodec;
 }
 
-constexpr BoundedLevel kRecorderKeepArgumentsLevels[] = {
-    levelAt<suture::BoundedList<double, 64>>(offsetof(RecorderKeepArguments, values)),
-    levelAt<suture::BoundedText<300>>(offsetof(RecorderKeepArguments, rest.text)),
-    levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(RecorderKeepArguments, rest.traces)),
-    levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(RecorderKeepArguments, rest.image)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments, rest.inner.samples)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments,
-                                                       rest.maybe.value.samples)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments,
-                                                       rest.both.tail.head.samples)),
-    levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(RecorderKeepArguments,
-                                                            rest.both.tail.tail.head)),
-    levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(
+constexpr suture::BoundedLevel kRecorderKeepArgumentsLevels[] = {
+    suture::levelAt<suture::BoundedList<double, 64>>(offsetof(RecorderKeepArguments, values)),
+    suture::levelAt<suture::BoundedText<300>>(offsetof(RecorderKeepArguments, rest.text)),
+    suture::levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(RecorderKeepArguments,
+                                                                rest.traces)),
+    suture::levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(RecorderKeepArguments,
+                                                                   rest.image)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments,
+                                                               rest.inner.samples)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments,
+                                                               rest.maybe.value.samples)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderKeepArguments,
+                                                               rest.both.tail.head.samples)),
+    suture::levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(RecorderKeepArguments,
+                                                                    rest.both.tail.tail.head)),
+    suture::levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(
         offsetof(RecorderKeepArguments, rest.gains)),
 };
 
-constexpr BoundedLevel kRecorderKeptResultLevels[] = {
-    levelAt<suture::BoundedText<300>>(offsetof(LargeSlot, text)),
-    levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(LargeSlot, traces)),
-    levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(LargeSlot, image)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, inner.samples)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, maybe.value.samples)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, both.tail.head.samples)),
-    levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(LargeSlot, both.tail.tail.head)),
-    levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(offsetof(LargeSlot,
-                                                                                        gains)),
+constexpr suture::BoundedLevel kRecorderKeptResultLevels[] = {
+    suture::levelAt<suture::BoundedText<300>>(offsetof(LargeSlot, text)),
+    suture::levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(LargeSlot, traces)),
+    suture::levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(LargeSlot, image)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, inner.samples)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, maybe.value.samples)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(LargeSlot, both.tail.head.samples)),
+    suture::levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(LargeSlot,
+                                                                    both.tail.tail.head)),
+    suture::levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(
+        offsetof(LargeSlot, gains)),
 };
 
-constexpr CommandInfo kRecorderCommands[] = {
+constexpr suture::CommandInfo kRecorderCommands[] = {
     {.name = "keep",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<RecorderKeepArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<RecorderKeepArguments>,
      .depth = 16,
-     .accepts = checkSlot<RecorderKeepArguments, acceptsRecorderKeep>,
+     .accepts = suture::checkSlot<RecorderKeepArguments, acceptsRecorderKeep>,
      .argumentsLevels = kRecorderKeepArgumentsLevels},
     {.name = "rename",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<RecorderRenameArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<RecorderRenameArguments>,
      .depth = 16},
     {.name = "kept",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<LargeSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<LargeSlot>,
      .depth = 16,
      .column = static_cast<int>(RecorderColumn::kept),
-     .acceptsResult = checkSlot<LargeSlot, isValid>,
+     .acceptsResult = suture::checkSlot<LargeSlot, isValid>,
      .resultLevels = kRecorderKeptResultLevels},
 };
 
-constexpr BoundedLevel kRecorderHeardPayloadLevels[] = {
-    levelAt<suture::BoundedList<double, 100>>(offsetof(TraceSlot, samples)),
+constexpr suture::BoundedLevel kRecorderHeardPayloadLevels[] = {
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(TraceSlot, samples)),
 };
 
-constexpr BoundedLevel kRecorderSaidPayloadLevels[] = {
-    levelAt<suture::BoundedText<300>>(offsetof(RecorderSaidPayload, value2.text)),
-    levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(RecorderSaidPayload, value2.traces)),
-    levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(RecorderSaidPayload, value2.image)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload, value2.inner.samples)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload,
-                                                       value2.maybe.value.samples)),
-    levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload,
-                                                       value2.both.tail.head.samples)),
-    levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(RecorderSaidPayload,
-                                                            value2.both.tail.tail.head)),
-    levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(
+constexpr suture::BoundedLevel kRecorderSaidPayloadLevels[] = {
+    suture::levelAt<suture::BoundedText<300>>(offsetof(RecorderSaidPayload, value2.text)),
+    suture::levelAt<suture::BoundedList<TraceSlot, 5>>(offsetof(RecorderSaidPayload,
+                                                                value2.traces)),
+    suture::levelAt<suture::BoundedMatrix<float, 20, 30>>(offsetof(RecorderSaidPayload,
+                                                                   value2.image)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload,
+                                                               value2.inner.samples)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload,
+                                                               value2.maybe.value.samples)),
+    suture::levelAt<suture::BoundedList<double, 100>>(offsetof(RecorderSaidPayload,
+                                                               value2.both.tail.head.samples)),
+    suture::levelAt<suture::BoundedList<std::int64_t, 40>>(offsetof(RecorderSaidPayload,
+                                                                    value2.both.tail.tail.head)),
+    suture::levelAt<suture::BoundedList<suture::SlotEntry<std::uint16_t, double>, 50>>(
         offsetof(RecorderSaidPayload, value2.gains)),
 };
 
-constexpr EventInfo kRecorderEvents[] = {
+constexpr suture::EventInfo kRecorderEvents[] = {
     {.name = "heard",
-     .payloadSize = slotSize<TraceSlot>,
+     .payloadSize = suture::slotSize<TraceSlot>,
      .depth = 16,
-     .accepts = checkSlot<TraceSlot, isValid>,
+     .accepts = suture::checkSlot<TraceSlot, isValid>,
      .payloadLevels = kRecorderHeardPayloadLevels},
     {.name = "said",
-     .payloadSize = slotSize<RecorderSaidPayload>,
+     .payloadSize = suture::slotSize<RecorderSaidPayload>,
      .depth = 16,
-     .accepts = checkSlot<RecorderSaidPayload, acceptsRecorderSaidEvent>,
+     .accepts = suture::checkSlot<RecorderSaidPayload, acceptsRecorderSaidEvent>,
      .payloadLevels = kRecorderSaidPayloadLevels},
 };
 

@@ -10,33 +10,10 @@
 
 namespace shapes {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
-using suture::elementsIn;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
-using suture::rpc::shifted;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
-using suture::shiftSlot;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -78,7 +55,9 @@ void load(const MomentSlot& slot, Moment& value) {
   load(slot.number, value.number);
 }
 
-void shiftStamps(MomentSlot& slot, Duration shift) { slot.steady = shifted(slot.steady, shift); }
+void shiftStamps(MomentSlot& slot, suture::Duration shift) {
+  slot.steady = suture::rpc::shifted(slot.steady, shift);
+}
 
 bool store(const Moments& value, MomentsSlot& slot) {
   bool fits = true;
@@ -112,34 +91,34 @@ void reserve(const MomentsSlot*, Moments& value) {
   suture::reserveFor<decltype(MomentsSlot::nested)>(value.nested);
 }
 
-void shiftStamps(MomentsSlot& slot, Duration shift) {
+void shiftStamps(MomentsSlot& slot, suture::Duration shift) {
   for (auto& element : slot.pair) {
-    element = shifted(element, shift);
+    element = suture::rpc::shifted(element, shift);
   }
-  for (auto& element : elementsIn(slot.list)) {
-    element = shifted(element, shift);
+  for (auto& element : suture::elementsIn(slot.list)) {
+    element = suture::rpc::shifted(element, shift);
   }
-  for (auto& element : elementsIn(slot.moments)) {
+  for (auto& element : suture::elementsIn(slot.moments)) {
     shiftStamps(element, shift);
   }
-  for (auto& element : elementsIn(slot.nested)) {
-    for (auto& element2 : elementsIn(element)) {
-      element2 = shifted(element2, shift);
+  for (auto& element : suture::elementsIn(slot.nested)) {
+    for (auto& element2 : suture::elementsIn(element)) {
+      element2 = suture::rpc::shifted(element2, shift);
     }
   }
-  for (auto& element : elementsIn(slot.byNumber)) {
-    element.value = shifted(element.value, shift);
+  for (auto& element : suture::elementsIn(slot.byNumber)) {
+    element.value = suture::rpc::shifted(element.value, shift);
   }
   if (slot.perhaps.present != 0) {
-    slot.perhaps.value = shifted(slot.perhaps.value, shift);
+    slot.perhaps.value = suture::rpc::shifted(slot.perhaps.value, shift);
   }
   if (slot.moment.present != 0) {
     shiftStamps(slot.moment.value, shift);
   }
-  suture::item<1>(slot.entry) = shifted(suture::item<1>(slot.entry), shift);
+  suture::item<1>(slot.entry) = suture::rpc::shifted(suture::item<1>(slot.entry), shift);
   shiftStamps(suture::item<2>(slot.entry), shift);
   if (slot.either.index == 1) {
-    suture::alternative<1>(slot.either) = shifted(suture::alternative<1>(slot.either), shift);
+    suture::alternative<1>(slot.either) = suture::rpc::shifted(suture::alternative<1>(slot.either), shift);
   }
   if (slot.either.index == 2) {
     shiftStamps(suture::alternative<2>(slot.either), shift);
@@ -151,8 +130,8 @@ bool store(const std::chrono::steady_clock::time_point& from, const std::int64_t
   return store(from, slot.from) && store(number, slot.number);
 }
 
-void shiftStamps(JournalPutArguments& slot, Duration shift) {
-  slot.from = shifted(slot.from, shift);
+void shiftStamps(JournalPutArguments& slot, suture::Duration shift) {
+  slot.from = suture::rpc::shifted(slot.from, shift);
 }
 
 bool store(const std::int64_t& number, JournalCountArguments& slot) {
@@ -172,7 +151,9 @@ void load(const JournalChangedPayload& slot, Moment& value, std::int64_t& value2
   load(slot.value2, value2);
 }
 
-void shiftStamps(JournalChangedPayload& slot, Duration shift) { shiftStamps(slot.value, shift); }
+void shiftStamps(JournalChangedPayload& slot, suture::Duration shift) {
+  shiftStamps(slot.value, shift);
+}
 
 // --- between slots and Cap'n Proto
 
@@ -182,14 +163,14 @@ void toWire(const MomentSlot& slot, wire::Moment::Builder out) {
   out.setNumber(slot.number);
 }
 
-Errc fromWire(wire::Moment::Reader in, MomentSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Moment::Reader in, MomentSlot& slot, suture::Duration shift) {
   slot.steady = suture::rpc::shifted(in.getSteady(), shift);
   slot.system = in.getSystem();
   slot.number = in.getNumber();
-  return Errc{};
+  return suture::Errc{};
 }
 
-bool isValid(const MomentSlot&, FieldPath*) {
+bool isValid(const MomentSlot&, suture::FieldPath*) {
   return true;
 }
 
@@ -199,11 +180,11 @@ void toWire(const suture::SlotEntry<std::int32_t, std::int64_t>& slot,
   out.setValue(slot.value);
 }
 
-Errc fromWire(wire::ShapesMomentsEntryOfInt32ToSteadyTime::Reader in,
-              suture::SlotEntry<std::int32_t, std::int64_t>& slot, Duration shift) {
+suture::Errc fromWire(wire::ShapesMomentsEntryOfInt32ToSteadyTime::Reader in,
+                      suture::SlotEntry<std::int32_t, std::int64_t>& slot, suture::Duration shift) {
   slot.key = in.getKey();
   slot.value = suture::rpc::shifted(in.getValue(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
 void toWire(const suture::SlotOptional<std::int64_t>& slot,
@@ -212,13 +193,13 @@ void toWire(const suture::SlotOptional<std::int64_t>& slot,
   out.setSome(slot.value);
 }
 
-Errc fromWire(wire::ShapesMomentsOptionalSteadyTime::Reader in,
-              suture::SlotOptional<std::int64_t>& slot, Duration shift) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesMomentsOptionalSteadyTime::Reader in,
+                      suture::SlotOptional<std::int64_t>& slot, suture::Duration shift) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   slot.value = suture::rpc::shifted(in.getSome(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
 void toWire(const suture::SlotOptional<MomentSlot>& slot,
@@ -227,10 +208,10 @@ void toWire(const suture::SlotOptional<MomentSlot>& slot,
   toWire(slot.value, out.initSome());
 }
 
-Errc fromWire(wire::ShapesMomentsOptionalMoment::Reader in, suture::SlotOptional<MomentSlot>& slot,
-              Duration shift) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesMomentsOptionalMoment::Reader in,
+                      suture::SlotOptional<MomentSlot>& slot, suture::Duration shift) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   return fromWire(in.getSome(), slot.value, shift);
 }
@@ -242,8 +223,9 @@ void toWire(const suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot>& slo
   toWire(suture::item<2>(slot), out.initItem2());
 }
 
-Errc fromWire(wire::ShapesMomentsTupleOfInt64AndSteadyTimeAndMoment::Reader in,
-              suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot>& slot, Duration shift) {
+suture::Errc fromWire(wire::ShapesMomentsTupleOfInt64AndSteadyTimeAndMoment::Reader in,
+                      suture::SlotTuple<std::int64_t, std::int64_t, MomentSlot>& slot,
+                      suture::Duration shift) {
   suture::item<0>(slot) = in.getItem0();
   suture::item<1>(slot) = suture::rpc::shifted(in.getItem1(), shift);
   return fromWire(in.getItem2(), suture::item<2>(slot), shift);
@@ -256,63 +238,65 @@ void toWire(const suture::SlotVariant<std::int64_t, std::int64_t, MomentSlot>& s
   if (slot.index == 2) return toWire(suture::alternative<2>(slot), out.initMoment());
 }
 
-Errc fromWire(wire::ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment::Reader in,
-              suture::SlotVariant<std::int64_t, std::int64_t, MomentSlot>& slot, Duration shift) {
+suture::Errc fromWire(wire::ShapesMomentsEitherOfInt64OrSteadyTimeOrMoment::Reader in,
+                      suture::SlotVariant<std::int64_t, std::int64_t, MomentSlot>& slot,
+                      suture::Duration shift) {
   if (in.isInt64()) {
     slot.index = 0;
     suture::alternative<0>(slot) = in.getInt64();
-    return Errc{};
+    return suture::Errc{};
   }
   if (in.isSteadyTime()) {
     slot.index = 1;
     suture::alternative<1>(slot) = suture::rpc::shifted(in.getSteadyTime(), shift);
-    return Errc{};
+    return suture::Errc{};
   }
   if (in.isMoment()) {
     slot.index = 2;
     return fromWire(in.getMoment(), suture::alternative<2>(slot), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const MomentsSlot& slot, wire::Moments::Builder out) {
   toWire(slot.pair, out.initPair(2));
   toWire(slot.list, out.initList(sizeOf(slot.list)));
-  toWireList(slot.moments, out.initMoments(sizeOf(slot.moments)),
-             [](const MomentSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
-  toWireList(slot.nested, out.initNested(sizeOf(slot.nested)),
-             [](const suture::BoundedList<std::int64_t, 2>& element, auto list, std::uint32_t i) {
-               toWire(element, list.init(i, sizeOf(element)));
-             });
-  toWireList(slot.byNumber, out.initByNumber(sizeOf(slot.byNumber)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.moments, out.initMoments(sizeOf(slot.moments)),
+                          [](const MomentSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
+  suture::rpc::toWireList(slot.nested, out.initNested(sizeOf(slot.nested)),
+                          [](const suture::BoundedList<std::int64_t, 2>& element, auto list, std::uint32_t i) {
+                            toWire(element, list.init(i, sizeOf(element)));
+                          });
+  suture::rpc::toWireList(slot.byNumber, out.initByNumber(sizeOf(slot.byNumber)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.perhaps, out.initPerhaps());
   toWire(slot.moment, out.initMoment());
   toWire(slot.entry, out.initEntry());
   toWire(slot.either, out.initEither());
 }
 
-Errc fromWire(wire::Moments::Reader in, MomentsSlot& slot, Duration shift) {
-  return firstError({
-      fromWireList(in.getPair(), slot.pair, [&](auto item, std::int64_t& target) {
-        return target = suture::rpc::shifted(item, shift), Errc{};
+suture::Errc fromWire(wire::Moments::Reader in, MomentsSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
+      suture::rpc::fromWireList(in.getPair(), slot.pair, [&](auto item, std::int64_t& target) {
+        return target = suture::rpc::shifted(item, shift), suture::Errc{};
       }),
-      fromWireList(in.getList(), slot.list, [&](auto item, std::int64_t& target) {
-        return target = suture::rpc::shifted(item, shift), Errc{};
+      suture::rpc::fromWireList(in.getList(), slot.list, [&](auto item, std::int64_t& target) {
+        return target = suture::rpc::shifted(item, shift), suture::Errc{};
       }),
-      fromWireList(in.getMoments(), slot.moments, [&](auto item, MomentSlot& target) {
+      suture::rpc::fromWireList(in.getMoments(), slot.moments, [&](auto item, MomentSlot& target) {
         return fromWire(item, target, shift);
       }),
-      fromWireList(in.getNested(), slot.nested,
-                   [&](auto item, suture::BoundedList<std::int64_t, 2>& target) {
-                     return fromWireList(item, target, [&](auto item2, std::int64_t& target2) {
-                       return target2 = suture::rpc::shifted(item2, shift), Errc{};
-                     });
-                   }),
+      suture::rpc::fromWireList(in.getNested(), slot.nested,
+                                [&](auto item, suture::BoundedList<std::int64_t, 2>& target) {
+                                  return suture::rpc::fromWireList(item, target,
+                                                                   [&](auto item2, std::int64_t& target2) {
+                                                                     return target2 = suture::rpc::shifted(item2, shift), suture::Errc{};
+                                                                   });
+                                }),
       suture::rpc::fromWireDistinct(in.getByNumber(), slot.byNumber, [&](auto item, auto& target) {
         return fromWire(item, target, shift);
       }),
@@ -323,25 +307,26 @@ Errc fromWire(wire::Moments::Reader in, MomentsSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const MomentsSlot& slot, FieldPath* path) {
-  if (!allOf(slot.moments, path, [path](const MomentSlot& element) {
+bool isValid(const MomentsSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::allOf(slot.moments, path, [path](const MomentSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "moments");
+    return suture::refusedAt(path, "moments");
   }
-  if (!isValid(slot.moment, path)) return refusedAt(path, "moment");
-  if (!isValid(slot.entry, path)) return refusedAt(path, "entry");
-  return isValid(slot.either, path) || refusedAt(path, "either");
+  if (!isValid(slot.moment, path)) return suture::refusedAt(path, "moment");
+  if (!isValid(slot.entry, path)) return suture::refusedAt(path, "entry");
+  return isValid(slot.either, path) || suture::refusedAt(path, "either");
 }
 
 namespace {
 
-bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot, FieldPath* path) {
+bool acceptsJournalFindResult(const suture::SlotOptional<MomentSlot>& slot,
+                              suture::FieldPath* path) {
   return isValid(slot, path);
 }
 
-bool acceptsJournalChangedEvent(const JournalChangedPayload& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsJournalChangedEvent(const JournalChangedPayload& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
 // --- Journal as Cap'n Proto
@@ -350,57 +335,58 @@ void encodeJournalPut(const JournalPutArguments& slot, wire::Journal::PutParams:
   out.setFrom(slot.from);
   out.setNumber(slot.number);
 }
-Errc decodeJournalPut(wire::Journal::PutParams::Reader in, JournalPutArguments& slot,
-                      suture::Duration shift) {
+suture::Errc decodeJournalPut(wire::Journal::PutParams::Reader in, JournalPutArguments& slot,
+                              suture::Duration shift) {
   slot.from = suture::rpc::shifted(in.getFrom(), shift);
   slot.number = in.getNumber();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJournalCount(const JournalCountArguments& slot,
                         wire::Journal::CountParams::Builder out) {
   out.setNumber(slot.number);
 }
-Errc decodeJournalCount(wire::Journal::CountParams::Reader in, JournalCountArguments& slot,
-                        suture::Duration) {
+suture::Errc decodeJournalCount(wire::Journal::CountParams::Reader in, JournalCountArguments& slot,
+                                suture::Duration) {
   slot.number = in.getNumber();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJournalLatestResult(const std::int64_t& slot,
                                wire::Journal::LatestResults::Builder out) {
   out.setValue(slot);
 }
-Errc decodeJournalLatestResult(wire::Journal::LatestResults::Reader in, std::int64_t& slot,
-                               suture::Duration shift) {
+suture::Errc decodeJournalLatestResult(wire::Journal::LatestResults::Reader in, std::int64_t& slot,
+                                       suture::Duration shift) {
   slot = suture::rpc::shifted(in.getValue(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJournalMomentsResult(const MomentsSlot& slot,
                                 wire::Journal::MomentsResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeJournalMomentsResult(wire::Journal::MomentsResults::Reader in, MomentsSlot& slot,
-                                suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJournalMomentsResult(wire::Journal::MomentsResults::Reader in, MomentsSlot& slot,
+                                        suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeJournalFind(const JournalFindArguments& slot, wire::Journal::FindParams::Builder out) {
   out.setNumber(slot.number);
 }
-Errc decodeJournalFind(wire::Journal::FindParams::Reader in, JournalFindArguments& slot,
-                       suture::Duration) {
+suture::Errc decodeJournalFind(wire::Journal::FindParams::Reader in, JournalFindArguments& slot,
+                               suture::Duration) {
   slot.number = in.getNumber();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJournalFindResult(const suture::SlotOptional<MomentSlot>& slot,
                              wire::Journal::FindResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeJournalFindResult(wire::Journal::FindResults::Reader in,
-                             suture::SlotOptional<MomentSlot>& slot, suture::Duration shift) {
+suture::Errc decodeJournalFindResult(wire::Journal::FindResults::Reader in,
+                                     suture::SlotOptional<MomentSlot>& slot,
+                                     suture::Duration shift) {
   return fromWire(in.getValue(), slot, shift);
 }
 
@@ -408,10 +394,10 @@ void encodeJournalAddedEvent(const std::int64_t& slot,
                              wire::JournalEvents::AddedParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeJournalAddedEvent(wire::JournalEvents::AddedParams::Reader in, std::int64_t& slot,
-                             suture::Duration shift) {
+suture::Errc decodeJournalAddedEvent(wire::JournalEvents::AddedParams::Reader in,
+                                     std::int64_t& slot, suture::Duration shift) {
   slot = suture::rpc::shifted(in.getValue(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJournalChangedEvent(const JournalChangedPayload& slot,
@@ -419,104 +405,105 @@ void encodeJournalChangedEvent(const JournalChangedPayload& slot,
   toWire(slot.value, out.initValue());
   out.setValue2(slot.value2);
 }
-Errc decodeJournalChangedEvent(wire::JournalEvents::ChangedParams::Reader in,
-                               JournalChangedPayload& slot, suture::Duration shift) {
+suture::Errc decodeJournalChangedEvent(wire::JournalEvents::ChangedParams::Reader in,
+                                       JournalChangedPayload& slot, suture::Duration shift) {
   slot.value2 = in.getValue2();
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeJournalCountedEvent(const std::int64_t& slot,
                                wire::JournalEvents::CountedParams::Builder out) {
   out.setValue(slot);
 }
-Errc decodeJournalCountedEvent(wire::JournalEvents::CountedParams::Reader in, std::int64_t& slot,
-                               suture::Duration) {
+suture::Errc decodeJournalCountedEvent(wire::JournalEvents::CountedParams::Reader in,
+                                       std::int64_t& slot, suture::Duration) {
   slot = in.getValue();
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJournalLatestColumn(const std::int64_t& slot, wire::JournalStateRow::Builder out) {
   out.setLatest(slot);
 }
-Errc decodeJournalLatestColumn(wire::JournalStateRow::Reader in, std::int64_t& slot,
-                               suture::Duration shift) {
+suture::Errc decodeJournalLatestColumn(wire::JournalStateRow::Reader in, std::int64_t& slot,
+                                       suture::Duration shift) {
   slot = suture::rpc::shifted(in.getLatest(), shift);
-  return Errc{};
+  return suture::Errc{};
 }
 
 void encodeJournalMomentsColumn(const MomentsSlot& slot, wire::JournalStateRow::Builder out) {
   toWire(slot, out.initMoments());
 }
-Errc decodeJournalMomentsColumn(wire::JournalStateRow::Reader in, MomentsSlot& slot,
-                                suture::Duration shift) {
-  return in.hasMoments() ? fromWire(in.getMoments(), slot, shift) : Errc::Invalid;
+suture::Errc decodeJournalMomentsColumn(wire::JournalStateRow::Reader in, MomentsSlot& slot,
+                                        suture::Duration shift) {
+  return in.hasMoments() ? fromWire(in.getMoments(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeJournalColumn(unsigned column, const std::byte* memory,
                          wire::JournalStateRow::Builder out) {
   switch (static_cast<JournalColumn>(column)) {
-    case JournalColumn::latest: return encodeJournalLatestColumn(slotIn<std::int64_t>(memory), out);
+    case JournalColumn::latest:
+      return encodeJournalLatestColumn(suture::slotIn<std::int64_t>(memory), out);
     case JournalColumn::moments:
-      return encodeJournalMomentsColumn(slotIn<MomentsSlot>(memory), out);
+      return encodeJournalMomentsColumn(suture::slotIn<MomentsSlot>(memory), out);
   }
 }
-Errc decodeJournalColumn(wire::JournalStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeJournalColumn(wire::JournalStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<JournalColumn>(column)) {
     case JournalColumn::latest:
-      return decodeJournalLatestColumn(in, newSlot<std::int64_t>(memory), shift);
+      return decodeJournalLatestColumn(in, suture::newSlot<std::int64_t>(memory), shift);
     case JournalColumn::moments:
-      return decodeJournalMomentsColumn(in, newSlot<MomentsSlot>(memory), shift);
+      return decodeJournalMomentsColumn(in, suture::newSlot<MomentsSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kJournalCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kJournalCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 1,
-     .sent = sentIn<wire::Journal::PutParams>,
-     .arguments = messageOf<wire::Journal::PutParams, JournalPutArguments, encodeJournalPut,
-                            decodeJournalPut>},
+     .sent = suture::rpc::sentIn<wire::Journal::PutParams>,
+     .arguments = suture::rpc::messageOf<wire::Journal::PutParams, JournalPutArguments,
+                                         encodeJournalPut, decodeJournalPut>},
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 2,
-     .sent = sentIn<wire::Journal::CountParams>,
-     .arguments = messageOf<wire::Journal::CountParams, JournalCountArguments, encodeJournalCount,
-                            decodeJournalCount>},
+     .sent = suture::rpc::sentIn<wire::Journal::CountParams>,
+     .arguments = suture::rpc::messageOf<wire::Journal::CountParams, JournalCountArguments,
+                                         encodeJournalCount, decodeJournalCount>},
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 3,
-     .sent = sentIn<wire::Journal::LatestParams>,
-     .result = messageOf<wire::Journal::LatestResults, std::int64_t, encodeJournalLatestResult,
-                         decodeJournalLatestResult>,
-     .stamp = stampIn<wire::Journal::LatestResults>},
+     .sent = suture::rpc::sentIn<wire::Journal::LatestParams>,
+     .result = suture::rpc::messageOf<wire::Journal::LatestResults, std::int64_t,
+                                      encodeJournalLatestResult, decodeJournalLatestResult>,
+     .stamp = suture::rpc::stampIn<wire::Journal::LatestResults>},
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 4,
-     .sent = sentIn<wire::Journal::MomentsParams>,
-     .result = messageOf<wire::Journal::MomentsResults, MomentsSlot, encodeJournalMomentsResult,
-                         decodeJournalMomentsResult>,
-     .stamp = stampIn<wire::Journal::MomentsResults>},
+     .sent = suture::rpc::sentIn<wire::Journal::MomentsParams>,
+     .result = suture::rpc::messageOf<wire::Journal::MomentsResults, MomentsSlot,
+                                      encodeJournalMomentsResult, decodeJournalMomentsResult>,
+     .stamp = suture::rpc::stampIn<wire::Journal::MomentsResults>},
     {.interface = capnp::typeId<wire::Journal>(),
      .method = 5,
-     .sent = sentIn<wire::Journal::FindParams>,
-     .arguments = messageOf<wire::Journal::FindParams, JournalFindArguments, encodeJournalFind,
-                            decodeJournalFind>,
-     .result = messageOf<wire::Journal::FindResults, suture::SlotOptional<MomentSlot>,
-                         encodeJournalFindResult, decodeJournalFindResult>},
+     .sent = suture::rpc::sentIn<wire::Journal::FindParams>,
+     .arguments = suture::rpc::messageOf<wire::Journal::FindParams, JournalFindArguments,
+                                         encodeJournalFind, decodeJournalFind>,
+     .result = suture::rpc::messageOf<wire::Journal::FindResults, suture::SlotOptional<MomentSlot>,
+                                      encodeJournalFindResult, decodeJournalFindResult>},
 };
 
-constexpr EventCodec kJournalEventCodecs[] = {
+constexpr suture::rpc::EventCodec kJournalEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::JournalEvents::AddedParams>,
-     .payload = messageOf<wire::JournalEvents::AddedParams, std::int64_t, encodeJournalAddedEvent,
-                          decodeJournalAddedEvent>},
+     .stamp = suture::rpc::stampIn<wire::JournalEvents::AddedParams>,
+     .payload = suture::rpc::messageOf<wire::JournalEvents::AddedParams, std::int64_t,
+                                       encodeJournalAddedEvent, decodeJournalAddedEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::JournalEvents::ChangedParams>,
-     .payload = messageOf<wire::JournalEvents::ChangedParams, JournalChangedPayload,
-                          encodeJournalChangedEvent, decodeJournalChangedEvent>},
+     .stamp = suture::rpc::stampIn<wire::JournalEvents::ChangedParams>,
+     .payload = suture::rpc::messageOf<wire::JournalEvents::ChangedParams, JournalChangedPayload,
+                                       encodeJournalChangedEvent, decodeJournalChangedEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::JournalEvents::CountedParams>,
-     .payload = messageOf<wire::JournalEvents::CountedParams, std::int64_t,
-                          encodeJournalCountedEvent, decodeJournalCountedEvent>},
+     .stamp = suture::rpc::stampIn<wire::JournalEvents::CountedParams>,
+     .payload = suture::rpc::messageOf<wire::JournalEvents::CountedParams, std::int64_t,
+                                       encodeJournalCountedEvent, decodeJournalCountedEvent>},
 };
 
 const suture::rpc::Codec& journalCodec() {
@@ -532,59 +519,63 @@ const suture::rpc::Codec& journalCodec() {
   return kCodec;
 }
 
-void shiftJournalLatestResult(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
+void shiftJournalLatestResult(std::int64_t& slot, suture::Duration shift) {
+  slot = suture::rpc::shifted(slot, shift);
+}
 
-void shiftJournalFindResult(suture::SlotOptional<MomentSlot>& slot, Duration shift) {
+void shiftJournalFindResult(suture::SlotOptional<MomentSlot>& slot, suture::Duration shift) {
   if (slot.present != 0) {
     shiftStamps(slot.value, shift);
   }
 }
 
-constexpr CommandInfo kJournalCommands[] = {
+constexpr suture::CommandInfo kJournalCommands[] = {
     {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<JournalPutArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<JournalPutArguments>,
      .depth = 16,
-     .shiftArguments = shiftSlot<JournalPutArguments>},
+     .shiftArguments = suture::shiftSlot<JournalPutArguments>},
     {.name = "count",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<JournalCountArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<JournalCountArguments>,
      .depth = 16},
     {.name = "latest",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<std::int64_t>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<std::int64_t>,
      .depth = 16,
      .column = static_cast<int>(JournalColumn::latest),
-     .shiftResult = shiftSlot<std::int64_t, shiftJournalLatestResult>},
+     .shiftResult = suture::shiftSlot<std::int64_t, shiftJournalLatestResult>},
     {.name = "moments",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<MomentsSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<MomentsSlot>,
      .depth = 16,
      .column = static_cast<int>(JournalColumn::moments),
-     .acceptsResult = checkSlot<MomentsSlot, isValid>,
-     .shiftResult = shiftSlot<MomentsSlot>},
+     .acceptsResult = suture::checkSlot<MomentsSlot, isValid>,
+     .shiftResult = suture::shiftSlot<MomentsSlot>},
     {.name = "find",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<JournalFindArguments>,
-     .resultSize = slotSize<suture::SlotOptional<MomentSlot>>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<JournalFindArguments>,
+     .resultSize = suture::slotSize<suture::SlotOptional<MomentSlot>>,
      .depth = 16,
-     .acceptsResult = checkSlot<suture::SlotOptional<MomentSlot>, acceptsJournalFindResult>,
-     .shiftResult = shiftSlot<suture::SlotOptional<MomentSlot>, shiftJournalFindResult>},
+     .acceptsResult = suture::checkSlot<suture::SlotOptional<MomentSlot>, acceptsJournalFindResult>,
+     .shiftResult = suture::shiftSlot<suture::SlotOptional<MomentSlot>, shiftJournalFindResult>},
 };
 
-void shiftJournalAddedPayload(std::int64_t& slot, Duration shift) { slot = shifted(slot, shift); }
+void shiftJournalAddedPayload(std::int64_t& slot, suture::Duration shift) {
+  slot = suture::rpc::shifted(slot, shift);
+}
 
-constexpr EventInfo kJournalEvents[] = {
+constexpr suture::EventInfo kJournalEvents[] = {
     {.name = "added",
-     .payloadSize = slotSize<std::int64_t>,
+     .payloadSize = suture::slotSize<std::int64_t>,
      .depth = 16,
-     .shiftPayload = shiftSlot<std::int64_t, shiftJournalAddedPayload>},
+     .shiftPayload = suture::shiftSlot<std::int64_t, shiftJournalAddedPayload>},
     {.name = "changed",
-     .payloadSize = slotSize<JournalChangedPayload>,
+     .payloadSize = suture::slotSize<JournalChangedPayload>,
      .depth = 16,
-     .accepts = checkSlot<JournalChangedPayload, acceptsJournalChangedEvent>,
-     .shiftPayload = shiftSlot<JournalChangedPayload>},
-    {.name = "counted", .payloadSize = slotSize<std::int64_t>, .depth = 16},
+     .accepts = suture::checkSlot<JournalChangedPayload, acceptsJournalChangedEvent>,
+     .shiftPayload = suture::shiftSlot<JournalChangedPayload>},
+    {.name = "counted", .payloadSize = suture::slotSize<std::int64_t>, .depth = 16},
 };
 
 // The self-description, as in shapes/moments.suture.json.

@@ -17,31 +17,10 @@ bool isValid(const PointSlot& slot, suture::FieldPath* path);
 
 namespace shapes {
 
-using suture::CommandInfo;
-using suture::CommandKind;
-using suture::Duration;
-using suture::Errc;
-using suture::EventInfo;
-using suture::FieldPath;
-using suture::checkSlot;
 using suture::load;
-using suture::newSlot;
-using suture::refusedAt;
-using suture::rpc::CommandCodec;
-using suture::rpc::EventCodec;
-using suture::rpc::allOf;
-using suture::rpc::firstError;
 using suture::rpc::fromWire;
-using suture::rpc::fromWireList;
-using suture::rpc::inRange;
 using suture::rpc::isValid;
-using suture::rpc::messageOf;
-using suture::rpc::sentIn;
-using suture::rpc::stampIn;
 using suture::rpc::toWire;
-using suture::rpc::toWireList;
-using suture::slotIn;
-using suture::slotSize;
 using suture::store;
 
 namespace {
@@ -193,51 +172,52 @@ void toWire(const suture::OpenOptional<RootSlot>& slot, wire::ShapesOpenOptional
   toWire(*slot.value, out.initSome());
 }
 
-Errc fromWire(wire::ShapesOpenOptionalRoot::Reader in, suture::OpenOptional<RootSlot>& slot,
-              Duration shift) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesOpenOptionalRoot::Reader in, suture::OpenOptional<RootSlot>& slot,
+                      suture::Duration shift) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   engage(slot);
   return fromWire(in.getSome(), *slot.value, shift);
 }
 
 void toWire(const RootSlot& slot, wire::Root::Builder out) {
   out.setValue(slot.value);
-  toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
-             [](const RootSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.children, out.initChildren(sizeOf(slot.children)),
+                          [](const RootSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.shadow, out.initShadow());
-  toWireList(slot.branches, out.initBranches(sizeOf(slot.branches)),
-             [](const BranchSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.branches, out.initBranches(sizeOf(slot.branches)),
+                          [](const BranchSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
 }
 
-Errc fromWire(wire::Root::Reader in, RootSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Root::Reader in, RootSlot& slot, suture::Duration shift) {
   slot.value = in.getValue();
-  return firstError({
-      fromWireList(in.getChildren(), slot.children, [&](auto item, RootSlot& target) {
+  return suture::rpc::firstError({
+      suture::rpc::fromWireList(in.getChildren(), slot.children, [&](auto item, RootSlot& target) {
         return fromWire(item, target, shift);
       }),
       fromWire(in.getShadow(), slot.shadow, shift),
-      fromWireList(in.getBranches(), slot.branches, [&](auto item, BranchSlot& target) {
-        return fromWire(item, target, shift);
-      }),
+      suture::rpc::fromWireList(in.getBranches(), slot.branches,
+                                [&](auto item, BranchSlot& target) {
+                                  return fromWire(item, target, shift);
+                                }),
   });
 }
 
-bool isValid(const RootSlot& slot, FieldPath* path) {
-  if (!allOf(slot.children, path, [path](const RootSlot& element) {
+bool isValid(const RootSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::allOf(slot.children, path, [path](const RootSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "children");
+    return suture::refusedAt(path, "children");
   }
-  if (!isValid(slot.shadow, path)) return refusedAt(path, "shadow");
-  if (!allOf(slot.branches, path, [path](const BranchSlot& element) {
+  if (!isValid(slot.shadow, path)) return suture::refusedAt(path, "shadow");
+  if (!suture::rpc::allOf(slot.branches, path, [path](const BranchSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "branches");
+    return suture::refusedAt(path, "branches");
   }
   return true;
 }
@@ -248,9 +228,9 @@ void toWire(const suture::SlotEntry<suture::OpenText, RootSlot>& slot,
   toWire(slot.value, out.initValue());
 }
 
-Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
-              suture::SlotEntry<suture::OpenText, RootSlot>& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
+                      suture::SlotEntry<suture::OpenText, RootSlot>& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getKey(), slot.key),
       fromWire(in.getValue(), slot.value, shift),
   });
@@ -258,39 +238,39 @@ Errc fromWire(wire::ShapesOpenEntryOfTextToRoot::Reader in,
 
 void toWire(const BranchSlot& slot, wire::Branch::Builder out) {
   out.setLength(slot.length);
-  toWireList(slot.roots, out.initRoots(sizeOf(slot.roots)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.roots, out.initRoots(sizeOf(slot.roots)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
 }
 
-Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, Duration shift) {
+suture::Errc fromWire(wire::Branch::Reader in, BranchSlot& slot, suture::Duration shift) {
   slot.length = in.getLength();
   return suture::rpc::fromWireDistinct(in.getRoots(), slot.roots, [&](auto item, auto& target) {
     return fromWire(item, target, shift);
   });
 }
 
-bool isValid(const BranchSlot& slot, FieldPath* path) {
-  if (!inRange(slot.length, 0, 10)) return refusedAt(path, "length");
-  return isValid(slot.roots, path) || refusedAt(path, "roots");
+bool isValid(const BranchSlot& slot, suture::FieldPath* path) {
+  if (!suture::rpc::inRange(slot.length, 0, 10)) return suture::refusedAt(path, "length");
+  return isValid(slot.roots, path) || suture::refusedAt(path, "roots");
 }
 
 void toWire(const suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
             wire::ShapesOpenEntryOfTextToListOfPoint::Builder out) {
   toWire(slot.key, out.initKey(sizeOf(slot.key)));
-  toWireList(slot.value, out.initValue(sizeOf(slot.value)),
-             [](const PointSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.value, out.initValue(sizeOf(slot.value)),
+                          [](const PointSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
 }
 
-Errc fromWire(wire::ShapesOpenEntryOfTextToListOfPoint::Reader in,
-              suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
-              Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::ShapesOpenEntryOfTextToListOfPoint::Reader in,
+                      suture::SlotEntry<suture::OpenText, suture::OpenList<PointSlot>>& slot,
+                      suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getKey(), slot.key),
-      fromWireList(in.getValue(), slot.value, [&](auto item, PointSlot& target) {
+      suture::rpc::fromWireList(in.getValue(), slot.value, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
   });
@@ -302,10 +282,10 @@ void toWire(const suture::SlotOptional<suture::OpenText>& slot,
   toWire(slot.value, out.initSome(sizeOf(slot.value)));
 }
 
-Errc fromWire(wire::ShapesOpenOptionalText::Reader in, suture::SlotOptional<suture::OpenText>& slot,
-              Duration) {
-  if (in.isNone()) return slot.present = 0, Errc{};
-  if (!in.isSome()) return Errc::Invalid;
+suture::Errc fromWire(wire::ShapesOpenOptionalText::Reader in,
+                      suture::SlotOptional<suture::OpenText>& slot, suture::Duration) {
+  if (in.isNone()) return slot.present = 0, suture::Errc{};
+  if (!in.isSome()) return suture::Errc::Invalid;
   slot.present = 1;
   return fromWire(in.getSome(), slot.value);
 }
@@ -318,12 +298,12 @@ void toWire(const suture::SlotVariant<suture::SlotNothing, suture::OpenText, Poi
   if (slot.index == 2) return toWire(suture::alternative<2>(slot), out.initPoint());
 }
 
-Errc fromWire(wire::ShapesOpenEitherOfNothingOrTextOrPoint::Reader in,
-              suture::SlotVariant<suture::SlotNothing, suture::OpenText, PointSlot>& slot,
-              Duration shift) {
+suture::Errc fromWire(wire::ShapesOpenEitherOfNothingOrTextOrPoint::Reader in,
+                      suture::SlotVariant<suture::SlotNothing, suture::OpenText, PointSlot>& slot,
+                      suture::Duration shift) {
   if (in.isNothing()) {
     slot.index = 0;
-    return Errc{};
+    return suture::Errc{};
   }
   if (in.isText()) {
     slot.index = 1;
@@ -333,7 +313,7 @@ Errc fromWire(wire::ShapesOpenEitherOfNothingOrTextOrPoint::Reader in,
     slot.index = 2;
     return fromWire(in.getPoint(), suture::alternative<2>(slot), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
 void toWire(const suture::SlotTuple<std::int32_t, suture::OpenText>& slot,
@@ -342,8 +322,8 @@ void toWire(const suture::SlotTuple<std::int32_t, suture::OpenText>& slot,
   toWire(suture::item<1>(slot), out.initItem1(sizeOf(suture::item<1>(slot))));
 }
 
-Errc fromWire(wire::ShapesOpenTupleOfInt32AndText::Reader in,
-              suture::SlotTuple<std::int32_t, suture::OpenText>& slot, Duration) {
+suture::Errc fromWire(wire::ShapesOpenTupleOfInt32AndText::Reader in,
+                      suture::SlotTuple<std::int32_t, suture::OpenText>& slot, suture::Duration) {
   suture::item<0>(slot) = in.getItem0();
   return fromWire(in.getItem1(), suture::item<1>(slot));
 }
@@ -354,21 +334,21 @@ void toWire(const OpenSlot& slot, wire::Open::Builder out) {
   toWire(slot.bytes, out.initBytes(sizeOf(slot.bytes)));
   toWire(slot.block, out.initBlock(sizeOf(slot.block) * sizeof(float)));
   toWire(slot.flags, out.initFlags(sizeOf(slot.flags)));
-  toWireList(slot.path, out.initPath(sizeOf(slot.path)),
-             [](const PointSlot& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
-  toWireList(slot.pair, out.initPair(2),
-             [](const suture::OpenText& element, auto list, std::uint32_t i) {
-               toWire(element, list.init(i, sizeOf(element)));
-             });
+  suture::rpc::toWireList(slot.path, out.initPath(sizeOf(slot.path)),
+                          [](const PointSlot& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
+  suture::rpc::toWireList(slot.pair, out.initPair(2),
+                          [](const suture::OpenText& element, auto list, std::uint32_t i) {
+                            toWire(element, list.init(i, sizeOf(element)));
+                          });
   toWire(slot.words, out.initWords(sizeOf(slot.words)));
   toWire(slot.shorts, out.initShorts(sizeOf(slot.shorts)));
   toWire(slot.keys, out.initKeys(sizeOf(slot.keys)));
-  toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
-             [](const auto& element, auto list, std::uint32_t i) {
-               toWire(element, list[i]);
-             });
+  suture::rpc::toWireList(slot.series, out.initSeries(sizeOf(slot.series)),
+                          [](const auto& element, auto list, std::uint32_t i) {
+                            toWire(element, list[i]);
+                          });
   toWire(slot.note, out.initNote());
   toWire(slot.either, out.initEither());
   toWire(slot.entry, out.initEntry());
@@ -380,17 +360,17 @@ void toWire(const OpenSlot& slot, wire::Open::Builder out) {
   toWire(slot.root, out.initRoot());
 }
 
-Errc fromWire(wire::Open::Reader in, OpenSlot& slot, Duration shift) {
-  return firstError({
+suture::Errc fromWire(wire::Open::Reader in, OpenSlot& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getName(), slot.name),
       fromWire(in.getSamples(), slot.samples),
       fromWire(in.getBytes(), slot.bytes),
       fromWire(in.getBlock(), slot.block),
       fromWire(in.getFlags(), slot.flags),
-      fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
+      suture::rpc::fromWireList(in.getPath(), slot.path, [&](auto item, PointSlot& target) {
         return fromWire(item, target, shift);
       }),
-      fromWireList(in.getPair(), slot.pair, [](auto item, suture::OpenText& target) {
+      suture::rpc::fromWireList(in.getPair(), slot.pair, [](auto item, suture::OpenText& target) {
         return fromWire(item, target);
       }),
       fromWire(in.getWords(), slot.words),
@@ -414,42 +394,44 @@ Errc fromWire(wire::Open::Reader in, OpenSlot& slot, Duration shift) {
   });
 }
 
-bool isValid(const OpenSlot& slot, FieldPath* path) {
-  if (!isValid(slot.samples, path)) return refusedAt(path, "samples");
-  if (!isValid(slot.block, path)) return refusedAt(path, "block");
-  if (!allOf(slot.path, path, [path](const PointSlot& element) {
+bool isValid(const OpenSlot& slot, suture::FieldPath* path) {
+  if (!isValid(slot.samples, path)) return suture::refusedAt(path, "samples");
+  if (!isValid(slot.block, path)) return suture::refusedAt(path, "block");
+  if (!suture::rpc::allOf(slot.path, path, [path](const PointSlot& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "path");
+    return suture::refusedAt(path, "path");
   }
-  if (!isValid(slot.series, path)) return refusedAt(path, "series");
-  if (!isValid(slot.either, path)) return refusedAt(path, "either");
-  if (!isValid(slot.joints, path)) return refusedAt(path, "joints");
-  if (!allOf(slot.any, nullptr, [](double element) { return inRange(element, -1, 1); })) {
-    return refusedAt(path, "any");
+  if (!isValid(slot.series, path)) return suture::refusedAt(path, "series");
+  if (!isValid(slot.either, path)) return suture::refusedAt(path, "either");
+  if (!isValid(slot.joints, path)) return suture::refusedAt(path, "joints");
+  if (!suture::rpc::allOf(slot.any, nullptr, [](double element) {
+    return suture::rpc::inRange(element, -1, 1);
+  })) {
+    return suture::refusedAt(path, "any");
   }
-  if (!isValid(slot.wide)) return refusedAt(path, "wide");
-  if (!allOf(slot.cloud, path, [path](const std::array<double, 3>& element) {
+  if (!isValid(slot.wide)) return suture::refusedAt(path, "wide");
+  if (!suture::rpc::allOf(slot.cloud, path, [path](const std::array<double, 3>& element) {
     return isValid(element, path);
   })) {
-    return refusedAt(path, "cloud");
+    return suture::refusedAt(path, "cloud");
   }
-  if (!isValid(slot.image)) return refusedAt(path, "image");
-  return isValid(slot.root, path) || refusedAt(path, "root");
+  if (!isValid(slot.image)) return suture::refusedAt(path, "image");
+  return isValid(slot.root, path) || suture::refusedAt(path, "root");
 }
 
 namespace {
 
-bool acceptsArchivePut(const ArchivePutArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsArchivePut(const ArchivePutArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot, FieldPath* path) {
-  return isValid(slot.value, path) || refusedAt(path, "value");
+bool acceptsArchiveReplace(const ArchiveReplaceArguments& slot, suture::FieldPath* path) {
+  return isValid(slot.value, path) || suture::refusedAt(path, "value");
 }
 
-bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, FieldPath* path) {
-  return isValid(slot.value2, path) || refusedAt(path, "value2");
+bool acceptsArchiveGrownEvent(const ArchiveGrownPayload& slot, suture::FieldPath* path) {
+  return isValid(slot.value2, path) || suture::refusedAt(path, "value2");
 }
 
 // --- Archive as Cap'n Proto
@@ -458,11 +440,11 @@ void encodeArchivePut(const ArchivePutArguments& slot, wire::Archive::PutParams:
   toWire(slot.key, out.initKey(sizeOf(slot.key)));
   toWire(slot.value, out.initValue());
 }
-Errc decodeArchivePut(wire::Archive::PutParams::Reader in, ArchivePutArguments& slot,
-                      suture::Duration shift) {
-  return firstError({
+suture::Errc decodeArchivePut(wire::Archive::PutParams::Reader in, ArchivePutArguments& slot,
+                              suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getKey(), slot.key),
-      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid,
+      in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid,
   });
 }
 
@@ -470,24 +452,24 @@ void encodeArchiveRemark(const ArchiveRemarkArguments& slot,
                          wire::Archive::RemarkParams::Builder out) {
   toWire(slot.text, out.initText(sizeOf(slot.text)));
 }
-Errc decodeArchiveRemark(wire::Archive::RemarkParams::Reader in, ArchiveRemarkArguments& slot,
-                         suture::Duration) {
+suture::Errc decodeArchiveRemark(wire::Archive::RemarkParams::Reader in,
+                                 ArchiveRemarkArguments& slot, suture::Duration) {
   return fromWire(in.getText(), slot.text);
 }
 
 void encodeArchiveNewestResult(const OpenSlot& slot, wire::Archive::NewestResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArchiveNewestResult(wire::Archive::NewestResults::Reader in, OpenSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArchiveNewestResult(wire::Archive::NewestResults::Reader in, OpenSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArchiveFind(const ArchiveFindArguments& slot, wire::Archive::FindParams::Builder out) {
   toWire(slot.pattern, out.initPattern(sizeOf(slot.pattern)));
 }
-Errc decodeArchiveFind(wire::Archive::FindParams::Reader in, ArchiveFindArguments& slot,
-                       suture::Duration) {
+suture::Errc decodeArchiveFind(wire::Archive::FindParams::Reader in, ArchiveFindArguments& slot,
+                               suture::Duration) {
   return fromWire(in.getPattern(), slot.pattern);
 }
 
@@ -495,8 +477,8 @@ void encodeArchiveFindResult(const suture::OpenList<suture::OpenText>& slot,
                              wire::Archive::FindResults::Builder out) {
   toWire(slot, out.initValue(sizeOf(slot)));
 }
-Errc decodeArchiveFindResult(wire::Archive::FindResults::Reader in,
-                             suture::OpenList<suture::OpenText>& slot, suture::Duration) {
+suture::Errc decodeArchiveFindResult(wire::Archive::FindResults::Reader in,
+                                     suture::OpenList<suture::OpenText>& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -504,25 +486,25 @@ void encodeArchiveReplace(const ArchiveReplaceArguments& slot,
                           wire::Archive::ReplaceParams::Builder out) {
   toWire(slot.value, out.initValue());
 }
-Errc decodeArchiveReplace(wire::Archive::ReplaceParams::Reader in, ArchiveReplaceArguments& slot,
-                          suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : Errc::Invalid;
+suture::Errc decodeArchiveReplace(wire::Archive::ReplaceParams::Reader in,
+                                  ArchiveReplaceArguments& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot.value, shift) : suture::Errc::Invalid;
 }
 
 void encodeArchiveReplaceResult(const OpenSlot& slot, wire::Archive::ReplaceResults::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArchiveReplaceResult(wire::Archive::ReplaceResults::Reader in, OpenSlot& slot,
-                                suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArchiveReplaceResult(wire::Archive::ReplaceResults::Reader in, OpenSlot& slot,
+                                        suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArchiveRenamedEvent(const suture::OpenText& slot,
                                wire::ArchiveEvents::RenamedParams::Builder out) {
   toWire(slot, out.initValue(sizeOf(slot)));
 }
-Errc decodeArchiveRenamedEvent(wire::ArchiveEvents::RenamedParams::Reader in,
-                               suture::OpenText& slot, suture::Duration) {
+suture::Errc decodeArchiveRenamedEvent(wire::ArchiveEvents::RenamedParams::Reader in,
+                                       suture::OpenText& slot, suture::Duration) {
   return fromWire(in.getValue(), slot);
 }
 
@@ -531,11 +513,11 @@ void encodeArchiveGrownEvent(const ArchiveGrownPayload& slot,
   toWire(slot.value, out.initValue(sizeOf(slot.value)));
   toWire(slot.value2, out.initValue2());
 }
-Errc decodeArchiveGrownEvent(wire::ArchiveEvents::GrownParams::Reader in, ArchiveGrownPayload& slot,
-                             suture::Duration shift) {
-  return firstError({
+suture::Errc decodeArchiveGrownEvent(wire::ArchiveEvents::GrownParams::Reader in,
+                                     ArchiveGrownPayload& slot, suture::Duration shift) {
+  return suture::rpc::firstError({
       fromWire(in.getValue(), slot.value),
-      in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : Errc::Invalid,
+      in.hasValue2() ? fromWire(in.getValue2(), slot.value2, shift) : suture::Errc::Invalid,
   });
 }
 
@@ -543,81 +525,83 @@ void encodeArchiveChangedEvent(const OpenSlot& slot,
                                wire::ArchiveEvents::ChangedParams::Builder out) {
   toWire(slot, out.initValue());
 }
-Errc decodeArchiveChangedEvent(wire::ArchiveEvents::ChangedParams::Reader in, OpenSlot& slot,
-                               suture::Duration shift) {
-  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArchiveChangedEvent(wire::ArchiveEvents::ChangedParams::Reader in,
+                                       OpenSlot& slot, suture::Duration shift) {
+  return in.hasValue() ? fromWire(in.getValue(), slot, shift) : suture::Errc::Invalid;
 }
 
 void encodeArchiveNewestColumn(const OpenSlot& slot, wire::ArchiveStateRow::Builder out) {
   toWire(slot, out.initNewest());
 }
-Errc decodeArchiveNewestColumn(wire::ArchiveStateRow::Reader in, OpenSlot& slot,
-                               suture::Duration shift) {
-  return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : Errc::Invalid;
+suture::Errc decodeArchiveNewestColumn(wire::ArchiveStateRow::Reader in, OpenSlot& slot,
+                                       suture::Duration shift) {
+  return in.hasNewest() ? fromWire(in.getNewest(), slot, shift) : suture::Errc::Invalid;
 }
 
 // A row of the state has a member for each column, so one function each way finds them all.
 void encodeArchiveColumn(unsigned column, const std::byte* memory,
                          wire::ArchiveStateRow::Builder out) {
   switch (static_cast<ArchiveColumn>(column)) {
-    case ArchiveColumn::newest: return encodeArchiveNewestColumn(slotIn<OpenSlot>(memory), out);
+    case ArchiveColumn::newest:
+      return encodeArchiveNewestColumn(suture::slotIn<OpenSlot>(memory), out);
   }
 }
-Errc decodeArchiveColumn(wire::ArchiveStateRow::Reader in, unsigned column, std::byte* memory,
-                         suture::Duration shift) {
+suture::Errc decodeArchiveColumn(wire::ArchiveStateRow::Reader in, unsigned column,
+                                 std::byte* memory, suture::Duration shift) {
   switch (static_cast<ArchiveColumn>(column)) {
     case ArchiveColumn::newest:
-      return decodeArchiveNewestColumn(in, newSlot<OpenSlot>(memory), shift);
+      return decodeArchiveNewestColumn(in, suture::newSlot<OpenSlot>(memory), shift);
   }
-  return Errc::Invalid;
+  return suture::Errc::Invalid;
 }
 
-constexpr CommandCodec kArchiveCommandCodecs[] = {
+constexpr suture::rpc::CommandCodec kArchiveCommandCodecs[] = {
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 1,
-     .sent = sentIn<wire::Archive::PutParams>,
-     .arguments = messageOf<wire::Archive::PutParams, ArchivePutArguments, encodeArchivePut,
-                            decodeArchivePut>},
+     .sent = suture::rpc::sentIn<wire::Archive::PutParams>,
+     .arguments = suture::rpc::messageOf<wire::Archive::PutParams, ArchivePutArguments,
+                                         encodeArchivePut, decodeArchivePut>},
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 2,
-     .sent = sentIn<wire::Archive::RemarkParams>,
-     .arguments = messageOf<wire::Archive::RemarkParams, ArchiveRemarkArguments,
-                            encodeArchiveRemark, decodeArchiveRemark>},
+     .sent = suture::rpc::sentIn<wire::Archive::RemarkParams>,
+     .arguments = suture::rpc::messageOf<wire::Archive::RemarkParams, ArchiveRemarkArguments,
+                                         encodeArchiveRemark, decodeArchiveRemark>},
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 3,
-     .sent = sentIn<wire::Archive::NewestParams>,
-     .result = messageOf<wire::Archive::NewestResults, OpenSlot, encodeArchiveNewestResult,
-                         decodeArchiveNewestResult>,
-     .stamp = stampIn<wire::Archive::NewestResults>},
+     .sent = suture::rpc::sentIn<wire::Archive::NewestParams>,
+     .result = suture::rpc::messageOf<wire::Archive::NewestResults, OpenSlot,
+                                      encodeArchiveNewestResult, decodeArchiveNewestResult>,
+     .stamp = suture::rpc::stampIn<wire::Archive::NewestResults>},
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 4,
-     .sent = sentIn<wire::Archive::FindParams>,
-     .arguments = messageOf<wire::Archive::FindParams, ArchiveFindArguments, encodeArchiveFind,
-                            decodeArchiveFind>,
-     .result = messageOf<wire::Archive::FindResults, suture::OpenList<suture::OpenText>,
-                         encodeArchiveFindResult, decodeArchiveFindResult>},
+     .sent = suture::rpc::sentIn<wire::Archive::FindParams>,
+     .arguments = suture::rpc::messageOf<wire::Archive::FindParams, ArchiveFindArguments,
+                                         encodeArchiveFind, decodeArchiveFind>,
+     .result = suture::rpc::messageOf<wire::Archive::FindResults,
+                                      suture::OpenList<suture::OpenText>, encodeArchiveFindResult,
+                                      decodeArchiveFindResult>},
     {.interface = capnp::typeId<wire::Archive>(),
      .method = 5,
-     .sent = sentIn<wire::Archive::ReplaceParams>,
-     .arguments = messageOf<wire::Archive::ReplaceParams, ArchiveReplaceArguments,
-                            encodeArchiveReplace, decodeArchiveReplace>,
-     .result = messageOf<wire::Archive::ReplaceResults, OpenSlot, encodeArchiveReplaceResult,
-                         decodeArchiveReplaceResult>},
+     .sent = suture::rpc::sentIn<wire::Archive::ReplaceParams>,
+     .arguments = suture::rpc::messageOf<wire::Archive::ReplaceParams, ArchiveReplaceArguments,
+                                         encodeArchiveReplace, decodeArchiveReplace>,
+     .result = suture::rpc::messageOf<wire::Archive::ReplaceResults, OpenSlot,
+                                      encodeArchiveReplaceResult, decodeArchiveReplaceResult>},
 };
 
-constexpr EventCodec kArchiveEventCodecs[] = {
+constexpr suture::rpc::EventCodec kArchiveEventCodecs[] = {
     {.method = 1,
-     .stamp = stampIn<wire::ArchiveEvents::RenamedParams>,
-     .payload = messageOf<wire::ArchiveEvents::RenamedParams, suture::OpenText,
-                          encodeArchiveRenamedEvent, decodeArchiveRenamedEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::RenamedParams>,
+     .payload = suture::rpc::messageOf<wire::ArchiveEvents::RenamedParams, suture::OpenText,
+                                       encodeArchiveRenamedEvent, decodeArchiveRenamedEvent>},
     {.method = 2,
-     .stamp = stampIn<wire::ArchiveEvents::GrownParams>,
-     .payload = messageOf<wire::ArchiveEvents::GrownParams, ArchiveGrownPayload,
-                          encodeArchiveGrownEvent, decodeArchiveGrownEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::GrownParams>,
+     .payload = suture::rpc::messageOf<wire::ArchiveEvents::GrownParams, ArchiveGrownPayload,
+                                       encodeArchiveGrownEvent, decodeArchiveGrownEvent>},
     {.method = 3,
-     .stamp = stampIn<wire::ArchiveEvents::ChangedParams>,
-     .payload = messageOf<wire::ArchiveEvents::ChangedParams, OpenSlot, encodeArchiveChangedEvent,
-                          decodeArchiveChangedEvent>},
+     .stamp = suture::rpc::stampIn<wire::ArchiveEvents::ChangedParams>,
+     .payload = suture::rpc::messageOf<wire::ArchiveEvents::ChangedParams, OpenSlot,
+                                       encodeArchiveChangedEvent, decodeArchiveChangedEvent>},
 };
 
 const suture::rpc::Codec& archiveCodec() {
@@ -633,61 +617,61 @@ const suture::rpc::Codec& archiveCodec() {
   return kCodec;
 }
 
-constexpr CommandInfo kArchiveCommands[] = {
+constexpr suture::CommandInfo kArchiveCommands[] = {
     {.name = "put",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArchivePutArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArchivePutArguments>,
      .depth = 16,
      .sharedArguments = true,
-     .accepts = checkSlot<ArchivePutArguments, acceptsArchivePut>},
+     .accepts = suture::checkSlot<ArchivePutArguments, acceptsArchivePut>},
     {.name = "remark",
-     .kind = CommandKind::Write,
-     .argumentsSize = slotSize<ArchiveRemarkArguments>,
+     .kind = suture::CommandKind::Write,
+     .argumentsSize = suture::slotSize<ArchiveRemarkArguments>,
      .depth = 16,
      .latest = true,
      .sharedArguments = true},
     {.name = "newest",
-     .kind = CommandKind::Read,
-     .resultSize = slotSize<OpenSlot>,
+     .kind = suture::CommandKind::Read,
+     .resultSize = suture::slotSize<OpenSlot>,
      .depth = 16,
      .column = static_cast<int>(ArchiveColumn::newest),
      .sharedResult = true,
-     .acceptsResult = checkSlot<OpenSlot, isValid>},
+     .acceptsResult = suture::checkSlot<OpenSlot, isValid>},
     {.name = "find",
-     .kind = CommandKind::QualifiedRead,
-     .argumentsSize = slotSize<ArchiveFindArguments>,
-     .resultSize = slotSize<suture::OpenList<suture::OpenText>>,
+     .kind = suture::CommandKind::QualifiedRead,
+     .argumentsSize = suture::slotSize<ArchiveFindArguments>,
+     .resultSize = suture::slotSize<suture::OpenList<suture::OpenText>>,
      .depth = 16,
      .sharedArguments = true,
      .sharedResult = true},
     {.name = "replace",
-     .kind = CommandKind::WriteReturn,
-     .argumentsSize = slotSize<ArchiveReplaceArguments>,
-     .resultSize = slotSize<OpenSlot>,
+     .kind = suture::CommandKind::WriteReturn,
+     .argumentsSize = suture::slotSize<ArchiveReplaceArguments>,
+     .resultSize = suture::slotSize<OpenSlot>,
      .depth = 16,
      .sharedArguments = true,
      .sharedResult = true,
-     .accepts = checkSlot<ArchiveReplaceArguments, acceptsArchiveReplace>,
-     .acceptsResult = checkSlot<OpenSlot, isValid>},
+     .accepts = suture::checkSlot<ArchiveReplaceArguments, acceptsArchiveReplace>,
+     .acceptsResult = suture::checkSlot<OpenSlot, isValid>},
 };
 
-constexpr EventInfo kArchiveEvents[] = {
+constexpr suture::EventInfo kArchiveEvents[] = {
     {.name = "renamed",
-     .payloadSize = slotSize<suture::OpenText>,
+     .payloadSize = suture::slotSize<suture::OpenText>,
      .depth = 16,
      .latched = true,
      .sharedPayload = true},
     {.name = "grown",
-     .payloadSize = slotSize<ArchiveGrownPayload>,
+     .payloadSize = suture::slotSize<ArchiveGrownPayload>,
      .depth = 16,
      .sharedPayload = true,
-     .accepts = checkSlot<ArchiveGrownPayload, acceptsArchiveGrownEvent>},
+     .accepts = suture::checkSlot<ArchiveGrownPayload, acceptsArchiveGrownEvent>},
     {.name = "changed",
-     .payloadSize = slotSize<OpenSlot>,
+     .payloadSize = suture::slotSize<OpenSlot>,
      .depth = 16,
      .latest = true,
      .sharedPayload = true,
-     .accepts = checkSlot<OpenSlot, isValid>},
+     .accepts = suture::checkSlot<OpenSlot, isValid>},
 };
 
 // The self-description, as in shapes/open.suture.json.
