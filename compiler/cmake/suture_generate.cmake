@@ -53,7 +53,9 @@ function(suture_generate)
   endif()
 
   foreach(stem IN LISTS stems)
-    target_sources(${arg_TARGET} PRIVATE ${generated}/${stem}.suture.cpp)
+    suture_outputs(sources ${stem} compile)
+    list(TRANSFORM sources PREPEND ${generated}/)
+    target_sources(${arg_TARGET} PRIVATE ${sources})
     # Without suturec, a header that has no lock declares nothing for a wire.
     if(suturec OR EXISTS ${schemas}/${stem}.capnp)
       suture_compile_schema(${arg_TARGET} "${schemas}" ${stem} "${wire}" "${lock_dirs}")

@@ -109,9 +109,7 @@ function(suture_stems result target base headers)
 endfunction()
 
 function(suture_check_committed target generated stems entry)
-  foreach(stem IN LISTS stems)
-    list(APPEND files ${stem}.suture.h ${stem}.suture.cpp)
-  endforeach()
+  suture_outputs(files "${stems}" include compile)
   foreach(file IN LISTS files entry)
     if(NOT EXISTS ${generated}/${file})
       message(FATAL_ERROR "suture_generate(TARGET ${target}): without suturec ${generated}/${file} must exist; "

@@ -1,5 +1,23 @@
 # The build steps behind suture_generate().
 
+# What suturec writes for the headers STEMS and a build uses so: include, compile, read or schema. The list is that
+# of suturec --list-outputs, kept beside this file because suturec may not be built yet, or not be there.
+function(suture_outputs result stems)
+  set(list ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/outputs.list)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
+  file(STRINGS ${list} lines)
+  set(files "")
+  foreach(stem IN LISTS stems)
+    foreach(line IN LISTS lines)
+      string(REGEX MATCH "^([a-z]+) (.*)$" found "${line}")
+      if(CMAKE_MATCH_1 IN_LIST ARGN)
+        list(APPEND files ${stem}.${CMAKE_MATCH_2})
+      endif()
+    endforeach()
+  endforeach()
+  set(${result} "${files}" PARENT_SCOPE)
+endfunction()
+
 # The directory of g++'s libraries, from which clang finds the same standard library.
 function(suture_gcc_install_dir result)
   if(NOT DEFINED CACHE{SUTURE_GCC_INSTALL_DIR})
@@ -67,12 +85,10 @@ function(suture_run_compiler suturec target base generated lock_dirs stems entry
   suture_write_response_file(${work}.rsp ${target} ${base} ${generated} "${lock_dirs}" "${stems}" "${entry}")
   foreach(stem IN LISTS stems)
     list(APPEND headers ${base}/${stem}.h)
-    list(APPEND outputs ${generated}/${stem}.suture.h ${generated}/${stem}.suture.cpp
-      ${generated}/${stem}.suture.json ${generated}/${stem}.suture.md ${generated}/${stem}.capnp)
   endforeach()
-  if(entry)
-    list(APPEND outputs ${generated}/${entry})
-  endif()
+  suture_outputs(outputs "${stems}" include compile read schema)
+  list(APPEND outputs ${entry})
+  list(TRANSFORM outputs PREPEND ${generated}/)
   add_custom_command(
     OUTPUT ${work}.stamp
     BYPRODUCTS ${outputs}
@@ -112,8 +128,9 @@ function(suture_notice_removed target generated wire stems)
   if(TARGET ${target}_suture)
     set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.stamp)
   endif()
+  suture_outputs(outputs "${stems}" include compile read schema)
   add_custom_target(${target}_outputs
-    COMMAND ${CMAKE_COMMAND} -DSTAMP=${stamp} -DGENERATED=${generated} -DWIRE=${wire} "-DSTEMS=${stems}"
+    COMMAND ${CMAKE_COMMAND} -DSTAMP=${stamp} -DGENERATED=${generated} -DWIRE=${wire} "-DSTEMS=${stems}" "-DOUTPUTS=${outputs}"
       -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/notice_removed.cmake
     VERBATIM)
   add_dependencies(${target} ${target}_outputs)
@@ -125,7 +142,9 @@ endfunction()
 # What generated code of other projects includes and imports lies beside the header.
 function(suture_install stem root base generated lock_dir wire)
   get_filename_component(folder ${root}/${stem} DIRECTORY)
-  install(FILES ${base}/${stem}.h ${generated}/${stem}.suture.h DESTINATION ${folder})
+  suture_outputs(included "${stem}" include)
+  list(TRANSFORM included PREPEND ${generated}/)
+  install(FILES ${base}/${stem}.h ${included} DESTINATION ${folder})
   # A header that declares nothing for a wire has neither.
   install(FILES ${lock_dir}/${stem}.capnp ${wire}/${stem}.capnp.h DESTINATION ${folder} OPTIONAL)
 endfunction()

@@ -7,11 +7,8 @@ function(suture_register_upkeep suturec target stems entry)
   set_property(GLOBAL PROPERTY SUTURE_UPKEEP_COMPILER ${suturec})
   set_property(GLOBAL PROPERTY SUTURE_UPKEEP_RSP_${target}
     ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture.rsp)
-  set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES ${entry})
-  foreach(stem IN LISTS stems)
-    set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES
-      ${stem}.suture.h ${stem}.suture.cpp ${stem}.suture.json ${stem}.suture.md)
-  endforeach()
+  suture_outputs(files "${stems}" include compile read)
+  set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_FILES ${entry} ${files})
   get_property(deferred GLOBAL PROPERTY SUTURE_UPKEEP_DEFERRED)
   if(NOT deferred)
     set_property(GLOBAL PROPERTY SUTURE_UPKEEP_DEFERRED TRUE)

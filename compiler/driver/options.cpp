@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "compiler/driver/explain.h"
+#include "compiler/driver/list_outputs.h"
 
 namespace suture::compiler::driver {
 namespace {
@@ -71,6 +72,8 @@ void declare(CLI::App& app, Options& options) {
       ->needs(update)
       ->allow_extra_args(false);
   app.add_option("--explain", options.explain, "Print the page of a diagnostic, and end");
+  app.add_flag("--list-outputs", options.listOutputs,
+               "Print the endings of what a header gives, each behind its use, and end");
   app.add_flag("--fix", options.fix, "Apply the fix-its of errors to the headers");
   app.add_option("--fatal", options.fatalWarnings,
                  "Slug of a warning that is an error here, or all")
@@ -93,6 +96,7 @@ Parsed parseOptions(const std::vector<std::string>& arguments) {
     std::reverse(split.own.begin(), split.own.end());  // as CLI11 wants it
     app.parse(split.own);
     if (!options.explain.empty()) return {std::nullopt, explain(options.explain)};
+    if (options.listOutputs) return {std::nullopt, listOutputs()};
     if (options.headers.empty()) throw CLI::RequiredError("headers");
     if (options.outputDirectory.empty() && !options.updateLock && !options.fix) {
       throw CLI::RequiredError("--out (or --update-lock)");

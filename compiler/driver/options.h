@@ -24,6 +24,7 @@ struct Options {
   bool acceptBreak = false;
   std::vector<std::string> newIds;         ///< names that get one, with updateLock
   std::string explain;                     ///< the slug to explain; "" = none
+  bool listOutputs = false;                ///< print the endings of generated files, and end
   bool fix = false;                        ///< apply fix-its instead of generating
   std::vector<std::string> fatalWarnings;  ///< slugs, or "all"
   std::vector<std::string> clangArguments;

@@ -11,10 +11,18 @@ namespace suture::compiler::emit {
 
 using model::Artefact;
 
-/// What is generated from the model's own headers: for "arm/arm.h" the files "arm/arm.suture.h",
-/// "arm/arm.suture.cpp", "arm/arm.suture.json" and "arm/arm.suture.md", in this order, header after
-/// header. Foreign headers (own = false) serve as declarations only. The model must have passed
-/// check/ and lock::check: nothing is verified again here. Equal input gives equal bytes.
+/// A file that is generated for each header: X.SUFFIX for X.h.
+struct Output {
+  const char* suffix;  ///< "suture.h"
+  const char* use;     ///< what a build does with it: "include", "compile", or only "read"
+};
+
+/// What is generated from the model's own headers: for each header, all of outputs() in that order.
+/// Foreign headers (own = false) serve as declarations only. The model must have passed check/ and
+/// lock::check: nothing is verified again here. Equal input gives equal bytes.
 std::vector<Artefact> emit(const model::Model& model, const lock::Locks& locks);
+
+/// All kinds of file that emit() writes.
+std::vector<Output> outputs();
 
 }  // namespace suture::compiler::emit

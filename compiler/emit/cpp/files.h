@@ -1,0 +1,16 @@
+#pragma once
+// The C++ files that are generated for a header.
+
+#include <string>
+
+#include "compiler/emit/text/context.h"
+
+namespace suture::compiler::emit {
+
+/// "arm/arm.suture.h": slots, Required and Provided.
+std::string headerFile(const Context& context);
+
+/// "arm/arm.suture.cpp": what the header declares, and the way to Cap'n Proto.
+std::string sourceFile(const Context& context);
+
+}  // namespace suture::compiler::emit
