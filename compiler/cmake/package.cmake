@@ -53,6 +53,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/suture/ ${PROJECT_SOURCE_DIR}/sc
   PATTERN standard EXCLUDE)  # runtime/suture/standard/ and suture_generate() install those
 install(FILES ${PROJECT_SOURCE_DIR}/schemas/deployment.schema.json ${PROJECT_SOURCE_DIR}/schemas/policy.schema.json
   DESTINATION share/suture)
+install(FILES ${PROJECT_SOURCE_DIR}/runtime/gdb/suture_printers.py DESTINATION share/suture/gdb)
 if(TARGET suturec)
   # Where suturec looks first: clang's own headers stay with it.
   install(DIRECTORY ${SUTURE_CLANG_RESOURCE_DIR}/include DESTINATION lib/suture/clang)
