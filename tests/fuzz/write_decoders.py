@@ -9,7 +9,8 @@ import pathlib
 import re
 import sys
 
-DECODER = re.compile(r"^suture::Errc fromWire\((wire::\w+)::Reader(?: in)?,\s+(\w+)&(?: slot)?,\s+suture::Duration", re.MULTILINE)
+DECODER = re.compile(r"^suture::Errc fromWire\((wire::\w+)::Reader(?: in)?,\s+(\w+)&(?: slot)?,"
+                     r"\s+suture::Duration(?: shift)?\) {$", re.MULTILINE)
 STORE = re.compile(r"^bool store\(const ([^&]+)& value,\s+(\w+)& slot\)", re.MULTILINE)
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
 
