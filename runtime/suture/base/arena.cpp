@@ -18,8 +18,8 @@ std::shared_ptr<std::byte> map(std::size_t size, int flags) {
   return {static_cast<std::byte*>(memory), [size](std::byte* piece) { munmap(piece, size); }};
 }
 
-// Returns zeros, of which every page is touched now, not in a control loop. The kernel readies many
-// pages at once in two thirds of the time that it takes for one after the other.
+// Returns zeros and touches every page now, so that no control loop has a page fault. The kernel
+// prepares many pages at once in two thirds of the time that single faults take.
 std::shared_ptr<std::byte> allocate(std::size_t size) {
   constexpr std::size_t kManyPages = std::size_t{64} << 10;
   if (size >= kManyPages) return map(size, MAP_POPULATE);
@@ -29,7 +29,7 @@ std::shared_ptr<std::byte> allocate(std::size_t size) {
   return {memory, [](std::byte* piece) { ::operator delete(piece, kAlignment); }};
 }
 
-// Returns zeros that cost no memory until somebody writes.
+// Returns zeros that take no memory until a page is written.
 std::shared_ptr<std::byte> reserve(std::size_t size) {
   return size == 0 ? nullptr : map(size, MAP_NORESERVE);
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Where a queue has its memory: its own, or a part of a block that another process maps too.
+// This decides where a queue has its memory: its own, or a part of a block that another process
+// maps too.
 
 #include <suture/base/memory_block.h>
 
@@ -14,30 +15,30 @@ namespace suture {
 /// and so agree on it.
 class Arena {
  public:
-  /// Each piece is memory of its own, touched by now.
+  /// Each piece is memory of its own, and its pages are touched already.
   Arena() = default;
 
-  /// Measures how large a block would have to be: only used() counts. It makes nothing in the
-  /// pieces and touches no page of them.
+  /// Returns an arena that measures how large a block would have to be: only used() counts. It
+  /// writes nothing to the pieces and touches no page of them.
   static Arena measuring();
 
-  /// What lies in a block at first.
+  /// Says what lies in a block at first.
   enum class Content {
-    Zeros,  ///< what is made in it has to be made ready for use
-    Made,   ///< the other process has done that
+    Zeros,  ///< the caller has to initialise what it makes in it
+    Made,   ///< the other process has initialised it
   };
-  /// Pieces of `block`, which lives as long as one of them does. Throws SetupError when it is used
-  /// up.
+  /// Hands out pieces of `block`, which lives as long as one of them does. Throws SetupError when
+  /// the block is used up.
   Arena(std::shared_ptr<MemoryBlock> block, Content content);
 
   std::shared_ptr<std::byte> take(std::size_t size);
-  /// `count` values of type T: new ones if fresh().
+  /// Returns `count` values of type T, which are constructed here if fresh().
   template <class T>
   std::shared_ptr<T> make(std::size_t count = 1);
 
-  /// True if what is in the memory still has to be made ready.
+  /// Returns true if the caller has to initialise the memory.
   bool fresh() const { return isMaker_; }
-  /// True if another process can write there: it may write anything at any time.
+  /// Returns true if another process can write to the memory: it may write any bytes at any time.
   bool foreign() const { return block_ != nullptr; }
   std::size_t used() const { return used_; }
 

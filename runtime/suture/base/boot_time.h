@@ -1,5 +1,5 @@
 #pragma once
-// The clock that goes on while the machine is suspended.
+// This is the clock that goes on while the machine is suspended.
 
 #include <suture/base/time.h>
 
@@ -8,8 +8,7 @@
 namespace suture {
 
 /// Any thread; no allocation. Unlike the steady clock, this one goes on while the machine is
-/// suspended. It bounds what must be over after any pause of a process; stamps are of the steady
-/// clock.
+/// suspended. It bounds what must end after any pause of a process; stamps are of the steady clock.
 struct BootClock {
   using duration = Duration;
   using rep = duration::rep;

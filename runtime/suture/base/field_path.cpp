@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::string_view kCut = "...";
 
-/// The text that joins a part to the part within it.
+/// Returns the text that joins a part to the part within it.
 std::string_view jointBefore(std::string_view inner) {
   return inner.empty() || inner.starts_with('[') ? "" : ".";
 }
@@ -37,7 +37,7 @@ void FieldPath::enterKey(std::int64_t key) {
   put({"[", Digits(key).text(), "]", jointBefore(text())});
 }
 
-// Masks what is not plain text: a peer may have chosen the key to steer somebody's terminal.
+// Masks what is not plain text: a peer may have chosen the key to send control codes to a terminal.
 void FieldPath::enterKey(std::string_view key) {
   constexpr std::size_t kLongest = 32;
   std::array<char, kLongest> shown;

@@ -1,5 +1,5 @@
 #pragma once
-// Which part of a value is meant.
+// This names the part of a value that an error is about.
 
 #include <array>
 #include <cstddef>
@@ -10,21 +10,21 @@
 namespace suture {
 
 /// Says, as C++ does, where in a value something lies: "goal.position[2]". A check that refuses a
-/// value writes it from the inside out: each level adds what it alone knows. It has a fixed size,
-/// and nothing allocates; if it gets too long, its outer part is "...".
+/// value writes it from the inside out: each level adds its own name. It has a fixed size and never
+/// allocates; if it gets too long, its outer part is "...".
 class FieldPath {
  public:
-  FieldPath() {}  // leaves text_ as it is: most are never written
+  FieldPath() {}  // leaves text_ uninitialised, because most paths are never written
 
-  /// What it says so far lies in this member.
+  /// Says that the part named so far lies in this member.
   void enterMember(std::string_view name);
-  /// It lies at this place of a sequence, or under this key of a map.
+  /// Says that it lies at this index of a sequence, or under this key of a map.
   void enterElement(std::uint64_t index);
   void enterKey(std::int64_t key);
   void enterKey(std::string_view key);
 
   bool empty() const { return begin_ == kRoom; }
-  /// It is valid as long as this path.
+  /// Returns the path, valid as long as this object.
   std::string_view text() const { return {text_.data() + begin_, kRoom - begin_}; }
   /// True if the outermost member has that name.
   bool beginsWith(std::string_view member) const;
@@ -35,13 +35,13 @@ class FieldPath {
   void put(std::initializer_list<std::string_view> parts);
   void putOne(std::string_view part);
 
-  std::array<char, kRoom> text_;  // ends where the array ends
+  std::array<char, kRoom> text_;  // the path ends where the array ends
   std::uint8_t begin_ = kRoom;
   bool cut_ = false;
 };
 
-/// Returns the false of a check that refuses a value. If `path` is not null, somebody asks where:
-/// adds `member` to it.
+/// Returns false, as a check that refuses a value does. If `path` is not null, the caller wants to
+/// know where: adds `member` to it.
 bool refusedAt(FieldPath* path, const char* member);
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-// Coordinate frames: their names, and the numbers that stand for them in data.
+// These are coordinate frames: their names, and the numbers that stand for them in data.
 
 #include <cstdint>
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace suture {
 
-/// A coordinate frame in data that control loops exchange, where a string would cost too much; 0:
-/// none is named.
+/// Names a coordinate frame in data that control loops exchange, where a string would cost too
+/// much. 0 names none.
 using FrameId = std::uint32_t;
 
-/// The id of the frame `name`: its FNV-1a hash; 0 for "". Among a hundred frames of one system two
-/// share an id with a probability of one in a million. Any thread; never allocates.
+/// Any thread; never allocates. Returns the id of the frame `name`: its FNV-1a hash, or 0 for "".
+/// Among a hundred frames of one system two share an id with a probability of one in a million.
 constexpr FrameId frameId(std::string_view name) {
   if (name.empty()) return 0;
   FrameId hash = 2166136261u;
@@ -20,10 +20,10 @@ constexpr FrameId frameId(std::string_view name) {
   return hash == 0 ? 1 : hash;
 }
 
-/// Which frames the poses and vectors of an interface are in, where their data do not say it.
+/// Says which frames the poses and vectors of an interface are in where their data do not say it.
 struct Frames {
-  std::string reference;  ///< in which they are given, "PSM1_base"; "": any
-  std::string moving;     ///< whose pose or motion they are, "PSM1_tip"; "": any
+  std::string reference;  ///< the frame in which they are given, "PSM1_base"; "": any
+  std::string moving;     ///< the frame whose pose or motion they are, "PSM1_tip"; "": any
 
   bool operator==(const Frames&) const = default;
 };

@@ -58,7 +58,7 @@ std::shared_ptr<MemoryBlock> MemoryBlock::open(int descriptor, std::size_t size,
   return block;
 }
 
-// If this throws, the destructor undoes what has been made by now.
+// If this throws, the destructor undoes what has been done so far.
 void MemoryBlock::map(const char* name, int protection) {
   void* const address = mmap(nullptr, size_, protection, MAP_SHARED | MAP_POPULATE, descriptor_, 0);
   if (address == MAP_FAILED) fail(name, "mmap", size_);

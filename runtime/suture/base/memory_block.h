@@ -1,5 +1,5 @@
 #pragma once
-// Prefaulted memory of a fixed size that another process can map: a sealed memfd.
+// This is prefaulted memory of a fixed size that another process can map: a sealed memfd.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace suture {
 
-/// Owns the mapping and its descriptor. Zero-filled, page-aligned, cannot shrink or
-/// grow (a peer that maps it can never be made to fault by a truncation). Not copyable; the address
-/// is stable.
+/// Owns the mapping and its descriptor. The memory is zero-filled and page-aligned, and its address
+/// is stable. Its size cannot change, so that no peer that maps it can be made to fault by a
+/// truncation.
 class MemoryBlock {
  public:
-  /// A process that is handed the descriptor may do this.
+  /// Says what a process that receives the descriptor may do.
   enum class Others : std::uint8_t { Write, Read };
 
   /// `name` shows in /proc/<pid>/maps. Throws SetupError if the kernel refuses.
@@ -21,9 +21,9 @@ class MemoryBlock {
   MemoryBlock(const MemoryBlock&) = delete;
   MemoryBlock& operator=(const MemoryBlock&) = delete;
 
-  /// Maps another process's block, of which `descriptor` (kept by the caller) is a handle; `others`
+  /// Maps another process's block. `descriptor`, which stays the caller's, refers to it; `others`
   /// is what that process has granted. Throws SetupError if it is no memfd, not sealed against
-  /// shrinking, or of fewer than `size` bytes.
+  /// shrinking, or smaller than `size` bytes.
   static std::shared_ptr<MemoryBlock> open(int descriptor, std::size_t size, Others others);
 
   std::byte* data() const { return data_; }

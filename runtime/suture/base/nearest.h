@@ -1,5 +1,5 @@
 #pragma once
-// "Did you mean": the closest of the names that exist.
+// This answers "did you mean" with the closest of the names that exist.
 
 #include <string>
 #include <string_view>
@@ -7,11 +7,11 @@
 
 namespace suture {
 
-/// The candidate with the smallest edit distance to `name`, or "" if none is within a third of its
-/// length (at least two edits). Set-up code only: allocates.
+/// Set-up code only: allocates. Returns the candidate with the smallest edit distance to `name`, or
+/// "" if none is within a third of its length (at least two edits).
 std::string nearestName(std::string_view name, const std::vector<std::string>& candidates);
 
-/// "'a', 'b' and 'c'", or "none".
+/// Returns "'a', 'b' and 'c'", or "none".
 std::string listNames(const std::vector<std::string>& names);
 
 }  // namespace suture

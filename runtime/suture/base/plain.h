@@ -1,11 +1,11 @@
 #pragma once
-// Makes texts that others wrote fit to be shown.
+// This makes texts that other processes wrote fit to be shown.
 
 #include <string>
 
 namespace suture {
 
-/// Returns `text` without what would steer a terminal, since texts of peers may be anything.
+/// Returns `text` without control codes, with which the text of a peer could steer a terminal.
 std::string plain(const std::string& text);
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-// What a read answers: a value with its stamp, or the reason why there is none.
+// A read answers with a sample: a value with its stamp, or the reason why there is none.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
@@ -8,26 +8,27 @@
 
 namespace suture {
 
-/// A value that a component produced at a known time. A value type of the thread that read it.
+/// Holds a value that a component produced at a known time. It belongs to the thread that read it.
 template <class T>
 class Sample;
 
-/// The answer of a read into the caller's own object: only the stamp, or the reason.
+/// Answers a read into the caller's own object: it has only the stamp, or the reason.
 template <>
 class Sample<void> {
  public:
   Sample(Errc error) : error_(error) {}  // NOLINT: converts on purpose
   explicit Sample(Time stamp) : stamp_(stamp), usable_(true) {}
-  /// `stamp`: of the last value there was; `usable`: it may be acted upon all the same.
+  /// `stamp` is that of the last value; if `usable`, the caller may act on that value despite the
+  /// error.
   Sample(Errc error, Time stamp, bool usable) : stamp_(stamp), error_(error), usable_(usable) {}
 
-  /// True if there is a value to act on.
+  /// Returns true if there is a value to act on.
   bool hasValue() const { return usable_; }
   explicit operator bool() const { return usable_; }
   Time stamp() const { return stamp_; }
   Duration age() const { return since(stamp_); }
   Errc error() const { return error_; }
-  /// True if some value came along, to be acted on or only to be looked at.
+  /// Returns true if there is a value, either to act on or only to look at.
   bool carriesValue() const { return toNanoseconds(stamp_) != 0; }
 
  private:
@@ -43,23 +44,24 @@ class Sample {
   Sample(T value, Time stamp) : value_(std::move(value)), answer_(stamp) {}
   Sample(const Sample<void>& answer, T value) : value_(std::move(value)), answer_(answer) {}
 
-  /// True if there is a value to act on.
+  /// Returns true if there is a value to act on.
   bool hasValue() const { return answer_.hasValue(); }
   explicit operator bool() const { return hasValue(); }
 
-  /// The value. Only when carriesValue().
+  /// Returns the value. Call it only if carriesValue().
   const T& operator*() const { return value_; }
   const T* operator->() const { return &value_; }
 
-  /// When the provider produced the value, on this process's clock.
+  /// Returns when the provider produced the value, on this process's clock.
   Time stamp() const { return answer_.stamp(); }
-  /// How old the value is now, on this process's clock.
+  /// Returns how old the value is now, on this process's clock.
   Duration age() const { return answer_.age(); }
-  /// Why there is no value to act on; 0 if there is. With a value that the connection's contract
-  /// lets pass or replaces by zero (docs/safety.md): Errc::Stale or Errc::Lost all the same.
+  /// Returns why there is no value to act on, or 0 if there is one. It is Errc::Stale or Errc::Lost
+  /// also for a value that the connection's contract lets pass or replaces by zero
+  /// (docs/safety.md).
   Errc error() const { return answer_.error(); }
-  /// True if some value came along: where hasValue() is false, the last there was, to be looked at
-  /// and not acted on.
+  /// Returns true if there is a value. If hasValue() is false, it is the last one: look at it, but
+  /// do not act on it.
   bool carriesValue() const { return answer_.carriesValue(); }
 
  private:

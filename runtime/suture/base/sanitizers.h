@@ -1,7 +1,6 @@
 #pragma once
-// Says which sanitizers the including file is compiled with. GCC 12 says it with macros and clang
-// with features; libraries define `__has_feature` under GCC too, so that its presence tells
-// nothing.
+// This says which sanitizers the including file is compiled with. GCC 12 tells it by macros and
+// clang by features. Libraries define `__has_feature` under GCC too, so its presence says nothing.
 
 #ifdef __clang__
 #if __has_feature(thread_sanitizer)

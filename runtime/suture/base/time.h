@@ -1,5 +1,5 @@
 #pragma once
-// The one clock of a control system: monotonic, never stepped.
+// This is the one clock of a control system: monotonic, never stepped.
 
 #include <atomic>
 #include <chrono>
@@ -10,7 +10,7 @@ namespace suture {
 using Duration = std::chrono::nanoseconds;
 using Clock = std::chrono::steady_clock;
 
-/// A point on this process's steady clock. The default value means "unset": data stamped with it
+/// Is a point on this process's steady clock. The default value means "unset": data stamped with it
 /// are invalid, as in CRTK. A stamp that crosses a link is shifted to the reader's clock at
 /// receipt.
 using Time = std::chrono::time_point<Clock, Duration>;
@@ -22,7 +22,7 @@ extern std::atomic<VirtualTime*> virtualTime;
 Time virtualNow(VirtualTime& time);
 }  // namespace detail
 
-/// The clock that steps this process's time; null in production. Any thread.
+/// Any thread. Returns the clock that steps this process's time, or null in production.
 inline VirtualTime* virtualTime() { return detail::virtualTime.load(std::memory_order_relaxed); }
 
 /// Any thread; no allocation.

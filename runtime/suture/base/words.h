@@ -1,14 +1,14 @@
 #pragma once
-// This counts sizes in whole words of eight bytes.
+// This rounds sizes to whole words of eight bytes.
 
 #include <cstddef>
 
 namespace suture {
 
-/// Returns `size`, up to whole words.
+/// Returns `size`, rounded up to whole words.
 constexpr std::size_t wordBytes(std::size_t size) { return (size + 7) & ~std::size_t{7}; }
 
-/// Returns `place`, down to where its word begins.
+/// Returns `place`, rounded down to where its word begins.
 constexpr std::size_t wordBefore(std::size_t place) { return place & ~std::size_t{7}; }
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-// This tells where the lists, texts and matrices of a slot lie, of which little may be used.
+// This tells where the lists, texts and matrices of a slot lie, of which a part may be unused.
 
 #include <suture/base/slots/slot_forms.h>
 
@@ -11,19 +11,19 @@
 
 namespace suture {
 
-/// Tells where a list, a text or a matrix lies in a slot. What lies behind its last element means
+/// Tells where a list, a text or a matrix lies in a slot. The bytes behind its last element mean
 /// nothing. Places are bytes from the beginning of the slot.
 struct BoundedLevel {
   std::uint32_t size = 0;         ///< place of the number of elements, or of rows and columns
   std::uint32_t data = 0;         ///< place of the first element, behind `size`
   std::uint32_t stride = 0;       ///< bytes of an element
   std::uint32_t capacity = 0;     ///< elements, or rows
-  std::uint32_t mostColumns = 0;  ///< 0: it is no matrix
+  std::uint32_t mostColumns = 0;  ///< 0 for what is no matrix
 
   constexpr std::uint32_t mostBytes() const {
     return stride * capacity * (mostColumns == 0 ? 1 : mostColumns);
   }
-  /// Returns how many bytes are used, at most as many as there are: a slot may have any bytes.
+  /// Returns how many bytes are used, at most the capacity, because a slot may have any bytes.
   std::uint32_t usedBytes(const std::byte* slot) const {
     const std::uint32_t elements = std::min(numberAt(slot, size), capacity);
     if (mostColumns == 0) return stride * elements;
@@ -38,7 +38,7 @@ struct BoundedLevel {
   }
 };
 
-/// Has the levels of a slot that lie in no other, in the order of their places.
+/// Has the levels of a slot that lie in no other level, in the order of their places.
 using BoundedLevels = std::span<const BoundedLevel>;
 
 namespace bounded {

@@ -1,6 +1,5 @@
 #pragma once
-// Slots of what holds one thing or another, or some of each: optionals, tuples, variants. See
-// slots.h, which includes this.
+// These are slots of optionals, tuples and variants. See slots.h, which includes this.
 
 #include <suture/base/slots/slots.h>
 
@@ -17,9 +16,9 @@ namespace suture {
 inline bool store(std::monostate, SlotNothing&) { return true; }
 inline void load(SlotNothing, std::monostate&) {}
 
-/// Calls `emplace` with what it needs to make a T. Clang takes a struct for not
-/// default-constructible if it has default member initialisers and is nested in the one that holds
-/// it: such a T is moved there.
+/// Calls `emplace` with what it needs to make a T. Clang finds that a struct is not
+/// default-constructible if it has default member initialisers and is nested in the struct that
+/// holds it: such a T is moved into place.
 template <class T, class Emplace>
 void emplaceNew(const Emplace& emplace) {
   if constexpr (std::is_default_constructible_v<T>) {
@@ -136,7 +135,7 @@ const auto& alternative(const SlotVariant<S...>& slot) {
 
 template <class Variant, class Slot, std::size_t... I>
 bool storeAlternative(const Variant& value, Slot& slot, std::index_sequence<I...>) {
-  bool fits = false;  // as a variant that lost its value to an exception does not
+  bool fits = false;  // stays false for a variant that lost its value to an exception
   slot.index = static_cast<std::uint32_t>(value.index());
   ((I == value.index() && (fits = store(*std::get_if<I>(&value), alternative<I>(slot)))), ...);
   return fits;

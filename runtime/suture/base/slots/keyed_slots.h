@@ -1,7 +1,8 @@
 #pragma once
-// Slots of sets and maps: lists in the order of their keys, whatever the order of the container, so
-// that equal values are equal bytes. See slots.h, which includes this. A std::set or std::map that
-// has had as many elements before is loaded without allocation; the unordered ones may allocate.
+// These are slots of sets and maps: lists in the order of their keys, whatever the order of the
+// container, so that equal values are equal bytes. See slots.h, which includes this. Loading does
+// not allocate if the std::set or std::map has had as many elements before; the unordered ones may
+// allocate.
 
 #include <suture/base/slots/slots.h>
 
@@ -26,7 +27,7 @@ bool comesBefore(const SlotEntry<Key, Value>& a, const SlotEntry<Key, Value>& b)
   return comesBefore(a.key, b.key);
 }
 
-/// Puts the elements in order. False if one of them, or its key, is there twice.
+/// Sorts the elements. Returns false if two of them, or two of their keys, are equal.
 template <class S, std::uint32_t N>
 bool arrange(BoundedList<S, N>& slot) {
   S* const begin = elements(slot);
@@ -53,7 +54,7 @@ bool storeKeyed(const Container& value, BoundedList<S, N>& slot) {
   return fits && arrange(slot);
 }
 
-/// Fills any set or map: with the nodes that it has, by reuse(element, node), then by add(element).
+/// Fills any set or map: calls reuse(element, node) while it has old nodes, and then add(element).
 template <class Container, class S, std::uint32_t N, class Reuse, class Add>
 void loadKeyed(const BoundedList<S, N>& slot, Container& value, const Reuse& reuse,
                const Add& add) {

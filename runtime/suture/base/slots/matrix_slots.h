@@ -1,6 +1,6 @@
 #pragma once
-// Slots of Eigen vectors and matrices whose size is known at run time only. See slots.h, which
-// includes this.
+// These are slots of Eigen vectors and matrices whose size is known only at run time. See slots.h,
+// which includes this.
 
 #include <suture/base/slots/slots.h>
 
@@ -58,7 +58,8 @@ bool withinBounds(std::uint32_t rows, std::uint32_t columns) {
   return (R == kUnbounded || rows <= R) && (C == kUnbounded || columns <= C);
 }
 
-/// Makes room for so many coefficients, with unspecified values; false if they are too many.
+/// Makes room for that many coefficients, with unspecified values. Returns false if they are too
+/// many.
 template <class S, std::uint32_t R, std::uint32_t C>
 bool resize(BoundedMatrix<S, R, C>& slot, std::uint32_t rows, std::uint32_t columns) {
   if (!withinBounds<R, C>(rows, columns)) return false;
@@ -70,17 +71,18 @@ bool resize(BoundedMatrix<S, R, C>& slot, std::uint32_t rows, std::uint32_t colu
   return true;
 }
 
-/// Rows and columns, at most as many as have room: the bytes of a slot may be wrong.
+/// Returns rows and columns, at most the capacity, because the bytes of a slot may be wrong.
 template <class S, std::uint32_t R, std::uint32_t C>
 std::pair<std::uint32_t, std::uint32_t> extentOf(const BoundedMatrix<S, R, C>& slot) {
   if constexpr (R == kUnbounded || C == kUnbounded) {
-    return {slot.rows, slot.columns};  // it is never copied as bytes
+    return {slot.rows, slot.columns};  // this kind is never copied as bytes, so its numbers are
+                                       // right
   } else {
     return {std::min(slot.rows, R), std::min(slot.columns, C)};
   }
 }
 
-/// Where the coefficients begin.
+/// Returns where the coefficients begin.
 template <class S, std::uint32_t R, std::uint32_t C>
 S* elements(BoundedMatrix<S, R, C>& slot) {
   if constexpr (R == kUnbounded || C == kUnbounded) {

@@ -1,6 +1,6 @@
 #pragma once
-// Fields of packed structs: no reference binds to one, so each is copied to where its type is
-// aligned and back.
+// These access fields of packed structs. No reference binds to one, so each is copied to where its
+// type is aligned, and back.
 
 #include <cstring>
 #include <type_traits>
@@ -22,7 +22,7 @@ Unpacked<Field> unpacked(const Struct& owner, Field Struct::*field) {
   return copy;
 }
 
-/// Calls `change` with a copy of the field, which then becomes the field.
+/// Calls `change` with a copy of the field, and writes the copy back.
 template <class Struct, class Field, class Change>
 void changePacked(Struct& owner, Field Struct::*field, const Change& change) {
   Unpacked<Field> copy = unpacked(owner, field);

@@ -12,8 +12,8 @@ struct Block {
   std::unique_ptr<std::byte[]> memory;
 };
 
-/// The calling thread's blocks that are not in use. With each block that is taken, room is made to
-/// put it back, so that this never allocates.
+/// Holds the calling thread's blocks that are not in use. Taking a block also reserves the room to
+/// put it back, so that putting it back never allocates.
 struct Unused {
   std::vector<Block> blocks;
   std::size_t inUse = 0;
@@ -28,7 +28,8 @@ Unused& unused() {
 
 ScratchMemory::ScratchMemory(std::size_t bytes) : bytes_(bytes) {
   Unused& store = unused();
-  // The smallest that is large enough: a small value must not take what a large one will need.
+  // Take the smallest that is large enough, so that a small value does not take what a large one
+  // will need.
   const auto found = std::min_element(store.blocks.begin(), store.blocks.end(),
                                       [&](const Block& a, const Block& b) {
                                         if ((a.bytes >= bytes) != (b.bytes >= bytes))

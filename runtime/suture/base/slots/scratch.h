@@ -1,17 +1,17 @@
 #pragma once
-// Memory for a value that is too large for a thread's stack.
+// This is memory for a value that is too large for a thread's stack.
 
 #include <cstddef>
 
 namespace suture {
 
-/// What a value may take up on a stack. A thread's stack may be as small as 64 KiB, and a read of
-/// several values has them all there.
+/// Limits what a value may take up on a stack. A thread's stack may be as small as 64 KiB, and a
+/// read of several values puts all of them there.
 inline constexpr std::size_t kLargestOnStack = 4 * 1024;
 
-/// One block of memory. It comes from the blocks that the calling thread has used before and goes
-/// back to them, so a thread allocates only when it needs one more, or a larger one, than ever
-/// before. Is destroyed by the thread that made it.
+/// Holds one block of memory. It comes from the blocks that the calling thread has used before and
+/// goes back to them, so a thread allocates only when it needs more blocks, or a larger one, than
+/// ever before. The thread that makes it must destroy it.
 class ScratchMemory {
  public:
   /// Throws std::bad_alloc.
@@ -27,8 +27,8 @@ class ScratchMemory {
   std::byte* memory_;
 };
 
-/// Gives the calling thread memory for two values of `bytes` at a time, unless a stack has room for
-/// them: one that it handles, and one that it reads or emits meanwhile.
+/// Gives the calling thread two blocks of `bytes` unless such a value fits on a stack: one for the
+/// value that it handles, and one for a value that it reads or emits meanwhile.
 void reserveScratch(std::size_t bytes);
 
 }  // namespace suture

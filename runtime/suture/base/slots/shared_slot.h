@@ -1,7 +1,8 @@
 #pragma once
-// Where the slot of a record lies. One that is trivially copyable is part of the record. One that
-// owns memory lies on the heap, and the record holds a counted pointer to it, which is released
-// with the record. Only devices have such slots: no real-time thread touches them.
+// This says where the slot of a record lies. A slot that is trivially copyable is part of the
+// record. One that owns memory lies on the heap, and the record holds a counted pointer to it,
+// which is released with the record. Only devices have such slots, and no real-time thread touches
+// them.
 
 #include <suture/base/field_path.h>
 #include <suture/base/slots/scratch.h>
@@ -17,7 +18,7 @@
 
 namespace suture {
 
-/// A slot on the heap, without its type. Any thread may retain and release.
+/// Is a slot on the heap, without its type. Any thread may retain and release it.
 class SharedSlot {
  public:
   virtual ~SharedSlot() = default;
@@ -48,7 +49,7 @@ class HeapSlot final : public SharedSlot {
 template <class Slot>
 inline constexpr bool ownsMemory = !std::is_trivially_copyable_v<Slot>;
 
-/// What it takes up in a record.
+/// Is the size that a slot takes up in a record.
 template <class Slot>
 inline constexpr std::uint32_t slotSize = ownsMemory<Slot> ? sizeof(SharedSlot*) : sizeof(Slot);
 
@@ -62,7 +63,7 @@ inline SharedSlot* sharedSlotIn(const std::byte* memory) {
 inline void putSharedSlot(std::byte* memory, SharedSlot* slot) {
   std::memcpy(memory, &slot, sizeof(slot));
 }
-/// Lets go of what `memory` holds, if it holds anything.
+/// Releases the slot that `memory` holds, if it holds one.
 inline void releaseSharedSlot(std::byte* memory) {
   if (SharedSlot* const slot = sharedSlotIn(memory)) slot->release();
   putSharedSlot(memory, nullptr);
@@ -70,7 +71,7 @@ inline void releaseSharedSlot(std::byte* memory) {
 
 // --- a record's memory that holds a slot of either kind
 
-/// The slot to fill, in memory that holds none.
+/// Returns the slot to fill, in memory that holds none.
 template <class Slot>
 Slot& newSlot(std::byte* memory) {
   if constexpr (ownsMemory<Slot>) {
@@ -82,7 +83,7 @@ Slot& newSlot(std::byte* memory) {
   }
 }
 
-/// The slot that `memory` holds.
+/// Returns the slot that `memory` holds.
 template <class Slot>
 const Slot& slotIn(const std::byte* memory) {
   if constexpr (ownsMemory<Slot>) {
@@ -92,14 +93,14 @@ const Slot& slotIn(const std::byte* memory) {
   }
 }
 
-/// Judges the slot in a record by `check`.
+/// Tells if the slot in a record passes `check`.
 template <class Slot, bool (*check)(const Slot&, FieldPath*)>
 bool checkSlot(const std::byte* memory, FieldPath* path) {
   return check(slotIn<Slot>(memory), path);
 }
 
-/// Turns the stamps of a slot in a record, by its shiftStamps() or by `turn`. The slot is of a type
-/// that owns no memory, and may have any bytes.
+/// Shifts the stamps of a slot in a record, by its shiftStamps() or by `turn`. The slot is of a
+/// type that owns no memory, and may have any bytes.
 template <class Slot>
 void shiftSlot(std::byte* memory, Duration shift) {
   shiftStamps(*reinterpret_cast<Slot*>(memory), shift);
@@ -109,7 +110,7 @@ void shiftSlot(std::byte* memory, Duration shift) {
   turn(*reinterpret_cast<Slot*>(memory), shift);
 }
 
-/// One thread's slot outside any record; memory() is what a record of it would hold.
+/// Holds one thread's slot outside any record; memory() has what its record would hold.
 template <class Slot>
 class LooseSlot {
  public:
@@ -118,9 +119,9 @@ class LooseSlot {
   LooseSlot& operator=(const LooseSlot&) = delete;
 
   Slot& value() { return slot_; }
-  /// Makes it zero.
+  /// Sets the slot to zero and returns it.
   Slot& zero() { return slot_ = Slot{}; }
-  /// To copy to a record, or from one.
+  /// Returns what to copy to a record, or from one.
   std::byte* memory() { return reinterpret_cast<std::byte*>(&slot_); }
 
  private:

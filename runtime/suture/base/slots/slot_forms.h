@@ -1,9 +1,9 @@
 #pragma once
-// The forms of slots, and the conversions that need no more than those: all that the generated
-// header of a contract needs. Slots are the twins of the types in a contract that travel in
-// mailboxes, state rows and shared memory: flat and trivially copyable where every level has a
-// capacity. A level without one owns memory; such a slot lies outside the records that stand for
-// it, see shared_slot.h.
+// These are the forms of slots, and the conversions that need no more than those: all that the
+// generated header of a contract needs. A slot is the form of a contract's type that travels in
+// mailboxes, state rows and shared memory. It is flat and trivially copyable where every level has
+// a capacity. A level without one owns memory; such a slot lies outside its record, see
+// shared_slot.h.
 //
 //   store(value, slot): C++ -> slot; false if the value exceeds the capacity of the slot
 //   load(slot, value):  slot -> C++; reuses what the value already owns
@@ -24,17 +24,17 @@
 
 namespace suture {
 
-/// A list of at most N elements.
+/// Holds at most N elements.
 template <class Element, std::uint32_t N>
 struct BoundedList {
   std::uint32_t size;
   Element data[N];
 };
 
-/// Stands in the place of a capacity where there is none.
+/// Takes the place of a capacity where there is none.
 inline constexpr std::uint32_t kUnbounded = 0;
 
-/// A list of any number of elements, of which resize() has made room for `room`.
+/// Holds any number of elements; resize() has made room for `room`.
 template <class Element>
 struct BoundedList<Element, kUnbounded> {
   std::uint32_t size = 0;
@@ -44,19 +44,19 @@ struct BoundedList<Element, kUnbounded> {
 template <class Element>
 using OpenList = BoundedList<Element, kUnbounded>;
 
-/// A string of at most N bytes.
+/// Holds a string of at most N bytes.
 template <std::uint32_t N>
 using BoundedText = BoundedList<char, N>;
 using OpenText = BoundedText<kUnbounded>;
 
-/// A matrix of at most R x C, column after column without gaps.
+/// Holds a matrix of at most R x C, column after column without gaps.
 template <class S, std::uint32_t R, std::uint32_t C>
 struct BoundedMatrix {
   std::uint32_t rows, columns;
   S data[std::size_t{R} * C];
 };
 
-/// A matrix that lacks one bound, or both.
+/// Holds a matrix that lacks one bound, or both.
 template <class S, std::uint32_t R, std::uint32_t C>
 requires(R == kUnbounded || C == kUnbounded) struct BoundedMatrix<S, R, C> {
   std::uint32_t rows = 0, columns = 0;
@@ -65,31 +65,31 @@ requires(R == kUnbounded || C == kUnbounded) struct BoundedMatrix<S, R, C> {
 template <class S>
 using OpenMatrix = BoundedMatrix<S, kUnbounded, kUnbounded>;
 
-/// One entry of a map.
+/// Holds one entry of a map.
 template <class Key, class Value>
 struct SlotEntry {
   Key key;
   Value value;
 };
 
-/// The slot of std::monostate.
+/// Is the slot of std::monostate.
 struct SlotNothing {};
 
-/// `value` counts if `present` is not 0.
+/// Holds an optional; `value` means something only if `present` is not 0.
 template <class S>
 struct SlotOptional {
   std::uint8_t present;
   S value;
 };
 
-/// The same for a type that holds one of its own kind, and so cannot lie in itself.
+/// Holds an optional of a type that contains its own kind, and so cannot lie in itself.
 template <class S>
 struct OpenOptional {
   std::uint8_t present = 0;
   std::unique_ptr<S> value;
 };
 
-/// Unlike std::tuple, it may be copied as bytes.
+/// Holds a tuple; unlike std::tuple, it may be copied as bytes.
 template <class Head, class... Tail>
 struct SlotTuple {
   Head head;
@@ -100,14 +100,14 @@ struct SlotTuple<Head> {
   Head head;
 };
 
-/// Alternative `index` lies in `data`.
+/// Holds a variant: alternative `index` lies in `data`.
 template <class... S>
 struct SlotVariant {
   std::uint32_t index;
   alignas(S...) std::byte data[std::max({sizeof(S)...})];
 };
 
-/// Each alternative that owns memory has a place of its own.
+/// Holds a variant of which an alternative owns memory; each alternative has a place of its own.
 template <class... S>
 requires(!(std::is_trivially_copyable_v<S> && ...)) struct SlotVariant<S...> {
   std::uint32_t index = 0;
@@ -133,8 +133,8 @@ inline bool store(bool value, std::uint8_t& slot) {
 }
 inline void load(std::uint8_t slot, bool& value) { value = slot != 0; }
 
-/// Integers of foreign structs that are types of their own beside those of a slot. Whether a char
-/// has a sign differs between machines; its bits are the same.
+/// Matches integers of foreign structs that differ in type from those of a slot. Whether a char has
+/// a sign depends on the machine; its bits are the same.
 template <class T>
 concept ForeignInteger = std::is_same_v<T, char> || std::is_same_v<T, long long> ||
     std::is_same_v<T, unsigned long long>;
@@ -159,8 +159,8 @@ template <class E>
 requires std::is_enum_v<E>
 void load(std::underlying_type_t<E> slot, E& value) { value = static_cast<E>(slot); }
 
-/// Durations of a real representation travel as their count, whatever it is; the others and time
-/// points as nanoseconds.
+/// A duration that counts in floating point travels as its count, in its own unit. The others and
+/// time points travel as nanoseconds.
 template <std::floating_point Rep, class Period>
 bool store(std::chrono::duration<Rep, Period> value, double& slot) {
   slot = static_cast<double>(value.count());
@@ -191,10 +191,10 @@ void load(std::int64_t slot, std::chrono::time_point<Clock, D>& value) {
   value = std::chrono::time_point<Clock, D>(sinceEpoch);
 }
 
-/// What one level without a capacity may take up: more than any message may.
+/// Limits what one level without a capacity may take up; it is more than any message may have.
 inline constexpr std::size_t kLargestOpenLevel = std::size_t{64} << 20;
 
-/// Makes room for `size` elements, with unspecified values; false if they are too many.
+/// Makes room for `size` elements, with unspecified values. Returns false if they are too many.
 template <class Element, std::uint32_t N>
 bool resize(BoundedList<Element, N>& slot, std::size_t size) {
   if constexpr (N == kUnbounded) {
@@ -210,17 +210,17 @@ bool resize(BoundedList<Element, N>& slot, std::size_t size) {
   return true;
 }
 
-/// How many elements there are, at most as many as have room: the bytes of a slot may be wrong.
+/// Returns the number of elements, at most the capacity, because the bytes of a slot may be wrong.
 template <class Element, std::uint32_t N>
 std::uint32_t sizeOf(const BoundedList<Element, N>& slot) {
   if constexpr (N == kUnbounded) {
-    return slot.size;  // it is never copied as bytes
+    return slot.size;  // this kind is never copied as bytes, so its size is right
   } else {
     return std::min(slot.size, N);
   }
 }
 
-/// Where the elements begin.
+/// Returns where the elements begin.
 template <class Element, std::uint32_t N>
 Element* elements(BoundedList<Element, N>& slot) {
   if constexpr (N == kUnbounded) {
@@ -234,7 +234,7 @@ const Element* elements(const BoundedList<Element, N>& slot) {
   return elements(const_cast<BoundedList<Element, N>&>(slot));
 }
 
-/// All of them.
+/// Returns all elements.
 template <class Element, std::uint32_t N>
 std::span<Element> elementsIn(BoundedList<Element, N>& slot) {
   return {elements(slot), sizeOf(slot)};
@@ -265,14 +265,14 @@ void reserveFor(Values&... values) {
   reserve(static_cast<const Slot*>(nullptr), values...);
 }
 
-/// A type that has a suture::Wire travels as that says.
+/// Matches types that have a suture::Wire, which says how they travel.
 template <class T>
 concept Hooked = requires {
   typename Wire<T>::Type;
 };
 
-/// How a T is written into and read from a std::array; slots.h defines this for arrays and for
-/// Eigen's fixed types.
+/// Writes a T into a std::array and reads it back; slots.h defines this for arrays and for Eigen's
+/// fixed types.
 template <class T>
 struct ArraySlot;
 
@@ -285,8 +285,8 @@ requires(!Hooked<T>) void load(const std::array<S, N>& slot, T& value) {
   ArraySlot<T>::read(slot, value);
 }
 
-// These stand behind the functions for arrays because a hook may travel as an array: no argument of
-// namespace std or Eigen would lead from here to what is declared later.
+// These come after the functions for arrays because a hook may travel as an array: the lookup by
+// arguments of namespace std or Eigen would not find what is declared later.
 template <Hooked T, class S>
 bool store(const T& value, S& slot) {
   return store(Wire<T>::to(value), slot);

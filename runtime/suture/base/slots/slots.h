@@ -1,8 +1,7 @@
 #pragma once
-// The conversions of slots, see slot_forms.h: of arrays, lists and fixed Eigen types here, and of
-// all others in what this includes. Generated code defines a struct for each SUTURE_TYPE and its
-// store() and load() from these; all are free of allocation once a target has grown to its
-// capacity.
+// These convert slots, see slot_forms.h: arrays, lists and fixed Eigen types here, and all others
+// in what this includes. Generated code defines a struct for each SUTURE_TYPE, and its store() and
+// load() from these. None allocates once a target has grown to its capacity.
 
 #include <suture/base/slots/slot_forms.h>
 
@@ -12,7 +11,7 @@
 
 namespace suture {
 
-/// Fixed Eigen matrices and vectors, column-major.
+/// Handles fixed Eigen matrices and vectors, column-major.
 template <Number S, int Rows, int Columns, int Options>
 struct ArraySlot<Eigen::Matrix<S, Rows, Columns, Options>> {
   using Matrix = Eigen::Matrix<S, Rows, Columns, Options>;
@@ -26,7 +25,7 @@ struct ArraySlot<Eigen::Matrix<S, Rows, Columns, Options>> {
   }
 };
 
-/// Quaternions as w, x, y, z.
+/// Handles quaternions as w, x, y, z.
 template <Number S>
 struct ArraySlot<Eigen::Quaternion<S>> {
   static bool write(const Eigen::Quaternion<S>& value, std::array<S, 4>& slot) {
@@ -38,7 +37,7 @@ struct ArraySlot<Eigen::Quaternion<S>> {
   }
 };
 
-/// Rigid and affine transforms as the linear part, column-major, then the translation.
+/// Handles rigid and affine transforms as the linear part, column-major, and then the translation.
 template <int Mode>
 struct ArraySlot<Eigen::Transform<double, 3, Mode>> {
   static bool write(const Eigen::Transform<double, 3, Mode>& value, std::array<double, 12>& slot) {
@@ -51,7 +50,7 @@ struct ArraySlot<Eigen::Transform<double, 3, Mode>> {
   }
 };
 
-// The element's own overloads are found at instantiation: those of slot_forms.h, and others by
+// The overloads of the element are found at instantiation: those of slot_forms.h, and others by
 // their namespace.
 struct ElementByElement {
   template <class Value, class S, std::size_t N>
@@ -78,7 +77,7 @@ struct ArraySlot<std::array<T, N>> : ElementByElement {};
 template <class T, std::size_t N>
 struct ArraySlot<T[N]> : ElementByElement {};
 
-/// A vector of such numbers is copied as one block.
+/// Is true for numbers of which a vector is copied as one block.
 template <class T, class S>
 inline constexpr bool liesAlike = Number<T>&& std::is_same_v<T, S>;
 

@@ -22,7 +22,8 @@ std::size_t usedSize(const std::byte* slot, std::size_t size, BoundedLevels leve
   return size;
 }
 
-// Reads how much a level has before what is in front of it is moved: that may come to lie there.
+// Reads the size of a level before it moves what is in front of it, which may then overwrite the
+// size.
 void packUsed(std::byte* to, const std::byte* slot, std::size_t size, BoundedLevels levels) {
   const auto move = [&](std::size_t begin, std::size_t end) {
     std::memmove(to, slot + begin, end - begin);
