@@ -1,5 +1,5 @@
 #pragma once
-// A call whose answer comes later.
+// This follows a call whose answer comes later.
 
 #include <suture/base/sample.h>
 #include <suture/base/slots/shared_slot.h>
@@ -11,10 +11,10 @@
 
 namespace suture {
 
-/// The slot of something that has no value.
+/// Is the slot of something that has no value.
 struct NoSlot {};
 
-/// What an answer holds, and how it says that there is none.
+/// Says what an answer holds, and how it tells that it has no value.
 template <class Answer>
 struct AnswerTraits;
 
@@ -35,7 +35,7 @@ struct AnswerTraits<Result<T>> {
   }
 };
 
-/// The part of Call that does not depend on what is called.
+/// Has the part of Call that does not depend on what is called.
 class CallBase {
  protected:
   CallBase() = default;
@@ -47,11 +47,11 @@ class CallBase {
 
   bool done();
   void waitUntilDone(Duration limit) { calls_->waitFor(*pending_, limit); }
-  /// True if the provider will not execute it; then it is closed.
+  /// Cancels the call at the provider, and closes it. Returns false if that came too late.
   bool takeBack();
-  /// `follower` is called when the answer is here.
+  /// Lets `follower` be called when the answer is here.
   void passOnTo(PendingCall::Follower follower);
-  /// Ends the call: its answer has been looked at, or is no longer wanted.
+  /// Ends the call, because its answer has been read or is no longer wanted.
   void close();
 
   Calls* calls_ = nullptr;
@@ -59,31 +59,31 @@ class CallBase {
   Duration limit_ = kDefaultDeadline;
 };
 
+/// Belongs to the thread that started the call, and must not outlive the required interface.
 /// Follows one call to its answer: by poll() in a control loop, or by within() where blocking for a
 /// bounded time is right. Destroying it abandons the call; the provider may still execute it.
-/// Belongs to the thread that started the call and must not outlive the required interface.
 template <class Answer, class Slot>
 class [[nodiscard]] Call : CallBase {
  public:
   Call(Errc error) : answer_(Traits::error(error)), ended_(true) {}  // NOLINT: converts on purpose
   Call(Answer answer) : answer_(std::move(answer)), ended_(true) {}  // NOLINT: as well
-  /// `limit`: how long within() waits when it is not told.
+  /// `limit` says how long within() waits if it gets no limit.
   Call(Calls& calls, PendingCall& pending, Duration limit, Errc sent)
       : CallBase(calls, pending, limit) {
     if (sent == Errc{}) return;
-    pending.done = true;  // nothing will come
+    pending.done = true;  // no answer will come
     close();
     end(Traits::error(sent));
   }
 
-  /// The answer if it is here, else null. Never blocks.
+  /// Returns the answer if it is here, else null. Never blocks.
   const Answer* poll() {
     if (!ended_ && done()) take();
     return ended_ ? &answer_ : nullptr;
   }
 
-  /// The answer, waiting at most `limit` for it: Errc::Timeout if it does not come. There is no way
-  /// to wait without a limit.
+  /// Waits at most `limit` for the answer and returns it, or Errc::Timeout. There is no way to wait
+  /// without a limit.
   const Answer& within(Duration limit) {
     if (!ended_) {
       waitUntilDone(limit);
@@ -94,22 +94,23 @@ class [[nodiscard]] Call : CallBase {
     }
     return answer_;
   }
-  /// The same with the deadline() that the contract states for the command, else kDefaultDeadline.
+  /// Waits as long as the deadline() that the contract states for the command, else
+  /// kDefaultDeadline.
   const Answer& within() { return within(limit_); }
 
-  /// Takes the command back: true if it will not be executed, and Errc::Cancelled is the answer.
-  /// False: it is being executed, has been, has left for a process or a delay, or been answered;
-  /// then nothing changes, and the answer still comes. Never blocks.
+  /// Never blocks. Takes the command back: returns true if it will not be executed; then
+  /// Errc::Cancelled is the answer. Returns false, and changes nothing, if it runs or has run, has
+  /// been answered, or has left this process or entered a delay; the answer still comes.
   [[nodiscard]] bool cancel() {
     if (poll() || !takeBack()) return false;
     end(Traits::error(Errc::Cancelled));
     return true;
   }
 
-  /// Instead of poll() and within(): `handler(const Answer&)` is called once, in this thread, when
-  /// the answer is here or the connection has ended: before run(), or by a device's
-  /// processEvents(); at once if the call has ended by now, as one that was refused. Nothing is
-  /// allocated: what `handler` captures is a few pointers and numbers, copied as bytes.
+  /// Use this instead of poll() and within(). Calls `handler(const Answer&)` once, in this thread,
+  /// when the answer is here or the connection has ended: before run(), or in a device's
+  /// processEvents(); at once if the call has ended already, for example because it was refused.
+  /// Allocates nothing: what `handler` captures is a few pointers and numbers, copied as bytes.
   ///   slave_.move.start(goal, 1, "").then([this](const Result<bool>& reached) { ... });
   template <class Handler>
   void then(Handler handler) && {
@@ -127,7 +128,7 @@ class [[nodiscard]] Call : CallBase {
 
   template <class Handler>
   static void finish(Calls& calls, PendingCall& pending) {
-    // Copy the handler: if it starts another call, that may get this place.
+    // Copy the handler: if it starts another call, that call may get this place.
     const Handler handler = *std::launder(reinterpret_cast<Handler*>(pending.handler));
     Call call(calls, pending, kDefaultDeadline, Errc{});
     handler(*call.poll());

@@ -1,6 +1,6 @@
 #pragma once
-// The members of a generated Required<Contract>: one object for each command. All belong to the
-// thread of the component that owns the required interface.
+// These are the members of a generated Required<Contract>: one object for each command. All belong
+// to the thread of the component that owns the required interface.
 
 #include <suture/base/sample.h>
 #include <suture/base/slots/shared_slot.h>
@@ -15,8 +15,8 @@
 
 namespace suture {
 
-/// Runs `body(Contract&)` on `callee`, in this thread. A throw parks the provider's component, not
-/// the caller.
+/// Runs `body(Contract&)` on `callee`, in this thread. If it throws, that parks the provider's
+/// component and not the caller.
 template <class Contract, class Body>
 Errc runHere(ProvidedBase& callee, const Body& body) {
   const bool returned = callee.owner().parkSoonOnThrow([&] {
@@ -26,23 +26,23 @@ Errc runHere(ProvidedBase& callee, const Body& body) {
   return returned ? Errc{} : Errc::Faulted;
 }
 
-/// A queued command may find no room at its provider, so a client that has many to send asks how
-/// much there is.
+/// Tells how much room a queued command has at its provider, for a client that has many to send.
 ///   while (arm_.append.room() > 0 && path.more()) arm_.append(path.next());      a control loop
 ///   if (arm_.append.roomWithin(20ms)) arm_.append(path.next());                  where it may wait
 class QueuedCommand {
  public:
   QueuedCommand(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
 
-  /// How many of this command the provider's queue takes now: so many can be sent before one is
-  /// refused with Errc::Full. 0 if calls cannot reach the provider; the largest number where there
-  /// is no limit: of latest() without an answer, and in the caller's thread. Never blocks. After 0,
-  /// the component is rung when the provider has executed what waits: an event task runs again, a
-  /// device asks roomWithin(). Calls with an answer are bounded by how many may be under way, too.
+  /// Never blocks. Returns how many of this command the provider's queue takes now, before one is
+  /// refused with Errc::Full. It is 0 if calls cannot reach the provider, and the largest number
+  /// where there is no limit: for latest() without an answer, and for a command in the caller's
+  /// thread. After 0, the component is rung when the provider has executed what waits: an event
+  /// task runs again, a device asks roomWithin(). The number of calls that may be under way limits
+  /// calls with an answer, too.
   std::uint32_t room() { return required_.sender.room(id_); }
 
-  /// The same, waiting at most `limit` until there is some: Errc::Timeout, or why calls cannot
-  /// reach the provider. Not for a periodic task, which would miss its period.
+  /// Waits at most `limit` until there is room, and returns how much. Answers Errc::Timeout, or why
+  /// calls cannot reach the provider. It is not for a periodic task, which would miss its period.
   Result<std::uint32_t> roomWithin(Duration limit) {
     return required_.sender.roomWithin(id_, limit);
   }
@@ -52,9 +52,9 @@ class QueuedCommand {
   std::uint16_t id_;
 };
 
-/// A void or write command: queued at the provider, executed in its thread. A direct() one, and any
-/// of a device, is executed at once in the caller's thread where both are in one process.
-///   slave_.servo_cp(goal);                        queued; the answer says whether
+/// Is a void or write command: queued at the provider, executed in its thread. A direct() one, and
+/// any of a device, is executed at once in the caller's thread if both are in one process.
+///   slave_.servo_cp(goal);                        queued; the answer says if it was
 ///   auto call = slave_.servo_cp.start(goal);      the same, and learns when it has been executed
 template <auto Method, class ArgumentsSlot>
 class Command;
@@ -66,15 +66,15 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
  public:
   using QueuedCommand::QueuedCommand;
 
-  /// Never blocks; never allocates in a task's thread, and in another only for its first arguments
-  /// of more than 4 KiB. Success means that the command waits at the provider (local), or is on its
-  /// way within the provider's credit (any other lane). Errc::Full, Lost, TooLarge, Faulted
-  /// otherwise; Errc::Invalid for what the contract does not admit, on every lane.
+  /// Never blocks; never allocates in a task's thread, and in another one only for its first
+  /// arguments of more than 4 KiB. Success means that the command waits at the provider (local), or
+  /// is on its way within the provider's credit (any other lane). Errors are Errc::Full, Lost,
+  /// TooLarge and Faulted, and Errc::Invalid, on every lane, for what the contract does not admit.
   Result<Nothing> operator()(Arguments... arguments) {
     return resultOf<Nothing>(send(0, arguments...));
   }
 
-  /// As above, and the answer comes when the command has been executed.
+  /// Does the same, and answers when the command has been executed.
   [[nodiscard]] Call<Result<Nothing>, NoSlot> start(Arguments... arguments) {
     if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
     if (ProvidedBase* const callee = required_.sender.callee(id_)) {
@@ -107,7 +107,7 @@ class Command<Method, ArgumentsSlot> : public QueuedCommand {
   }
 };
 
-/// A read command: the newest value the provider produced, copied without waiting for anyone.
+/// Is a read command: it copies the newest value that the provider produced, and waits for no one.
 ///   const auto pose = master_.measured_cp();             Sample<PoseStamped>
 ///   master_.measured_js(state);                          into an object that keeps its memory
 ///   master_.measured_cp.at(frame.stamp)                  as it was then
@@ -125,17 +125,18 @@ class ReadCommand<Method, ResultSlot> {
 
   ReadCommand(RequiredParts& required, std::uint16_t id) : required_(required), id_(id) {}
 
-  /// The newest value. Errc::NotYet until the provider has produced it for the first time; asking
-  /// makes it do so from now on. Errc::Invalid while the contract does not admit what the provider
-  /// produces; a device in this process answers by itself, unjudged. Allocates only if Value does,
-  /// and in a thread that is no task's for its first value of more than 4 KiB.
+  /// Returns the newest value. It is Errc::NotYet until the provider has produced one; the first
+  /// read makes the provider do so from then on. It is Errc::Invalid while the contract does not
+  /// admit what the provider produces, but the values of a device in this process are not checked.
+  /// Allocates only if Value does, or for the first value of more than 4 KiB in a thread that is no
+  /// task's.
   Sample<Value> operator()() {
     Value value{};
     const Sample<void> read = (*this)(value);
     return {read, std::move(value)};
   }
 
-  /// The same into `value`, which keeps its memory and is left alone if the sample carries none.
+  /// Reads into `value`, which keeps its memory, and is unchanged if the sample carries no value.
   Sample<void> operator()(Value& value) {
     LooseSlot<ResultSlot> slot;
     bool device = false;
@@ -149,22 +150,23 @@ class ReadCommand<Method, ResultSlot> {
     return read;
   }
 
-  /// Any thread, before its task starts: gives `value` the memory of the largest there can be, so
-  /// that not even the first read into it allocates. Of vectors of strings and the like, the
-  /// elements may.
+  /// Any thread, before its task starts. Gives `value` the memory of the largest value there can
+  /// be, so that not even the first read into it allocates. Elements such as the strings of a
+  /// vector may still allocate.
   static void reserve(Value& value) { reserveFor<ResultSlot>(value); }
 
-  /// The value as it was at `time`: of the last row published at or before it, whose stamp the
-  /// sample carries. Errc::TooOld if the provider keeps no row so old (ProvidedBase::keepState), or
-  /// is a device in this process, which keeps none; NotYet if it had not produced the value by
-  /// then. On other lanes than `local` the rows are those that arrived.
+  /// Returns the value as it was at `time`: that of the last row published at or before it, with
+  /// the row's stamp. It is Errc::TooOld if the provider keeps no row so old
+  /// (ProvidedBase::keepState), or is a device in this process, which keeps none; it is NotYet if
+  /// the provider had not produced the value by then. On other lanes than `local` the rows are
+  /// those that arrived.
   Sample<Value> at(Time time) {
     Value value{};
     const Sample<void> read = at(time, value);
     if (!read) return read.error();
     return {std::move(value), read.stamp()};
   }
-  /// The same into `value`, which keeps its memory and is left alone if there is no value.
+  /// Reads into `value`, which keeps its memory, and is unchanged if there is no value.
   Sample<void> at(Time time, Value& value) {
     LooseSlot<ResultSlot> slot;
     bool device = false;
@@ -174,11 +176,11 @@ class ReadCommand<Method, ResultSlot> {
     return read;
   }
 
-  /// The value as it was `delay` ago; see at().
+  /// Returns the value as it was `delay` ago; see at().
   Sample<Value> delayed(Duration delay) { return at(ago(delay)); }
   Sample<void> delayed(Duration delay, Value& value) { return at(ago(delay), value); }
 
-  /// Has the provider evaluate the value now, in its own thread.
+  /// Makes the provider evaluate the value now, in its own thread.
   [[nodiscard]] Call<Sample<Value>, ResultSlot> fresh() {
     if (const Errc error = required_.attachment.unusable(id_); error != Errc{}) return error;
     if (required_.sender.callee(id_) != nullptr) return (*this)();
@@ -203,7 +205,7 @@ class ReadCommand<Method, ResultSlot> {
   static void copy(ReturnType result, Value& value) {
     if constexpr (std::is_assignable_v<Value&, ReturnType>) {
       value = std::forward<ReturnType>(result);
-    } else {  // it has a std::unique_ptr in it; its slot has not
+    } else {  // the result contains a std::unique_ptr, but its slot does not
       LooseSlot<ResultSlot> slot;
       store(result, slot.value());
       load(slot.value(), value);
@@ -214,7 +216,7 @@ class ReadCommand<Method, ResultSlot> {
   std::uint16_t id_;
 };
 
-/// What qualified reads and commands with a return value have in common: `Method` runs on the
+/// Is the common part of qualified reads and commands with a return value: `Method` runs on the
 /// arguments, and its result is the answer.
 ///   auto call = slave_.inverse_kinematics.start(pose);   look at call.poll() in a control loop
 ///   call.within(20ms)                                    or wait, for a bounded time
@@ -255,9 +257,9 @@ class AnsweredCommand : public QueuedCommand {
   }
 };
 
-/// A qualified read: a question with arguments, to which the answer changes nothing. A concurrent()
-/// one, and any of a device, is answered at once in the caller's thread where both are in one
-/// process.
+/// Is a qualified read: a question with arguments, which changes nothing at the provider. A
+/// concurrent() one, and any of a device, is answered at once in the caller's thread if both are in
+/// one process.
 template <auto Method, class ArgumentsSlot, class ResultSlot>
 class QualifiedReadCommand;
 
@@ -270,8 +272,8 @@ class QualifiedReadCommand<Method, ArgumentsSlot, ResultSlot>
   using QualifiedReadCommand::AnsweredCommand::AnsweredCommand;
 };
 
-/// A void or write command that returns a value: queued like any other, and the answer brings what
-/// it returned.
+/// Is a void or write command that returns a value. It is queued like any other, and the answer has
+/// what it returned.
 template <auto Method, class ArgumentsSlot, class ResultSlot>
 class ReturningCommand;
 

@@ -10,19 +10,19 @@
 namespace suture {
 namespace {
 
-// Names a thread alike in the program and in each library that it loads: these may have copies of
-// this file, so nothing of its own can name one.
+// Identifies a thread by the same value in the program and in each library that it loads. Each may
+// have a copy of this file, so a variable of this file could not identify one.
 const void* thisThread() {
   return reinterpret_cast<const void*>(pthread_self());  // NOLINT(performance-no-int-to-ptr)
 }
 
 }  // namespace
 
-// What no other file needs to compile, and what may be rung when the component is gone.
+// Holds what no other file needs to compile, and what may be rung after the component is gone.
 struct Component::Aside {
   rt::Doorbell doorbell{std::make_shared<MemoryBlock>("suture-doorbell", sizeof(std::uint64_t)),
                         rt::Doorbell::Sleeper::Here};
-  std::mutex mutex;  // of the next two: taken by who parks, and by who asks why
+  std::mutex mutex;  // guards the next two, of which one thread may park and another may ask
   std::string fault;
   FaultCause cause = FaultCause::Code;
   std::shared_ptr<StateListener> listener;
@@ -31,7 +31,7 @@ struct Component::Aside {
 Component::Component(bool ownsThread)
     : ownsThread_(ownsThread), aside_(std::make_shared<Aside>()), doorbell_(aside_->doorbell) {}
 
-// Drops the listener, which refers to this; whoever may still ring keeps the rest.
+// Drops the listener, which refers to this; a thread that may still ring keeps the rest.
 Component::~Component() { aside_->listener = nullptr; }
 
 std::shared_ptr<rt::Doorbell> Component::sharedDoorbell() {
@@ -97,14 +97,14 @@ void Component::request(Transition transition) {
 void Component::makeTransition(Transition transition) {
   const ComponentState from = state();
   const auto to = after(from, transition);
-  if (!to) return;  // a device that was parked since it was asked
+  if (!to) return;  // a device was parked after this was requested
   if (!parkOnThrow([&] { callHook(transition); })) return;
   if (transition == Transition::Resume || transition == Transition::Restart) {
     resumed_.store(toNanoseconds(now()), std::memory_order_release);
   }
   if (!changeState(from, *to)) return;
-  // Those whose connection a stop has ended are told by endLife(); who has connected since then, by
-  // a start.
+  // endLife() tells the clients whose connection a stop has ended, and a start tells those that
+  // have connected since then.
   if (transition != Transition::Configure && transition != Transition::Stop) {
     for (ProvidedBase* provided : provided_) provided->announce(statusIn(state()));
   }
@@ -123,15 +123,16 @@ void Component::callHook(Transition transition) {
 
 void Component::endLife() {
   if (after(state(), Transition::Stop)) makeTransition(Transition::Stop);
-  if (ownsThread()) {  // a device's thread is not this one; its interfaces do it when they end
+  if (ownsThread()) {  // a device's thread is not this one; its interfaces wait for handlers when
+                       // they end
     for (const RequiredBase* required : required_) required->awaitDirectHandlers();
   }
   ringNow();
   for (ProvidedBase* provided : provided_) provided->announce(ChannelStatus::Lost);
 }
 
-// attach() adds its channel before it looks at the state, in one order with this: one of the two
-// tells the client.
+// attach() adds its channel before it looks at the state. Both are sequentially consistent, so
+// either it or this tells the client.
 void Component::setState(ComponentState state) {
   state_.store(state, std::memory_order_seq_cst);
   tellListener(state);
@@ -147,8 +148,8 @@ void Component::tellListener(ComponentState state) {
   if (hasStateListener()) aside_->listener->stateChanged(state);
 }
 
-// Changes nothing if the component was parked meanwhile: by what the hook read, under the contract
-// of a connection, or by a client's call of a device.
+// Changes nothing if the component was parked meanwhile: by a read in the hook, as the contract of
+// a connection says, or by a client's call of a device.
 bool Component::changeState(ComponentState from, ComponentState to) {
   if (parked_.test()) return false;
   if (!state_.compare_exchange_strong(from, to, std::memory_order_seq_cst)) return false;
@@ -195,7 +196,7 @@ void Component::handleEvents() {
   const ComponentState before = state();
   for (RequiredBase* required : required_) required->lookAtConnection();
   for (RequiredBase* required : required_) {
-    // The contract of a connection has parked it, or it is asked to stop.
+    // the contract of a connection has parked it, or it is asked to stop
     if (state() != before || ending()) return;
     required->handleEvents();
   }

@@ -1,6 +1,6 @@
 #pragma once
-// The unit of composition: something with a name, provided and required interfaces, and perhaps a
-// thread.
+// A component is the unit of composition: it has a name, provided and required interfaces, and
+// perhaps a thread.
 
 #include <suture/base/time.h>
 #include <suture/component/channel/connected_client.h>
@@ -22,84 +22,87 @@ class Channel;
 class ProvidedBase;
 class RequiredBase;
 
-/// What faulted a component.
+/// Says what faulted a component.
 enum class FaultCause : std::uint8_t {
-  Code,        ///< its own: a hook or handler threw
-  Connection,  ///< a connection whose contract says so: lost, or its values too old
+  Code,        ///< its own code: a hook or handler threw
+  Connection,  ///< a connection that was lost or had too old values, whose contract says to fault
 };
 
-/// Base of Device and Task. Its interfaces are members of the derived class that register here on
-/// construction; so a component neither moves nor copies. Its life: lifecycle.h.
+/// Is the base of Device and Task. Its interfaces are members of the derived class that register
+/// here on construction, so a component neither moves nor copies. lifecycle.h describes its life.
 class Component {
  public:
   virtual ~Component();
   Component(const Component&) = delete;
   Component& operator=(const Component&) = delete;
 
-  /// The instance name, given by the manager: unique in its process.
+  /// Returns the instance name, which the manager gives: unique in its process.
   const std::string& name() const { return name_; }
   ComponentState state() const { return state_.load(std::memory_order_acquire); }
-  /// What faulted this component last: the text that its code threw, or what the contract of a
-  /// connection says; "" if nothing did. Any thread.
+  /// Any thread. Returns what faulted this component last: the text that its code threw, or what
+  /// the contract of a connection says; "" if nothing did.
   std::string fault() const;
-  /// Which of the two. Any thread.
+  /// Any thread. Returns which of the two it was.
   FaultCause faultCause() const;
-  /// Both in words: "its code threw: no answer", "connection '...' is lost, ...". Any thread.
+  /// Any thread. Returns both in words: "its code threw: no answer", "connection '...' is lost,
+  /// ...".
   std::string whyFaulted() const;
-  /// How often it has been faulted. Any thread.
+  /// Any thread. Returns how often it has been faulted.
   std::uint64_t faults() const { return faults_.load(std::memory_order_acquire); }
-  /// When it was last resumed or restarted. A command sent before is not executed, however late it
-  /// arrives: it was meant for what the component did before.
+  /// Returns when it was last resumed or restarted. A command that was sent before is not executed,
+  /// however late it arrives, because it was meant for what the component did before.
   Time resumed() const { return fromNanoseconds(resumed_.load(std::memory_order_acquire)); }
 
   const std::vector<ProvidedBase*>& provided() const { return provided_; }
   const std::vector<RequiredBase*>& required() const { return required_; }
 
-  /// True if commands and handlers run in a thread of its own; false for a device.
+  /// Returns true if commands and handlers run in its own thread, and false for a device.
   bool ownsThread() const { return ownsThread_; }
-  /// How often a remote client's reads of a device are evaluated. Meaningless for a task.
+  /// Returns how often a remote client's reads of a device are evaluated. Means nothing for a task.
   virtual Duration remoteReadPeriod() const { return Duration{0}; }
 
   /// The manager's thread, once, before anything else: calls onConfigure(). Throws SetupError if it
-  /// has been done. What the hook throws parks the component instead.
+  /// has been called. An exception of the hook is not thrown but parks the component.
   void configure();
-  /// Any thread but in a hook: asks for Suspend or Resume. A task makes the change between two
+  /// Any thread, but not in a hook: asks for Suspend or Resume. A task makes the change between two
   /// cycles, in its own thread; a device at once. Throws SetupError if that is not legal now.
   void request(Transition transition);
 
-  /// A task's thread; of a device, any: the component has failed; its clients are told
-  /// Errc::Faulted from now on. The first reason stays, until the component is restarted.
+  /// A task's thread; for a device, any. Marks the component as failed: its clients get
+  /// Errc::Faulted from now on. The first reason stays until the component is restarted.
   void park(std::string reason, FaultCause cause = FaultCause::Code);
-  /// Runs `work` of this component; what it throws parks the component. False if it did.
+  /// Runs `work` of this component. If it throws, this parks the component and returns false.
   template <class Work>
   bool parkOnThrow(const Work& work);
-  /// The same in the thread of a caller: a task is parked by its own thread, before its next cycle.
+  /// Does the same in the thread of a caller: a task's own thread parks it, before its next cycle.
   template <class Work>
   bool parkSoonOnThrow(const Work& work);
 
-  /// What a sleeping owner of this component waits on.
+  /// Returns the doorbell at which the owner of this component sleeps.
   rt::Doorbell& doorbell() { return lender_ == nullptr ? doorbell_ : lender_->doorbell(); }
-  /// The same, for those who may ring it when this component is gone.
+  /// Returns the same doorbell for those who may ring it after this component is gone.
   std::shared_ptr<rt::Doorbell> sharedDoorbell();
-  /// From the component's own thread: rings `bell` once at the end of the cycle; from a device, at
+  /// The component's own thread. Rings `bell` once, at the end of the cycle; a device rings it at
   /// once.
   void ringLater(rt::Doorbell& bell);
-  /// The same for the client of `channel`, in which an answer or an event has just been put. Not
-  /// rung if it has been taken by then.
+  /// The component's own thread. Rings the client of `channel`, in which an answer or an event has
+  /// just been put: at the end of the cycle, unless the client has taken it by then; a device at
+  /// once.
   void ringForArrival(Channel& channel);
-  /// From the component's own thread: rings what ringLater() collected. Called before anything that
+  /// The component's own thread. Rings what ringLater() collected. Call it before anything that
   /// blocks.
   void ringNow();
 
-  /// True if the calling thread may use this component's required interfaces: the task's thread;
-  /// for a device, the first thread that used one.
+  /// Returns true if the calling thread may use this component's required interfaces: the task's
+  /// thread, or for a device the first thread that used one.
   bool ownedByThisThread();
-  /// Any thread: true if handlers of its events run now, instead of waiting until it is resumed. It
-  /// is in one order with awaiting calls that are under way, as endLife() does.
+  /// Any thread. Returns true if handlers of its events run now, and false if they wait until it is
+  /// resumed. It is in one order with awaiting calls that are under way, as endLife() does.
   bool mayRunHandlers() const;
-  /// True if another thread owns them. While none does, any may use them, as in the constructor.
+  /// Returns true if another thread owns them. While no thread does, any may use them, as in the
+  /// constructor.
   bool ownedByAnotherThread() const;
-  /// Any thread: true once a task is asked to stop. It begins nothing any more that waits.
+  /// Any thread. Returns true once a task is asked to stop; then it begins no new wait.
   bool ending() const {
     return ending_.load(std::memory_order_acquire) || (lender_ != nullptr && lender_->ending());
   }
@@ -107,47 +110,49 @@ class Component {
  protected:
   explicit Component(bool ownsThread);
 
-  // What a component does when its state changes. A hook that throws parks its component. A task's
-  // run in its thread (those of a callback's task to start and stop in the manager's), but
-  // onConfigure(); a device's in the thread that asks for the change.
+  // These hooks are called when the component's state changes. If one throws, that parks the
+  // component. A task's hooks run in its thread, except onConfigure() (for a CallbackTask, start
+  // and stop run in the manager's). A device's hooks run in the thread that asks for the change.
 
-  /// Before there is a thread: the place to open devices and to allocate. The manager's thread.
+  /// The manager's thread, before the component has one: open devices and allocate here.
   virtual void onConfigure() {}
-  /// Before the first cycle.
+  /// Runs before the first cycle.
   virtual void onStart() {}
-  /// After the last cycle for the time being: the place to hold still what moves.
+  /// Runs after the last cycle before the suspension: make what moves hold still here.
   virtual void onSuspend() {}
-  /// Before the cycles go on.
+  /// Runs before the cycles go on.
   virtual void onResume() {}
-  /// After the last cycle; not if the component is faulted.
+  /// Runs after the last cycle, but not if the component is faulted.
   virtual void onStop() {}
-  /// Before the cycles of a task go on after a fault: the place to make its members sound again.
+  /// Runs before the cycles of a task go on after a fault: make its members valid again here.
   virtual void onRestart() {}
-  /// A task's thread, before the commands of a cycle; for a device the executor's, and only of
-  /// clients that do not call it directly. A client of `interface` has connected, before any of its
-  /// commands is executed; or its connection has ended, and nothing of it is executed any more.
-  /// Each is told once while the component runs: an end in a suspension or a fault when it goes on,
-  /// and a client that came and went unseen never.
+  /// A task's thread, before the commands of a cycle; for a device the executor's, and only for
+  /// clients that do not call it directly. A client of `interface` has connected, and none of its
+  /// commands has been executed yet; or its connection has ended, and no more of its commands are
+  /// executed. Each is told once while the component runs: an end during a suspension or a fault is
+  /// told when the component goes on, and a client that came and went meanwhile is never told.
   virtual void onClient(const ProvidedBase& /*interface*/, const ConnectedClient& /*client*/,
                         ClientNews /*news*/) {}
-  /// A task's thread: the client whose command is being executed; null outside of such handlers.
+  /// A task's thread. Returns the client whose command is being executed; null outside of such
+  /// handlers.
   const ConnectedClient* caller() const { return caller_; }
 
   // --- for Device and the kinds of task ---
 
-  /// Any thread: park(), now or soon.
+  /// Any thread. Parks the component, now or soon.
   virtual void parkSoon(std::string reason);
   /// Makes a legal transition to Suspended or Running happen, now or soon.
   virtual void take(Transition transition) = 0;
-  /// Makes the legal `transition` here and now: the hook, the state, and what clients are told.
+  /// Makes the legal `transition` here and now: runs the hook, sets the state and tells the
+  /// clients.
   void makeTransition(Transition transition);
-  /// Stops what runs or is suspended, and tells all clients that they are lost.
+  /// Stops a component that runs or is suspended, and tells all clients that they have lost it.
   void endLife();
 
   void setEnding(bool ending) { ending_.store(ending, std::memory_order_release); }
 
   void claimForThisThread();
-  /// This component's work is done by the thread of `lender`, which must be woken for it.
+  /// Lets the thread of `lender` do this component's work; that thread is then woken for it.
   void borrowThread(Component& lender) { lender_ = &lender; }
   void releaseThread() { owner_.store(nullptr, std::memory_order_release); }
 
@@ -169,17 +174,17 @@ class Component {
   void setStateListener(std::shared_ptr<StateListener> listener);
   void setState(ComponentState state);
   void tellListener(ComponentState state);
-  /// False, and nothing has changed, if it has been parked meanwhile.
+  /// Returns false, and changes nothing, if the component has been parked meanwhile.
   bool changeState(ComponentState from, ComponentState to);
   void callHook(Transition transition);
 
-  const bool ownsThread_;  // asked for each event and subscriber
+  const bool ownsThread_;  // read for each event and subscriber
   std::string name_ = "(unnamed)";
   std::atomic<std::uint64_t> faults_{0};
   std::atomic_flag parked_ = ATOMIC_FLAG_INIT;
   std::atomic<bool> ending_{false};
   std::atomic<ComponentState> state_{ComponentState::Constructed};
-  std::atomic<std::int64_t> resumed_{0};  // ns; an atomic Time compiles longer
+  std::atomic<std::int64_t> resumed_{0};  // ns; an atomic Time would compile longer
   std::vector<ProvidedBase*> provided_;
   std::vector<RequiredBase*> required_;
   rt::DueBells dueBells_;

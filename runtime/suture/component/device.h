@@ -1,5 +1,5 @@
 #pragma once
-// A passive component.
+// This is a component without a thread.
 
 #include <suture/base/errors.h>
 #include <suture/component/component.h>
@@ -11,33 +11,36 @@ namespace suture {
 /// Has no thread: its commands run at once in the thread of a local caller, and in one executor
 /// thread of the process for remote ones. If it serves both, its methods must be safe to call from
 /// several threads. Its required interfaces belong to the first thread that uses one. While it is
-/// suspended, commands are answered Errc::Suspended, and who handles its events decides about that.
+/// suspended, commands are answered Errc::Suspended; the code that calls processEvents() decides
+/// about events.
 class Device : public Component {
  public:
-  /// `remoteReadPeriod`: how often the reads that remote clients ask for are evaluated.
+  /// `remoteReadPeriod` says how often the reads that remote clients ask for are evaluated.
   explicit Device(Duration remoteReadPeriod = std::chrono::milliseconds(10))
       : Component(false), remoteReadPeriod_(remoteReadPeriod) {}
 
-  /// The manager's: configures it if that has not been done; then it runs. Throws SetupError if it
-  /// runs already.
+  /// Called by the manager: configures it if that has not been done, and lets it run. Throws
+  /// SetupError if it runs already.
   void start();
-  /// The manager's: clients are told that they have lost it. Calls under way are not waited for.
+  /// Called by the manager: tells clients that they have lost it. Does not wait for calls under
+  /// way.
   void stop();
 
   Duration remoteReadPeriod() const final { return remoteReadPeriod_; }
 
-  /// Runs the handlers of the events that have arrived, in the calling thread, which must be the
-  /// one that uses the required interfaces: Errc::WrongThread.
+  /// Runs the handlers of the events that have arrived, in the calling thread. Answers
+  /// Errc::WrongThread unless that thread uses the required interfaces.
   Result<void> processEvents();
-  /// The same, after sleeping until something arrives or until `deadline`. True if something
-  /// arrived; false at once in another thread.
+  /// Sleeps until something arrives or until `deadline`, and does the same. Returns true if
+  /// something arrived, and false at once in another thread.
   bool waitForEvents(Time deadline);
 
  private:
   void take(Transition transition) final;
 
   const Duration remoteReadPeriod_;
-  std::mutex changing_;  // no control loop waits here: changes are rare, and asked for by people
+  std::mutex changing_;  // no control loop waits for it, because only people ask for changes, and
+                         // rarely
 };
 
 }  // namespace suture

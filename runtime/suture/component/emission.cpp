@@ -9,7 +9,7 @@ namespace suture {
 
 Errc ProvidedBase::emit(std::uint16_t event, const std::byte* slot, bool fits) {
   const bool ownThread = owner_.ownsThread();
-  // Only its own thread may walk the channels of a task and fill its subscribers' queues.
+  // Only the task's own thread may walk its channels and fill its subscribers' queues.
   if (ownThread && owner_.ownedByAnotherThread()) return Errc::WrongThread;
   if (!fits) return Errc::TooLarge;
   const EventInfo& info = info_.events[event];
@@ -42,7 +42,7 @@ void ProvidedBase::deliver(Channel& channel, std::uint16_t event, Time stamp,
 void ProvidedBase::keepLatched(std::uint16_t event, Time stamp,
                                std::span<const std::byte> payload) {
   Latched& latched = *latched_[event];
-  // A device may emit it from two threads at once. These have no order, so either may be the last.
+  // A device may emit it in two threads at once. These have no order, so either value may stay.
   if (latched.keeping.test_and_set(std::memory_order_acquire)) return;
   std::copy(payload.begin(), payload.end(), latched.values.draft(0));
   if (info_.events[event].sharedPayload) sharedSlotIn(payload.data())->retain();

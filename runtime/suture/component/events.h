@@ -1,6 +1,6 @@
 #pragma once
-// The members of a generated Provided<Contract>::emit() and Required<Contract>::on(): one object an
-// event.
+// These are the members of a generated Provided<Contract>::emit() and Required<Contract>::on(): one
+// object for each event.
 
 #include <suture/base/slots/shared_slot.h>
 #include <suture/base/slots/slot_forms.h>
@@ -17,10 +17,10 @@
 
 namespace suture {
 
-/// Emits one event, in the provider's thread: any other gets Errc::WrongThread, and nobody the
-/// event. A device may emit in any thread.
+/// Emits one event, in the provider's thread: in another it answers Errc::WrongThread and emits
+/// nothing. A device may emit in any thread.
 ///   arm_.emit().operating_state(value);
-/// `Slot` is the payload's; void: the event carries nothing.
+/// `Slot` is the payload's; with void the event carries nothing.
 template <class Slot, class... Payload>
 class Emitter;
 
@@ -28,8 +28,8 @@ template <>
 class Emitter<void> {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
-  /// Never blocks, never allocates. A subscriber whose queue is full loses it, and that is counted;
-  /// of a latched() event it loses no last value.
+  /// Never blocks, never allocates. A subscriber whose queue is full loses the event, which is
+  /// counted; but it always gets the last value of a latched() event.
   Result<void> operator()();
 
  private:
@@ -41,9 +41,10 @@ template <class Slot, class... Payload>
 class Emitter {
  public:
   Emitter(ProvidedBase& provided, std::uint16_t event) : provided_(provided), event_(event) {}
-  /// Never blocks; never allocates in a task's thread, and in another only for its first payload of
-  /// more than 4 KiB. Errc::TooLarge if the payload exceeds its declared capacity, Errc::Invalid if
-  /// it has a value that the contract does not admit; nobody gets it then.
+  /// Never blocks; never allocates in a task's thread, and in another one only for its first
+  /// payload of more than 4 KiB. If the payload exceeds its declared capacity the answer is
+  /// Errc::TooLarge, and if the contract does not admit a value of it Errc::Invalid; then no
+  /// subscriber gets it.
   Result<std::void_t<Slot>> operator()(const Payload&... payload) {  // see resultOf()
     LooseSlot<Slot> slot;
     const bool fits = store(payload..., slot.value());
@@ -55,12 +56,12 @@ class Emitter {
   std::uint16_t event_;
 };
 
-/// The part of a Subscription that does not depend on what the event carries.
+/// Has the part of a Subscription that does not depend on what the event carries.
 class SubscriptionBase {
  public:
-  /// No handler begins to run any more, not even for events that wait in the queue; a direct() one
-  /// that runs at this moment ends in its own time. Whoever subscribes anew gets only what comes
-  /// after. May be called by the handler itself.
+  /// From now on no call of the handler begins, not even for events that wait in the queue; a
+  /// direct() one that runs at this moment goes on to its end. A later subscription gets only
+  /// events from then on. The handler itself may call this.
   Result<void> reset();
 
  protected:
@@ -71,9 +72,9 @@ class SubscriptionBase {
   std::uint16_t event_;
 };
 
-/// One event, to subscribe to and to leave again. In the component's constructor, or later in its
-/// thread at any time; another thread gets Errc::WrongThread. The handler runs in the component's
-/// thread, before run() or in a device's processEvents().
+/// Subscribes to one event, and ends the subscription. It works in the component's constructor and
+/// at any time in its thread; another thread gets Errc::WrongThread. The handler runs in the
+/// component's thread, before run() or in a device's processEvents().
 ///   arm_.on().operating_state([this](const OperatingState& state) { ... });
 ///   arm_.on().operating_state.reset();
 template <class Slot, class... Payload>
@@ -83,7 +84,7 @@ template <>
 class Subscription<void> : public SubscriptionBase {
  public:
   Subscription(RequiredParts& required, std::uint16_t event) : SubscriptionBase(required, event) {}
-  /// See the other Subscription.
+  /// These do what those of the other Subscription do.
   Result<void> operator()(std::function<void()> handler);
   Result<void> direct(std::function<void()> handler);
   [[nodiscard]] NextEvent<void> next();
@@ -111,7 +112,7 @@ class SlotHandler {
   }
 
  private:
-  // One object for all events of this kind, so that what it owns is allocated once: here.
+  // All events of this kind share one object, so that what it owns is allocated only once.
   struct Scratch {
     std::tuple<Payload...> payload;
     std::atomic_flag inUse = ATOMIC_FLAG_INIT;
@@ -130,7 +131,7 @@ class SlotHandler {
   std::shared_ptr<Scratch> scratch_;
 };
 
-/// `handler` as it is called with a slot; null: none.
+/// Returns `handler` in the form that is called with a slot, or null if it is null.
 template <class Slot, class... Payload>
 std::function<void(const std::byte*)> slotHandler(std::function<void(const Payload&...)> handler) {
   if (handler == nullptr) return nullptr;
@@ -142,27 +143,27 @@ class Subscription : public SubscriptionBase {
  public:
   Subscription(RequiredParts& required, std::uint16_t event) : SubscriptionBase(required, event) {}
 
-  /// From now on `handler` gets what is emitted once the provider knows: a task does before it
-  /// executes any command sent later, on every lane, and begins with the last value of a latched()
-  /// event. An earlier handler is replaced. Never blocks; what it allocates is what keeps
-  /// `handler`, so a control loop subscribes rarely.
+  /// Never blocks; allocates only what keeps `handler`, so a control loop should subscribe rarely.
+  /// `handler` gets what is emitted once the provider knows of it. A task knows before it executes
+  /// any command sent later, on every lane, and emits the last value of a latched() event first. An
+  /// earlier handler is replaced.
   Result<std::void_t<Slot>> operator()(std::function<void(const Payload&...)> handler) {
     return resultOf<std::void_t<Slot>>(
         subscriptions_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler))));
   }
 
-  /// The same, and where both ends are in one process and no delay lies between them, `handler`
-  /// runs at once in the thread that emits, before emit() returns, also while this component's own
-  /// thread runs: so it is short, safe to call from any thread, and leaves this component's
-  /// required interfaces alone (Errc::WrongThread). What it throws parks this component, not the
-  /// emitter. While this component is suspended or faulted, and from any other process, the event
-  /// is queued as every other and `handler` runs in this component's thread.
+  /// Subscribes likewise, but if both ends are in one process without a delay between them,
+  /// `handler` runs at once in the thread that emits, before emit() returns, even while this
+  /// component's own thread runs. So it must be short, safe to call from any thread, and not use
+  /// this component's required interfaces (Errc::WrongThread). If it throws, that parks this
+  /// component, not the emitter. While this component is suspended or faulted, and from any other
+  /// process, the event is queued as every other and `handler` runs in this component's thread.
   Result<std::void_t<Slot>> direct(std::function<void(const Payload&...)> handler) {
     return resultOf<std::void_t<Slot>>(
         subscriptions_.subscribe(event_, slotHandler<Slot, Payload...>(std::move(handler)), true));
   }
 
-  /// The next such event, to wait for or to look for: NextEvent.
+  /// Returns a NextEvent, to wait for the next such event or to look for it.
   [[nodiscard]] NextEvent<Slot, Payload...> next() { return {subscriptions_, event_}; }
 };
 

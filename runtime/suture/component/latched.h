@@ -1,5 +1,5 @@
 #pragma once
-// Where a provided interface keeps the last value of an event.
+// This is where a provided interface keeps the last value of an event.
 
 #include <suture/component/provided.h>
 #include <suture/rt/state/state_table.h>
@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// The last value of a latched event: the only column of a table.
+/// Holds the last value of a latched event as the only column of a table.
 struct ProvidedBase::Latched {
   explicit Latched(const EventInfo& event)
       : values(std::array{event.payloadSize}, kRows, rt::ColumnSet{event.sharedPayload},

@@ -22,7 +22,7 @@ constexpr Step kSteps[] = {
     {Transition::Restart, State::Faulted, State::Running},
 };
 
-// "only when it is configured or stopped"
+// Returns, for example, "only when it is configured or stopped".
 std::string statesBefore(Transition transition) {
   std::string text;
   for (const Step& step : kSteps) {

@@ -1,5 +1,5 @@
 #pragma once
-// Waiting for one event.
+// This waits for one event.
 
 #include <suture/base/errors.h>
 #include <suture/base/slots/slot_forms.h>
@@ -14,18 +14,18 @@
 
 namespace suture {
 
-/// The first event of its kind that is emitted after this was made, so that it can be made before
-/// the command that leads to the event, and nothing is missed:
+/// Catches the first event of its kind that is emitted after this was made. Make it before the
+/// command that leads to the event, so that none is missed:
 ///   auto arrived = arm_.on().goal_reached.next();
 ///   arm_.move_cp(goal);
 ///   if (const auto where = arrived.within(2s)) ...     Result of the payload, a tuple of several
-/// A control loop looks at poll() instead. The answer is Errc::Lost or Faulted if the provider is
-/// before the event has come; else it may be NotConnected or WrongThread.
+/// A control loop looks at poll() instead. The answer is Errc::Lost or Faulted if the provider gets
+/// lost or faulted before the event has come; else it may be NotConnected or WrongThread.
 ///
 /// Belongs to the thread of the component, and must not outlive the required interface. Subscribes
-/// to the event, which stays so until reset() of the Subscription; its handler, if any, runs as
-/// well. Allocates only if the payload does. The replay of a latched() event is not counted.
-/// Errc::CannotWait of an event whose handler is direct().
+/// to the event, until reset() of the Subscription; a handler of it runs as well. Allocates only if
+/// the payload does. Ignores the replay of a latched() event. Answers Errc::CannotWait for an event
+/// whose handler is direct().
 template <class Slot, class... Payload>
 class [[nodiscard]] NextEvent final : private AwaitedEvent {
  public:
@@ -38,16 +38,17 @@ class [[nodiscard]] NextEvent final : private AwaitedEvent {
       : AwaitedEvent(subscriptions, event) {}
   NextEvent(NextEvent&& other) noexcept = default;
 
-  /// The answer if it is here, else null: looked for where handlers run, before run() or in a
-  /// device's processEvents(). Never blocks.
+  /// Never blocks. Returns the answer if it is here, else null. It looks for one where handlers
+  /// run, before run() or in a device's processEvents().
   const Answer* poll() {
     if (!answered_ && over()) answer();
     return answered_ ? &answer_ : nullptr;
   }
 
-  /// The answer, waiting at most `limit` for it, then Errc::Timeout; there is no way to wait
-  /// without a limit. The handlers of what else arrives on this interface run meanwhile. Not for a
-  /// periodic task, which would miss its period; not in a handler of an event: Errc::CannotWait.
+  /// Waits at most `limit` for the answer and returns it, or Errc::Timeout; there is no way to wait
+  /// without a limit. Meanwhile it runs the handlers of what else arrives on this interface. It is
+  /// not for a periodic task, which would miss its period. In a handler of an event it answers
+  /// Errc::CannotWait.
   const Answer& within(Duration limit) {
     if (!answered_) {
       wait(limit);

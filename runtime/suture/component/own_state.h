@@ -1,13 +1,13 @@
 #pragma once
-// A provider's view of what it has published itself.
+// This lets a provider read what it has published itself.
 
 #include <suture/component/commands.h>
 #include <suture/component/required.h>
 
 namespace suture {
 
-/// Belongs to the thread of a task: reads the rows of one of its own provided interfaces like those
-/// of another, to know where the arm was when the image was taken.
+/// Belongs to the thread of a task. It reads the rows of one of the task's own provided interfaces,
+/// for example to know where the arm was when the image was taken.
 ///   Provided<Arm> arm_{*this, "Arm", *this};
 ///   OwnState<Arm> past_{arm_};
 ///   const auto then = past_[&Required<Arm>::measured_cp].at(image.stamp);

@@ -18,9 +18,9 @@ std::size_t payloadWords(const InterfaceInfo& info) {
   return (size + 7) / 8;
 }
 
-/// Rings a client that has found no room, at the end of a drain, also when a handler throws. What
-/// it has sent meanwhile comes first, in another drain: it would be woken for a few places again
-/// and again.
+/// Rings a client that had found no room, at the end of a drain, also when a handler throws. If the
+/// client has sent more meanwhile, the next drain rings it: else it would be woken again and again
+/// for a few places.
 struct RoomTold {
   Channel& channel;
   Component& owner;
@@ -34,8 +34,8 @@ struct RoomTold {
 
 }  // namespace
 
-/// The turn of one command. It ends on every way out, also when the handler throws: then the
-/// command's room is free again, and whoever waits for an answer has one.
+/// Holds the execution of one command. Its destructor ends it on every path, also when the handler
+/// throws: the command's room is free again, and a caller that waits gets an answer.
 class ProvidedBase::Turn {
  public:
   Turn(Channel& channel, Component& owner, const rt::CommandRecord& record)
@@ -50,19 +50,19 @@ class ProvidedBase::Turn {
     if (owner_.ownsThread()) owner_.caller_ = nullptr;
     release();
     if (call_ != 0 && !answered) channel_.provider.replyError(call_, error);
-    if (channel_.provider.rowsAreWanted()) {  // what has been taken, too
+    if (channel_.provider.rowsAreWanted()) {  // the client also learns of what has been taken
       owner_.ringLater(*channel_.ends.client);
     } else if (call_ != 0) {
       owner_.ringForArrival(channel_);
     }
   }
 
-  /// Notes the caller, but not a device's, whose commands may run in several threads at once.
+  /// Notes the caller, except for a device, whose commands may run in several threads at once.
   void begin(const ConnectedClient& client) {
     if (owner_.ownsThread()) owner_.caller_ = &client;
   }
 
-  /// Frees the place of a command that has been executed, before anybody sees the answer.
+  /// Frees the place of a command that has been executed, before a client can see the answer.
   void release() {
     if (std::exchange(released_, true)) return;
     rt::increment(*outcome);
@@ -72,10 +72,10 @@ class ProvidedBase::Turn {
     }
   }
 
-  /// The counter of what becomes of it.
+  /// Points to the counter for the outcome of the command.
   std::atomic<std::uint64_t>* outcome;
   bool answered = false;
-  Errc error = Errc::Faulted;  ///< the answer, unless there has been one
+  Errc error = Errc::Faulted;  ///< sent at the end, unless an answer was sent before
 
  private:
   Channel& channel_;
@@ -146,14 +146,15 @@ rt::ColumnSet ProvidedBase::demand() const {
 }
 
 void ProvidedBase::attach(std::shared_ptr<Channel> channel) {
-  if (!owner_.ownsThread()) channels_.sweep();  // no thread of a device's own ever will
+  if (!owner_.ownsThread()) channels_.sweep();  // a device has no thread that would do this
   channels_.add(channel);
   greetLocal(*channel);
   if (!everyState_) tellState(*channel);
   channel->ends.provider->ring();
 }
 
-// Repeats until the state stays: whoever announces a change may not have seen the channel yet.
+// Repeats until the state stays, because a thread that announces a change may not have seen the
+// channel yet.
 void ProvidedBase::tellState(Channel& channel) const {
   ComponentState told;
   do {
@@ -170,22 +171,22 @@ bool ProvidedBase::hears() const {
   return owner_.state() == ComponentState::Running && !owner_.ending();
 }
 
-// A device hears nothing of local clients, which come and go in threads of their own.
+// Skips local clients of a device, which come and go in their own threads.
 bool ProvidedBase::isNews(const ChannelList::Node& node) {
   if (node.channel->ends.device != nullptr) return false;
   const bool over = isOver(node.channel->status.load(std::memory_order_seq_cst));
   return over == node.known.load(std::memory_order_relaxed);
 }
 
-// Marks a client as known before it reads the status, so that whoever takes out closed channels
-// beside this leaves in those of which the component has been told.
+// Marks a client as known before it reads the status, so that a thread that removes closed channels
+// meanwhile leaves those that the component knows of.
 void ProvidedBase::tellOf(ChannelList::Node& node) {
   if (!isNews(node)) return;
   const bool known = node.known.exchange(true, std::memory_order_seq_cst);
   const ChannelStatus status = node.channel->status.load(std::memory_order_seq_cst);
   const bool over = isOver(status);
   if (over) node.known.store(false, std::memory_order_seq_cst);
-  if (known != over) return;  // it has come and gone
+  if (known != over) return;  // the client has come and gone
   const ClientNews end = status == ChannelStatus::Lapsed ? ClientNews::Silent : ClientNews::Closed;
   owner_.onClient(*this, node.client, over ? end : ClientNews::Connected);
 }
@@ -202,14 +203,14 @@ void ProvidedBase::drain() {
       channel.state->askAll(channel.ends.asked->load(std::memory_order_acquire));
     }
     const bool any = channel.commands.pending();
-    // Fix the cut first, so that a command's events meet those who subscribed before they sent it.
+    // Fix the cut first, so that a command's events reach those who subscribed before they sent it.
     if (any) channel.commands.fixCut();
     greet(node);
     if (any) drain(node);
   });
 }
 
-// Local clients of a device greet themselves: it has no cycle in which to do it.
+// Skips local clients of a device, which greet themselves because it has no cycle.
 void ProvidedBase::greet(ChannelList::Node& node) {
   Channel& channel = *node.channel;
   if (channel.ends.device != nullptr) return;
@@ -232,7 +233,7 @@ Errc ProvidedBase::refusal() const {
   return inService() ? Errc{} : errorOf(statusIn(owner_.state()));
 }
 
-// Judges a command, its connection and this component when the command's turn comes: a handler may
+// Checks a command, its connection and this component when the command is next to run: handlers may
 // take long, and the process may be stopped at any moment.
 void ProvidedBase::drain(ChannelList::Node& node) {
   Channel& channel = *node.channel;
@@ -242,7 +243,8 @@ void ProvidedBase::drain(ChannelList::Node& node) {
   bool first = true;
   while (const rt::CommandRecord* record = channel.commands.next()) {
     const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
-    // A client that shares memory tells of a loss there: do not read the clock for each command.
+    // A client that shares memory tells of a loss there, so the clock need not be read for each
+    // command.
     const Errc over = channel.provider.begin(first || hasTtl || !channel.foreign);
     if (over != Errc{}) {
       turnAway(channel, *record, over);
@@ -257,7 +259,7 @@ void ProvidedBase::drain(ChannelList::Node& node) {
   }
 }
 
-// What was sent to a suspended component must not move anything when it is resumed later.
+// What was sent to a suspended component must not move anything after it is resumed.
 void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal) {
   Turn turn(channel, owner_, record);
   turn.error = refusal;
@@ -280,7 +282,7 @@ void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record,
     turn.error = Errc::Cancelled;
     return;
   }
-  // Judge the copy of foreign arguments: on other lanes they were judged before they came here.
+  // Check the copy of foreign arguments; those of other lanes were checked before they came here.
   if (channel.foreign && !channel.admits(command, record.arguments())) {
     turn.outcome = &channel.commands.counters.refused;
     turn.error = Errc::Invalid;

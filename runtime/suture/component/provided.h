@@ -1,5 +1,5 @@
 #pragma once
-// A provided interface: what runs a component's commands, publishes its reads and emits its events.
+// A provided interface runs a component's commands, publishes its reads and emits its events.
 
 #include <suture/base/errors.h>
 #include <suture/component/channel/channel_list.h>
@@ -27,16 +27,16 @@ struct CommandRecord;
 
 namespace suture {
 
-/// How a provided interface keeps the values of its reads.
+/// Says how a provided interface keeps the values of its reads.
 struct StateOptions {
-  /// How many rows of the past can be read: at least so many, a power of two.
+  /// says how many rows of the past can be read at least; a power of two
   unsigned rows = 64;
-  /// Rows are published by advance() alone, not at the end of each cycle. Not for a device.
+  /// lets only advance() publish rows, not the end of each cycle; not for a device
   bool manual = false;
 };
 
-/// The part of Provided<Contract> that does not depend on the contract. Commands and reads run in
-/// the thread of the component; for a device, in the thread of a local caller or of the executor
+/// Has the part of Provided<Contract> that does not depend on the contract. Commands and reads run
+/// in the thread of the component; for a device, in the thread of a local caller or of the executor
 /// that serves remote ones.
 class ProvidedBase {
  public:
@@ -46,57 +46,58 @@ class ProvidedBase {
   const std::string& name() const { return name_; }
   const InterfaceInfo& info() const { return info_; }
   Component& owner() const { return owner_; }
-  /// Any thread: the values of the reads. The first call makes room for them and throws SetupError
-  /// if there is none: an interface that nobody is connected to takes no memory and no descriptor.
+  /// Any thread. Returns the values of the reads. The first call allocates the table, or throws
+  /// SetupError if there is no memory, so an unconnected interface takes neither memory nor a
+  /// descriptor.
   const std::shared_ptr<rt::StateTable>& state();
-  /// Any thread: the columns of it that somebody has asked for.
+  /// Any thread. Returns the columns of it that clients have asked for.
   rt::ColumnSet demand() const;
   const ChannelList& channels() const { return channels_; }
-  /// Any thread: which part was wrong of the last row, answer or event that this interface produced
-  /// and that its contract does not admit: "measured_cp.pose". It begins with the name of the
-  /// command or event, and is empty before the first. Never allocates.
+  /// Any thread; never allocates. Returns which part of the last row, answer or event the contract
+  /// did not admit: "measured_cp.pose". It begins with the name of the command or event, and is
+  /// empty while all were valid.
   FieldPath lastInvalid() const { return lastInvalid_.read(); }
-  /// The implementation, as a pointer to `contract`, which is this one's or one of its bases: what
-  /// a local client of a device calls directly.
+  /// Returns the implementation as a pointer to `contract`, which is this interface's or one of its
+  /// bases. A local client of a device calls it directly.
   void* implementation(const InterfaceInfo& contract) const;
 
-  /// In the component's constructor. Throws SetupError if the interface is in use already, or
-  /// cannot be so.
+  /// In the component's constructor. Throws SetupError if the interface is in use already, or if
+  /// `options` do not suit it.
   void keepState(const StateOptions& options);
 
-  /// Before anybody connects, in the component's constructor for example: the frames that its poses
-  /// and vectors are in. A client that expects others is refused. Throws SetupError if others have
-  /// been declared.
+  /// Before any client connects, in the component's constructor for example: declares the frames of
+  /// its poses and vectors. A client that expects others is refused. Throws SetupError if others
+  /// have been declared.
   void declareFrames(const Frames& frames) { frames_.add(frames, name_); }
   const Frames& frames() const { return frames_.get(); }
 
-  /// Any thread: one more client. It is served from the next cycle on.
+  /// Any thread. Adds a client, which is served from the next cycle on.
   void attach(std::shared_ptr<Channel> channel);
 
-  /// Before anybody is connected: this interface is served in every state of its component, also
-  /// when it is suspended or faulted.
+  /// Before any client is connected: makes this interface serve in every state of its component,
+  /// also when that is suspended or faulted.
   void serveInEveryState() { everyState_ = true; }
-  /// False if what arrives is turned away, since the component is suspended or faulted.
+  /// Returns false if commands are refused because the component is suspended or faulted.
   bool inService() const;
 
   // --- the thread that serves this interface ---
 
-  /// Executes what is waiting, or turns it away. A handler's exception passes through, after its
-  /// caller got Errc::Faulted.
+  /// Executes what waits, or refuses it. A handler's exception passes through, after its caller got
+  /// Errc::Faulted.
   void drain();
-  /// The end of a cycle: advance(), unless that is the component's own business.
+  /// Ends a cycle: calls advance(), unless the component does that itself.
   void publishRow();
-  /// Evaluates the reads that somebody asked for and publishes them as one row, stamped now. For a
-  /// task whose rows are manual; its thread only.
+  /// Only the thread of a task whose rows are manual. Evaluates the reads that clients asked for
+  /// and publishes them as one row, stamped now.
   ///   frames_.keepState({.manual = true});          in the constructor
   ///   if (camera_.newFrame()) frames_.advance();    in run()
   void advance();
-  /// True if commands are waiting.
+  /// Returns true if commands are waiting.
   bool pending() const;
-  /// In the handler of a command that has waited: how old that was when it was compared with its
-  /// ttl. Says nothing of one that runs in its caller's thread.
+  /// In the handler of a queued command: returns how old it was when that was compared with its
+  /// ttl. It means nothing for a command that runs in its caller's thread.
   Duration commandAge() const { return commandAge_; }
-  /// Tells all clients how it stands with the component.
+  /// Tells all clients in which state the component is.
   void announce(ChannelStatus status);
 
  protected:
@@ -104,15 +105,15 @@ class ProvidedBase {
                void* implementation);
   virtual ~ProvidedBase();
 
-  /// Runs command `command` on its arguments' slot; fills `result` if the command has one. Written
-  /// by suturec. Returns 0 or Errc::TooLarge.
+  /// Runs command `command` on its arguments' slot, and fills `result` if the command has one.
+  /// suturec writes it. Returns 0 or Errc::TooLarge.
   virtual Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) = 0;
 
  private:
   class Turn;
 
   /// Executes, and answers Errc::Invalid for a result that the contract does not admit. `asker` is
-  /// who misses it; null: all clients.
+  /// the client that does not get it; null means all clients.
   Errc produce(std::uint16_t command, const std::byte* arguments, std::byte* result,
                Channel* asker);
   void noteInvalid(const FieldPath& path, Channel* asker);
@@ -121,15 +122,15 @@ class ProvidedBase {
   friend class Subscriptions;
 
   Errc emit(std::uint16_t event, const std::byte* slot, bool fits);
-  /// True if the component may be told of its clients now.
+  /// Returns true if the component may be told of its clients now.
   bool hears() const;
   static bool isNews(const ChannelList::Node& node);
   void tellOf(ChannelList::Node& node);
   void greet(ChannelList::Node& node);
   void drain(ChannelList::Node& node);
-  /// What commands that wait are answered now; 0: they are executed.
+  /// Returns the answer to commands that wait, or 0 if they are executed.
   Errc refusal() const;
-  /// Any thread, of a device in this process: gives `channel`, whose client just subscribed, the
+  /// Any thread, for a device in this process. Gives `channel`, whose client just subscribed, the
   /// last values.
   void greetLocal(Channel& channel);
   void run(ChannelList::Node& node, const rt::CommandRecord& record, Time present);
@@ -145,22 +146,22 @@ class ProvidedBase {
   Component& owner_;
   const InterfaceInfo& info_;
   void* implementation_;
-  StateOptions options_{.rows = 0};  // 0 rows: as many as their size suggests
+  StateOptions options_{.rows = 0};  // 0: as many rows as their size suggests
   std::once_flag stateMade_;
   std::shared_ptr<rt::StateTable> state_;
-  std::atomic<rt::StateTable*> made_{nullptr};  // what state() has made
+  std::atomic<rt::StateTable*> made_{nullptr};  // points to what state() has made
   ChannelList channels_;
   DeclaredFrames frames_;
   bool everyState_ = false;
   Duration commandAge_{0};
   LastInvalid lastInvalid_;
   struct Latched;
-  std::vector<std::unique_ptr<Latched>> latched_;  // by event; null: it is not latched
+  std::vector<std::unique_ptr<Latched>> latched_;  // by event; null if it is not latched
   std::vector<std::uint64_t> replayed_;            // one payload, for the thread that serves
 };
 
-/// A component's provided interface of type Contract. Each contract's generated header specialises
-/// it:
+/// Is a component's provided interface of type Contract. Each contract's generated header
+/// specialises it:
 ///   Provided<Arm> arm_{*this, "Arm", *this};
 ///   arm_.emit().operating_state(value);
 template <class Contract>

@@ -1,13 +1,12 @@
 #pragma once
-// Several reads of one row: values of one cycle of the provider, by one call.
+// This reads several values of one row, that is of one cycle of the provider, by one call.
 //
 //   if (const auto row = readTogether(arm_.measured_cp, arm_.measured_js)) {
 //     const auto& [pose, joints] = *row;
 //   }
 //
 // All reads belong to one required interface and its thread, else the answer is Errc::Invalid. If
-// one of them has no value, there is no row. A device in this process is asked for one after the
-// other.
+// one of them has no value, there is no row. A device in this process answers one after the other.
 
 #include <suture/base/sample.h>
 #include <suture/component/commands.h>
@@ -18,7 +17,7 @@
 
 namespace suture {
 
-/// What the functions below have in common; not for users.
+/// Is the common part of the functions below; users do not call it.
 class RowReader {
  public:
   template <auto... Methods, class... Slots>
@@ -59,8 +58,8 @@ class RowReader {
   }
 };
 
-/// The newest row into objects that keep their memory; without a row some may have been written, if
-/// the provider is a device in this process.
+/// Reads the newest row into objects that keep their memory. If there is no row, some may have been
+/// written, but only if the provider is a device in this process.
 ///   readInto(std::tie(pose_, joints_), arm_.measured_cp, arm_.measured_js)
 template <auto... Methods, class... Slots>
 Sample<void> readInto(std::tuple<typename ReadCommand<Methods, Slots>::Value&...> into,
@@ -68,15 +67,15 @@ Sample<void> readInto(std::tuple<typename ReadCommand<Methods, Slots>::Value&...
   return RowReader::read(nullptr, into, reads...);
 }
 
-/// The same of the last row at or before `time`; see ReadCommand::at().
+/// Does the same with the last row at or before `time`; see ReadCommand::at().
 template <auto... Methods, class... Slots>
 Sample<void> readIntoAt(Time time, std::tuple<typename ReadCommand<Methods, Slots>::Value&...> into,
                         ReadCommand<Methods, Slots>&... reads) {
   return RowReader::read(&time, into, reads...);
 }
 
-/// The newest row. Allocates only if its values do, or if more than two of them are larger than 4
-/// KiB, at the first call.
+/// Returns the newest row. Allocates only if its values do, or at the first call if more than two
+/// of them are larger than 4 KiB.
 template <auto... Methods, class... Slots>
 auto readTogether(ReadCommand<Methods, Slots>&... reads)
     -> Sample<std::tuple<typename ReadCommand<Methods, Slots>::Value...>> {
@@ -86,7 +85,7 @@ auto readTogether(ReadCommand<Methods, Slots>&... reads)
   return {row, std::move(values)};
 }
 
-/// The last row at or before `time`; see ReadCommand::at().
+/// Returns the last row at or before `time`; see ReadCommand::at().
 template <auto... Methods, class... Slots>
 auto readTogetherAt(Time time, ReadCommand<Methods, Slots>&... reads)
     -> Sample<std::tuple<typename ReadCommand<Methods, Slots>::Value...>> {

@@ -1,17 +1,17 @@
 #pragma once
-// How a component waits in its own thread for something that will ring.
+// This is how a component waits in its own thread for something that will ring.
 
 #include <suture/base/time.h>
 #include <suture/component/component.h>
 
 namespace suture {
 
-/// From the thread of `component`, in a cycle or without: sleeps until `over()`, which is asked
-/// after each ring, or until `deadline`. Work that was rung for is handed on to the next cycle.
+/// The thread of `component`, in a cycle or not. Sleeps until `over()`, which it asks after each
+/// ring, or until `deadline`. It hands on work that was rung for to the next cycle.
 template <class Over>
 void sleepUntil(Component& component, Time deadline, const Over& over) {
   component.ringNow();
-  struct HandOn {  // also when over() throws
+  struct HandOn {  // works also when over() throws
     ~HandOn() {
       if (work) bell.ring();
     }

@@ -6,13 +6,13 @@
 
 namespace suture {
 
-/// What a connection keeps memory for, at both of its ends.
+/// Limits the calls for which a connection has memory, at both of its ends.
 struct CallLimit {
-  unsigned calls;  ///< with an answer, unfinished at a time; at most Channel::kMaxCalls
-  std::uint32_t largestResult;  ///< bytes, of a slot
+  unsigned calls;  ///< calls with an answer, unfinished at a time; at most Channel::kMaxCalls
+  std::uint32_t largestResult;  ///< bytes of a slot
 };
 
-/// Any thread. Fewer calls are kept where results are large (memory_budget.h).
+/// Any thread. Returns the limits: fewer calls where results are large (memory_budget.h).
 CallLimit callLimitOf(const InterfaceInfo& info);
 
 }  // namespace suture

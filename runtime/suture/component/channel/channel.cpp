@@ -27,7 +27,7 @@ std::vector<rt::EventLimits> eventLimits(const InterfaceInfo& info) {
   return limits;
 }
 
-// A task in this process emits in its own thread only; others may emit in any.
+// A task in this process emits only in its own thread; other providers may emit in any.
 rt::Producers eventProducers(const Channel::Ends& ends) {
   const bool ofTask = ends.here != nullptr && ends.here->owner().ownsThread();
   return ofTask ? rt::Producers::One : rt::Producers::Any;
@@ -90,11 +90,11 @@ bool Channel::admitsResult(const CommandInfo& command, const std::byte* result) 
   return lastInvalid.note(path), false;
 }
 
-// A provider in this process was judged when it produced the value; the build of another process
-// may admit more than this one, and no thread before the reader's looks at what it sent.
+// A provider in this process was checked when it produced the value. The build of another process
+// may admit more than this one, and no thread before the reader's checks what it sent.
 bool Channel::admitsCopy(const CommandInfo& command, const std::byte* result) {
   if (ends.here != nullptr || command.admitsResult(result)) return true;
-  return admitsResult(command, result);  // once more, to note where
+  return admitsResult(command, result);  // checks again, to note which part is invalid
 }
 
 bool Channel::admits(const EventInfo& event, const std::byte* payload) {
@@ -112,7 +112,7 @@ Duration Channel::clockError() const {
 void Channel::tell(ChannelStatus news) {
   ChannelStatus present = status.load(std::memory_order_acquire);
   do {
-    const bool restarted = news == ChannelStatus::Connected;  // the only way out of a fault
+    const bool restarted = news == ChannelStatus::Connected;  // nothing else ends a fault
     const bool rests = present == ChannelStatus::Faulted && !restarted;
     if (isOver(present) || present == news || rests) return;
   } while (!status.compare_exchange_weak(present, news));
@@ -129,7 +129,7 @@ void Channel::noteStatus(ChannelStatus news) const {
              static_cast<std::uint64_t>(news));
 }
 
-// Releases the answers that nobody took; in foreign memory, no result owns memory.
+// Releases the answers that were not taken; in foreign memory, no result owns memory.
 Channel::~Channel() {
   while (!foreign && client.nextReply() != nullptr) client.popReply();
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Everything between a client's end and its provider's end within a process. The local lane
-// is one channel shared by two tasks; every other lane carries what it finds in one channel to
+// A channel is everything between a client's end and its provider's end within a process. On the
+// local lane two tasks share one channel; every other lane carries what it finds in one channel to
 // another.
 
 #include <suture/base/arena.h>
@@ -32,52 +32,53 @@ namespace suture {
 class Ledger;
 class ProvidedBase;
 
-/// Each end is one thread, and neither waits for the other. The client's end produces into
-/// `commands` and consumes `replies`, `events` and `state`; the provider's end is the other side of
-/// each. What only one of them does is in `client` and `provider`.
+/// Each end is one thread, and neither waits for the other. The client's end puts into `commands`
+/// and takes from `replies`, `events` and `state`; the provider's end does the opposite. What only
+/// one of them does is in `client` and `provider`.
 class Channel {
  public:
   static constexpr unsigned kMaxCalls = ChannelWords::kMaxCalls;
 
   struct Ends {
-    /// It is rung with Arrival for a reply or an event, and with Work for all else.
+    /// Is rung with Arrival for a reply or an event, and with Work for all else.
     std::shared_ptr<rt::Doorbell> client;
-    std::shared_ptr<rt::Doorbell> provider;  ///< it is rung when commands are there
-    /// These ends are this process's own; a lane plays the other one.
+    std::shared_ptr<rt::Doorbell> provider;  ///< is rung when commands are there
+    /// Says which ends are this process's own; a lane stands in for the other one.
     ConnectionEnd components = ConnectionEnd::Both;
-    ProvidedBase* device = nullptr;  ///< of a device in this process: the client calls it directly
-    ProvidedBase* here = nullptr;    ///< in this process, for what runs in the caller's thread
-    /// It is rung too when the status changes, so that its owner can tell another process.
+    ProvidedBase* device = nullptr;  ///< a device in this process, which the client calls directly
+    ProvidedBase* here = nullptr;    ///< the provider in this process, for what runs in the
+                                     ///< caller's thread
+    /// Is rung too when the status changes, so that its owner can tell another process.
     std::shared_ptr<rt::Doorbell> watcher = nullptr;
-    /// The process at the other end; nullptr: it is this one, or a client that says nothing.
+    /// Is the process at the other end; nullptr: it is this one, or a client that says nothing.
     std::shared_ptr<const PeerState> peer = nullptr;
-    /// How long the client bears its provider's silence; 0: for ever, or it has not said so.
+    /// Says how long the client bears its provider's silence; 0: for ever, or it has not said so.
     Duration silence{0};
-    /// The columns that a client which maps the provider's table asks of it.
+    /// Has the columns for which a client that maps the provider's table asks.
     std::shared_ptr<const std::atomic<rt::ColumnSet>> asked = nullptr;
   };
 
-  /// These are settled before a connection has a channel.
+  /// Are settled before a connection has a channel.
   struct Terms {
     std::string name;  ///< "console:Teleop/Slave -> psm-host:PSM/Arm"
-    /// The commands of the contract that the provider does not have, in their order: optional ones,
-    /// or those that the contract got after the provider was built.
+    /// Lists, in order, the commands of the contract that the provider does not have: optional
+    /// ones, or those that the contract got after the provider was built.
     std::vector<std::uint16_t> lacking = {};
     /// Watches the connection's contract; nullptr: the connection has none.
     std::shared_ptr<ConnectionWatch> watch = nullptr;
     /// Sums over all the channels of the connection; nullptr: this is the only one.
     std::shared_ptr<Ledger> ledger = nullptr;
-    /// Why it is not a faster lane that had been hoped for; "" if there was none.
+    /// Says why no faster lane that was hoped for is used; "" if none was.
     std::string laneReason = {};
   };
 
-  /// `state`: the provider's table or, at the near end of a lane, the mirror. `subscribed`: the
-  /// events the client wants. `lane`: its name, for people. In foreign memory each process has an
-  /// object of its own, and uses one of its two ends.
+  /// `state` is the provider's table or, at the near end of a lane, the mirror; `subscribed` has
+  /// the events that the client wants; `lane` is its name, for people. In foreign memory each
+  /// process has its own object, and uses one of its two ends.
   Channel(const InterfaceInfo& info, Terms terms, std::string lane, Ends ends,
           std::shared_ptr<rt::StateTable> state, EventSet subscribed, Arena memory = {});
   ~Channel();
-  /// How much memory it needs.
+  /// Returns how much memory it needs.
   static std::size_t bytesFor(const InterfaceInfo& info);
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
@@ -85,15 +86,15 @@ class Channel {
   const InterfaceInfo& info;
   const Terms terms;
   const std::string& name() const { return terms.name; }
-  /// The client's part of that name.
+  /// Returns the client's part of that name.
   std::string_view clientName() const {
     return std::string_view(name()).substr(0, name().rfind(" -> "));
   }
   const std::string lane;
   const Ends ends;
   const std::shared_ptr<rt::StateTable> state;
-  /// The other end is another process, which may write anything at any time: copy what comes from
-  /// it, and believe nothing in the copy.
+  /// True if the other end is another process, which may write anything at any time: copy what
+  /// comes from it, and check the copy.
   const bool foreign;
 
  private:
@@ -106,41 +107,42 @@ class Channel {
   const std::shared_ptr<ChannelCounts> counts;
   DirectHandlers direct;  ///< used where both ends share a process and no delay lies between
   std::atomic<ChannelStatus> status{ChannelStatus::Connected};
-  /// How often the status has become Faulted: a provider may be restarted before anybody looks.
+  /// Counts how often the status has become Faulted: a provider may be restarted before anyone
+  /// looks.
   std::atomic<std::uint32_t> faults{0};
   std::atomic<std::uint64_t> bytesSent{0}, bytesReceived{0};  ///< on the lane's wire; 0 on `local`
-  LastInvalid lastInvalid;  ///< of what this process judged, at either end
+  LastInvalid lastInvalid;  ///< of what this process checked, at either end
 
   ChannelClient client;
   ChannelProvider provider;
 
-  /// Any thread: false for arguments, a result or a payload that the contract does not admit; then
-  /// notes which part of it that is.
+  /// Any thread. Returns false for arguments, a result or a payload that the contract does not
+  /// admit, and notes which part of it that is.
   bool admits(const CommandInfo& command, const std::byte* arguments);
   bool admitsResult(const CommandInfo& command, const std::byte* result);
-  /// The same of a copy, which the provider can no longer change.
+  /// Does the same for a copy, which the provider can no longer change.
   bool admitsCopy(const CommandInfo& command, const std::byte* result);
   bool admits(const EventInfo& event, const std::byte* payload);
 
-  /// Counts what this end has put into foreign memory, or taken out of it, with what the
-  /// queues add: no lane is there that counts.
+  /// These count, beside what the queues add, what this end has put into foreign memory or taken
+  /// out of it, because no lane counts there.
   void countSent(std::size_t bytes) { count(bytesSent, bytes); }
   void countReceived(std::size_t bytes) { count(bytesReceived, bytes); }
 
-  /// Any thread: what is added to the stamps of the other end, to have them on this process's
-  /// clock. Zero where both have one.
+  /// Any thread. Returns what is added to the stamps of the other end to have them on this
+  /// process's clock. It is zero if both have one clock.
   Duration clockShift() const {
     if (ends.peer == nullptr) return Duration{0};
     return ends.peer->clockShift.load(std::memory_order_relaxed);
   }
-  /// Any thread: how wrong that, and so an age, may be, either way, until the clocks are compared
-  /// again; without that, the connection is lost by then.
+  /// Any thread. Returns how wrong that, and so an age, may be, either way, until the clocks are
+  /// compared again. If they are not, the connection is lost by then.
   Duration clockError() const;
 
-  /// Either end: returns the events that the client wants.
+  /// Either end. Returns the events that the client wants.
   EventSet subscribed() const { return words_->subscribed.load(std::memory_order_acquire); }
-  /// Any thread: sets how it stands with the provider, unless the connection is past that, and
-  /// rings the client if that is news.
+  /// Any thread. Sets the status of the provider, unless the connection is over, and rings the
+  /// client if the status is new.
   void tell(ChannelStatus news);
   /// Notes a status that was changed without tell(), for the trace of a stepped clock.
   void noteStatus(ChannelStatus news) const;
@@ -170,11 +172,11 @@ void ChannelProvider::reply(std::uint32_t call, ResultForm form, const Produce& 
   channel_.countSent(rt::SpscRing::recordSize(sizeof(ReplyRecord) + form.size));
 }
 
-/// Tells by column what need not be copied of it.
+/// Returns for each column which parts of it need not be copied.
 std::vector<BoundedLevels> columnLevels(const InterfaceInfo& info);
 
-/// A contract's state table: one column a read. `readers`: whether another process may map it.
-/// `rows`: at least so many; 0: as many as their size suggests.
+/// Returns a contract's state table, with one column for each read. `readers` says if another
+/// process may map it. It has at least `rows` rows; 0: as many as their size suggests.
 std::shared_ptr<rt::StateTable> makeStateTable(const InterfaceInfo& info,
                                                rt::StateTable::Readers readers, unsigned rows = 0);
 

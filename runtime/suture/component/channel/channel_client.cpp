@@ -9,8 +9,8 @@
 namespace suture {
 namespace {
 
-// Looks at its copy of the record only, since the original may change. Of what cannot be a result
-// of that command, all is copied.
+// Looks only at its copy of the record, since the original may change. If that cannot be a result
+// of its command, everything is copied.
 void copyForeign(const InterfaceInfo& info, std::byte* to, const std::byte* from,
                  std::size_t size) {
   const auto record = rt::copyHead<ReplyRecord>(to, from, size);
@@ -48,7 +48,8 @@ ReplyRecord* ChannelClient::nextReply() {
   }
 }
 
-// The peer controls this memory: never release a pointer that it chose, and clamp its stamp.
+// The peer controls this memory: clear `shared` so that we never release a pointer that it chose,
+// and clamp the stamp to now().
 ReplyRecord* ChannelClient::makePossible(std::byte* memory) {
   memory[offsetof(ReplyRecord, shared)] = std::byte{0};
   auto* const reply = reinterpret_cast<ReplyRecord*>(memory);

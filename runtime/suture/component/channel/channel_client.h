@@ -15,40 +15,43 @@ namespace suture {
 
 class Channel;
 
-/// One thread uses it, but for what says otherwise: that of the component that requires, or of the
-/// lane that brings what a client in another process has sent.
+/// One thread uses it, except where a comment says otherwise: that of the component that requires,
+/// or of the lane that brings what a client in another process has sent.
 class ChannelClient {
  public:
-  /// `keepsAges`: the client is a component in this process.
+  /// `keepsAges` says that the client is a component in this process.
   ChannelClient(Channel& channel, ChannelWords& words, bool keepsAges);
 
-  /// Wants `wanted` from now on, first the last values of the latched ones among `newlyWanted`. The
-  /// caller rings the provider. Commands that are sent later meet it done.
+  /// Subscribes to `wanted`, and asks first for the last values of the latched ones among
+  /// `newlyWanted`. The caller rings the provider. Commands that are sent later are executed after
+  /// that.
   void subscribe(EventSet wanted, EventSet newlyWanted);
-  /// Rows, credits and tallies are to be rung for as well: a lane leads from here to the client.
+  /// Makes rows, credits and tallies ring as well, because a lane leads from here to the client.
   void askForRows() { words_.wantsRows.raise(); }
 
   /// Returns the oldest answer, or nullptr.
   ReplyRecord* nextReply();
-  /// Lets go of it, and of its result unless that has been moved elsewhere and is null now.
+  /// Drops it, and its result unless that has been moved elsewhere and is null now.
   void popReply();
-  /// Call it before you look for answers and events: whatever is put in later is rung for.
+  /// Call it before you look for answers and events: then the provider rings for whatever it puts
+  /// in later.
   void lowerUntaken() {
     if (words_.untaken.isUp(std::memory_order_relaxed)) {
       words_.untaken.take(std::memory_order_acq_rel);
     }
   }
-  /// True if the provider will not execute `call`, and answers so.
+  /// Returns true if the provider will not execute `call`, and answers so.
   bool cancel(std::uint32_t call) { return words_.claim(call); }
 
-  /// Any thread, before the client is told that the connection is over: where both share memory,
-  /// the provider begins nothing more of it.
+  /// Any thread, before the client is told that the connection is over. If both share memory, the
+  /// provider then begins no more of its commands.
   void cut() { words_.cut.raise(); }
-  /// Any thread: lets commands through again that await their operator, if the provider is there.
+  /// Any thread. Admits commands that await their operator again, if the provider is there.
   ResumeOutcome resume();
 
-  /// It has the ages of values when they were read: of each row when it is first read, and of every
-  /// 16th read of a row that has been read before. nullptr if the client is no component here.
+  /// Has the ages of values when they were read: of each row when it is first read, and of every
+  /// 16th read of a row that has been read before. It is nullptr if the client is no component
+  /// here.
   const std::unique_ptr<rt::Histogram> readAge;
   DeliveryCounters delivery;  ///< both ways; all 0 on a lane that loses nothing
 

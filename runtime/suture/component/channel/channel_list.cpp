@@ -6,7 +6,8 @@
 namespace suture {
 namespace {
 
-// Is in one order with ProvidedBase::tellOf(), which sets `known` before it reads the status.
+// The sequentially consistent loads are in one order with ProvidedBase::tellOf(), which sets
+// `known` before it reads the status.
 bool mayGo(const ChannelList::Node& node) {
   return node.channel->status.load(std::memory_order_seq_cst) == ChannelStatus::Closed &&
          !node.known.load(std::memory_order_seq_cst);
@@ -39,7 +40,8 @@ void ChannelList::add(std::shared_ptr<Channel> channel) {
 void ChannelList::sweep() {
   if (sweeping_.test_and_set(std::memory_order_acquire)) return;
   unlinkClosed();
-  // If nobody walks now, whoever begins later does not find these nodes: they may go.
+  // If no thread walks now, one that begins later does not find these nodes, so they may be
+  // deleted.
   if (walking_.fetch_add(0, std::memory_order_acq_rel) == 0) letGo();
   sweeping_.clear(std::memory_order_release);
 }

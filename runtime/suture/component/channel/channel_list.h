@@ -1,5 +1,5 @@
 #pragma once
-// The channels of one provided interface.
+// This lists the channels of one provided interface.
 
 #include <suture/component/channel/connected_client.h>
 #include <suture/component/contract/interface_info.h>
@@ -12,24 +12,24 @@ namespace suture {
 
 class Channel;
 
-/// Any thread may add. What is added during a walk is seen by the next one. Walking takes no lock
-/// and allocates nothing.
+/// Any thread may add. The next walk sees what is added during a walk. Walking takes no lock and
+/// allocates nothing.
 class ChannelList {
  public:
-  /// Which threads walk and sweep.
+  /// Says which threads walk and sweep.
   enum class Walkers : std::uint8_t {
-    Owner,  ///< one thread does both, as that of a task
+    Owner,  ///< one thread does both, such as that of a task
     Any,    ///< any thread walks, also several at a time; any that may free memory sweeps
   };
 
   struct Node {
     std::shared_ptr<Channel> channel;
     const ConnectedClient client;
-    /// Written by the thread that serves the channel: the component has been told of the client,
-    /// and not yet that it is gone. Until then nobody takes the node out.
+    /// Written by the thread that serves the channel: true while the component has been told of the
+    /// client, and not yet that it is gone. Until then no sweep removes the node.
     std::atomic<bool> known{false};
     std::atomic<Node*> next{nullptr};
-    /// The events that the owner of the list sends there: none before its first cycle with it.
+    /// Has the events that the owner of the list sends there: none before its first cycle with it.
     EventSet served = 0;
     EventSet direct = 0;  ///< those that have a direct handler
     Node* nextUnlinked = nullptr;
@@ -45,7 +45,7 @@ class ChannelList {
   template <class Visit>
   void forEach(const Visit& visit) const {
     const Walk walk(*this);
-    // This is in one order with add(): see Component::setState().
+    // This load is in one order with add(): see Component::setState().
     for (Node* node = head_.load(std::memory_order_seq_cst); node != nullptr;
          node = node->next.load(std::memory_order_acquire)) {
       visit(*node);
@@ -54,13 +54,13 @@ class ChannelList {
 
   bool empty() const { return head_.load(std::memory_order_acquire) == nullptr; }
 
-  /// For Walkers::Owner. Takes out closed channels whose end needs no more telling; true if
-  /// there are any, then letGo() follows.
+  /// For Walkers::Owner. Removes closed channels whose end the component knows. Returns true if
+  /// there are any; then call letGo().
   bool unlinkClosed();
-  /// For Walkers::Owner. Lets go of what unlinkClosed() has taken out.
+  /// For Walkers::Owner. Deletes what unlinkClosed() has removed.
   void letGo();
-  /// For Walkers::Any. While others walk, it frees what an earlier sweep has found, at the
-  /// latest when a later one meets none. Beside another sweep it does nothing.
+  /// For Walkers::Any. While others walk, it deletes what an earlier sweep has found, at the latest
+  /// when a later sweep meets no walk. During another sweep it does nothing.
   void sweep();
 
  private:
@@ -84,8 +84,8 @@ class ChannelList {
 
   const Walkers walkers_;
   std::atomic<Node*> head_{nullptr};
-  mutable std::atomic<unsigned> walking_{0};      // of Walkers::Any
-  std::atomic_flag sweeping_ = ATOMIC_FLAG_INIT;  // of Walkers::Any
+  mutable std::atomic<unsigned> walking_{0};      // for Walkers::Any
+  std::atomic_flag sweeping_ = ATOMIC_FLAG_INIT;  // for Walkers::Any
   Node* unlinked_ = nullptr;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The two ends of a channel tell each other this, beside its queues.
+// With these words the two ends of a channel tell each other what the queues do not carry.
 
 #include <suture/component/contract/interface_info.h>
 #include <suture/rt/shared_flag.h>
@@ -10,13 +10,13 @@
 
 namespace suture {
 
-/// These lie first in the memory of a channel, which another process may write at any time.
+/// They lie first in the memory of a channel, which another process may write at any time.
 struct ChannelWords {
-  /// At most so many calls with an answer may be unfinished at a time.
+  /// Limits how many calls with an answer may be unfinished at a time.
   static constexpr unsigned kMaxCalls = 16;
 
-  /// Either end claims a call: the client in order to cancel it, the provider to execute it. True
-  /// for the one that claims it first.
+  /// Either end claims a call: the client in order to cancel it, the provider to execute it.
+  /// Returns true for the end that claims it first.
   bool claim(std::uint32_t call) {
     return claims[call % kMaxCalls].exchange(call, std::memory_order_acq_rel) != call;
   }

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// A newest-wins command without an answer travels in its cell, and uses none.
+/// A newest-wins command without an answer travels in its cell, and uses no credit.
 inline bool usesCredit(const CommandInfo& command, std::uint32_t call) {
   return !command.latest || call != 0;
 }

@@ -11,7 +11,7 @@ class DirectHandlers::Calling {
   explicit Calling(const DirectHandlers& handlers) : handlers_(handlers) {
     handlers_.calling_.fetch_add(1, std::memory_order_seq_cst);
   }
-  // Is in one order with awaitCalls(): either that sees the end of this call, or it is rung.
+  // This is in one order with awaitCalls(): either that sees the end of this call, or it is rung.
   ~Calling() {
     handlers_.calling_.fetch_sub(1, std::memory_order_seq_cst);
     if (handlers_.awaited_.load(std::memory_order_seq_cst)) handlers_.returned_.ring();
@@ -42,7 +42,7 @@ void DirectHandlers::clear() {
   for (std::uint16_t event = 0; event < handlers_.size(); ++event) replace(event, nullptr);
 }
 
-// If nobody calls now, whoever begins later meets the new entry: the old ones may go.
+// If no call is under way now, a later one meets the new entry, so the old ones may be deleted.
 void DirectHandlers::replace(std::uint16_t event, Entry* entry) {
   Entry* const old = handlers_[event].exchange(entry, std::memory_order_seq_cst);
   if (old != nullptr) replaced_.emplace_back(old);

@@ -1,5 +1,5 @@
 #pragma once
-// The handlers of one subscriber that run in the thread of whoever emits.
+// These handlers of one subscriber run in the thread that emits.
 
 #include <suture/rt/doorbell.h>
 
@@ -15,7 +15,7 @@ namespace suture {
 class Component;
 
 /// The subscriber's thread sets and clears; any thread calls. Calling takes no lock and allocates
-/// nothing; what has been replaced is deleted once nobody calls, as in ChannelList.
+/// nothing. What has been replaced is deleted once no call is under way, as in ChannelList.
 class DirectHandlers {
  public:
   using Handler = std::function<void(const std::byte*)>;
@@ -25,17 +25,17 @@ class DirectHandlers {
   DirectHandlers(const DirectHandlers&) = delete;
   DirectHandlers& operator=(const DirectHandlers&) = delete;
 
-  /// Subscriber: `handler`, of `owner`, is called from now on, or none if it is null. A call of the
-  /// one before may be under way.
+  /// Subscriber's thread. Calls `handler`, of `owner`, from now on, or none if it is null. A call
+  /// of the previous handler may be under way.
   void set(std::uint16_t event, Component& owner, std::shared_ptr<const Handler> handler);
   void clear();
-  /// Subscriber: returns when no call is under way. Not in a task's cycle.
+  /// Subscriber's thread, not in a task's cycle. Returns when no call is under way.
   void awaitCalls() const;
 
-  /// The events that have a handler. Any thread.
+  /// Any thread. Returns the events that have a handler.
   std::uint64_t events() const { return events_.load(std::memory_order_relaxed); }
-  /// Any thread: runs the handler. False if there is none, or if its component runs nothing now. A
-  /// throw parks that component.
+  /// Any thread. Runs the handler; if that throws, it parks its component. Returns false if there
+  /// is none, or if its component is not running.
   bool call(std::uint16_t event, const std::byte* payload) const;
 
  private:

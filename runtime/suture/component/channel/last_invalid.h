@@ -1,5 +1,5 @@
 #pragma once
-// Notes where the last value was wrong that was refused, since its contract does not admit it.
+// This notes the invalid part of the last value that was refused.
 
 #include <suture/base/field_path.h>
 #include <suture/rt/snapshot.h>
@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// Any thread notes and reads; nobody waits or allocates. Of two refusals at one moment, one is
+/// Any thread notes and reads; neither waits nor allocates. Of two refusals at one moment, one is
 /// kept.
 class LastInvalid {
  public:
@@ -17,7 +17,7 @@ class LastInvalid {
     last_.write(path);
     noting_.clear(std::memory_order_release);
   }
-  /// It is empty before the first.
+  /// Returns the last one, or an empty path before the first.
   FieldPath read() const { return last_.read(); }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Until when a provider may execute what a client in another process has sent.
+// This says until when a provider may execute what a client in another process has sent.
 
 #include <suture/base/boot_time.h>
 #include <suture/component/channel/peer_state.h>
@@ -11,20 +11,20 @@
 
 namespace suture {
 
-/// A client that hears nothing for long enough says that its provider is lost. After that, the
-/// provider's end must execute nothing of the connection, also if it was stopped as a whole
-/// meanwhile: so the thread that executes looks at the clock itself, and trusts no other thread's
-/// word. Any thread may look. It is constant, since PeerState has what is heard of the client.
+/// Any thread may look. A client that hears nothing for long enough says that its provider is lost.
+/// After that, the provider's end must execute no more commands of the connection, even if its
+/// whole process was stopped meanwhile. So the thread that executes looks at the clock itself and
+/// trusts no other thread. It is constant, since PeerState has what is heard of the client.
 class Lease {
  public:
   /// Has no end: the client is in this process, or has not said how long it waits.
   Lease() = default;
-  /// The client waits for `silence` before it gives its provider up, from now on at first.
+  /// The client waits for `silence` before it gives its provider up; the first wait begins now.
   Lease(std::shared_ptr<const PeerState> client, Duration silence)
       : client_(std::move(client)), silence_(silence), begun_(BootClock::now()) {}
 
   bool limited() const { return client_ != nullptr && silence_ > Duration{0}; }
-  /// Earlier than the client's end by as much as the two clocks may drift apart.
+  /// Returns an end that is earlier than the client's by as much as the two clocks may drift apart.
   BootTime end() const {
     if (!limited()) return BootTime::max();
     constexpr int kDrift = 1000;

@@ -10,14 +10,16 @@ namespace suture {
 
 /// Written by the control thread, readable by any.
 struct PeerState {
-  /// The first is added to the peer's stamps, to have them on this process's clock; the second is
-  /// how wrong that was, either way, when the clocks were compared last. Zero where both have one.
+  /// The first is added to the peer's stamps to have them on this process's clock. The second is
+  /// how wrong that was, either way, when the clocks were compared last. Both are zero if the
+  /// processes share a clock.
   std::atomic<Duration> clockShift{Duration{0}}, clockError{Duration{0}};
-  /// When something was sent that the peer has answered since.
+  /// Says when the last message was sent that the peer has answered since.
   std::atomic<BootTime> heard{BootTime{}};
 };
 
-/// How far two clocks of quartz may drift apart in so long, each off by up to 50 us in a second.
+/// Returns how far two quartz clocks may drift apart in that time, each off by up to 50 us in a
+/// second.
 constexpr Duration clockDrift(Duration elapsed) {
   constexpr int kMicroseconds = 100;
   return elapsed * kMicroseconds / 1'000'000;

@@ -1,5 +1,5 @@
 #pragma once
-// The answer of a call lies so in its ring.
+// This is how the answer of a call lies in its ring.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
@@ -15,7 +15,7 @@ struct ReplyRecord {
   std::uint32_t call;     ///< the number of the call
   Errc error;             ///< 0: success, and the result follows
   bool shared;            ///< the result is a counted pointer, see base/slots/shared_slot.h
-  std::uint16_t command;  ///< whose result it is, unless there is an error
+  std::uint16_t command;  ///< the command of the result, unless there is an error
 
   std::byte* result() { return reinterpret_cast<std::byte*>(this + 1); }
   const std::byte* result() const { return reinterpret_cast<const std::byte*>(this + 1); }

@@ -1,5 +1,5 @@
 #pragma once
-// What an interface says of its coordinate frames.
+// This is what an interface says of its coordinate frames.
 
 #include <suture/base/frames.h>
 
@@ -7,15 +7,14 @@
 
 namespace suture {
 
-/// Belongs to one interface. It is set before that interface is connected, by the thread that puts
-/// the system together, and read by any.
+/// Belongs to one interface. The thread that puts the system together sets it before that interface
+/// is connected, and any thread reads it.
 class DeclaredFrames {
  public:
   const Frames& get() const { return frames_; }
 
-  /// Adds to what has been declared: its component says one frame perhaps, and the deployment the
-  /// other. Throws SetupError if `frames` names another frame than has been declared for
-  /// `interface`.
+  /// Adds to what has been declared: a component may say one frame and the deployment the other.
+  /// Throws SetupError if `frames` names another frame than has been declared for `interface`.
   void add(const Frames& frames, const std::string& interface);
 
  private:

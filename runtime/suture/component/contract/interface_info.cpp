@@ -7,7 +7,8 @@
 namespace suture {
 namespace {
 
-/// The name of a command or event that carries what has no bound; nullptr if there is none.
+/// Returns the name of a command or event that carries an unbounded value; nullptr if there is
+/// none.
 const char* unboundedPart(const InterfaceInfo& info) {
   for (const CommandInfo& command : info.commands) {
     if (command.sharedArguments || command.sharedResult) return command.name;

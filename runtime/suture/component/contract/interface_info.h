@@ -1,5 +1,5 @@
 #pragma once
-// What the runtime knows of a contract: plain tables that suturec writes.
+// The runtime knows this of a contract: plain tables that suturec writes.
 
 #include <suture/base/field_path.h>
 #include <suture/base/slots/bounded_level.h>
@@ -20,14 +20,14 @@ namespace suture {
 
 enum class CommandKind : std::uint8_t { Void, Write, Read, QualifiedRead, VoidReturn, WriteReturn };
 
-/// How long within() waits for the answer of a command that states no deadline().
+/// Says how long within() waits for the answer of a command that states no deadline().
 inline constexpr Duration kDefaultDeadline = std::chrono::seconds(1);
 
 using StampShift = void (*)(std::byte* slot, Duration shift);
 
-/// False for a value that the contract does not admit: NaN, out of range(), an enumerator that it
-/// does not declare. The slot may have any bytes. `path`, unless it is null, is told which part of
-/// the value that is, the first of several.
+/// Returns false for a value that the contract does not admit: NaN, out of range(), an enumerator
+/// that it does not declare. The slot may have any bytes. If `path` is not null, it gets the first
+/// part of the value that is invalid.
 using ValueCheck = bool (*)(const std::byte* slot, FieldPath* path);
 
 struct CommandInfo {
@@ -36,22 +36,22 @@ struct CommandInfo {
   std::uint32_t argumentsSize = 0;       ///< bytes of the arguments' slot; 0: none
   std::uint32_t resultSize = 0;          ///< bytes of the result's slot; 0: none
   std::uint32_t depth;                   ///< how many may wait at the provider
-  bool latest = false;                   ///< newest wins
+  bool latest = false;                   ///< the newest one wins
   Duration ttl{0};                       ///< discarded when older; 0: never
-  int column = -1;                       ///< of a read: its column in the state table; else -1
-  Duration deadline = kDefaultDeadline;  ///< how long within() waits by itself
-  // What owns memory has a counted pointer in its record, see base/slots/shared_slot.h.
+  int column = -1;                       ///< for a read: its column in the state table; else -1
+  Duration deadline = kDefaultDeadline;  ///< how long within() waits without a limit
+  // A value that owns memory has a counted pointer in its record, see base/slots/shared_slot.h.
   bool sharedArguments = false, sharedResult = false;
-  /// concurrent() or direct(): a client in the provider's process, without delay between the two,
-  /// calls it in its own thread.
+  /// True for concurrent() and direct(): a client in the provider's process, without delay between
+  /// the two, calls it in its own thread.
   bool inCallersThread = false;
   ValueCheck accepts = nullptr, acceptsResult = nullptr;  ///< null: it admits all
-  // Turn the stamps in a slot, of any bytes, into those of another clock; null: it has none.
+  // These shift the stamps in a slot, of any bytes, to another clock; null: it has none.
   StampShift shiftArguments = nullptr, shiftResult = nullptr;
-  // They tell what need not be copied of a slot with large lists.
+  // These say what need not be copied of a slot with large lists.
   BoundedLevels argumentsLevels = {}, resultLevels = {};
 
-  /// A peer that may only read may call it.
+  /// Returns true if a peer that may only read may call it.
   bool reads() const { return kind == CommandKind::Read || kind == CommandKind::QualifiedRead; }
 
   /// Checks the arguments; `path` then begins with the name of the command.
@@ -63,7 +63,7 @@ struct CommandInfo {
   }
 };
 
-/// A set of a contract's events, one bit each.
+/// Is a set of a contract's events, one bit each.
 using EventSet = std::uint64_t;
 
 struct EventInfo {
@@ -72,18 +72,18 @@ struct EventInfo {
   std::uint32_t depth;
   bool latest = false;
   bool latched = false;
-  bool sharedPayload = false;         ///< as of a command
-  ValueCheck accepts = nullptr;       ///< as of a command
-  StampShift shiftPayload = nullptr;  ///< as of a command
-  BoundedLevels payloadLevels = {};   ///< as of a command
+  bool sharedPayload = false;         ///< as in CommandInfo
+  ValueCheck accepts = nullptr;       ///< as in CommandInfo
+  StampShift shiftPayload = nullptr;  ///< as in CommandInfo
+  BoundedLevels payloadLevels = {};   ///< as in CommandInfo
 
-  /// Checks the payload, as of a command.
+  /// Checks the payload; `path` then begins with the name of the event.
   bool admits(const std::byte* payload, FieldPath* path = nullptr) const {
     return accepts == nullptr || accepts(payload, path) || refusedAt(path, name);
   }
 };
 
-/// The table of a contract that derives from another, of N rows: the base's, then its own.
+/// Returns the table of a contract that derives from another, of N rows: the base's, then its own.
 template <std::size_t N, class Row, std::size_t Own>
 std::array<Row, N> extended(std::span<const Row> base, const Row (&own)[Own]) {
   std::array<Row, N> rows{};
@@ -91,7 +91,7 @@ std::array<Row, N> extended(std::span<const Row> base, const Row (&own)[Own]) {
   return rows;
 }
 
-/// One contract. All members have static storage.
+/// Describes one contract. All members have static storage.
 struct InterfaceInfo {
   const char* name;         ///< qualified C++ name: "robots::Arm"
   const char* hash;         ///< of the wire contract; equal hashes are compatible
@@ -99,28 +99,29 @@ struct InterfaceInfo {
   std::span<const CommandInfo> commands;
   std::span<const EventInfo> events;
   const rpc::Codec& (*codec)();  ///< how the contract travels as Cap'n Proto
-  /// The contract that this one derives from, or null. Its commands, events and columns are the
-  /// first of this one's.
+  /// Returns the contract that this one derives from, or is null. That contract's commands, events
+  /// and columns are the first of this one's.
   const InterfaceInfo& (*base)() = nullptr;
-  void* (*toBase)(void* implementation) = nullptr;  ///< from this contract to its base
-  WireNumbers wireEvents = {}, wireColumns = {};    ///< where they are not their places here
+  void* (*toBase)(void* implementation) = nullptr;  ///< converts from this contract to its base
+  WireNumbers wireEvents = {}, wireColumns = {};    ///< empty if they equal the places here
 };
 
-/// Bytes of the largest slot of a contract that is copied whole: what the counted pointers of
-/// shared ones lead to is not.
+/// Returns the bytes of the largest slot of a contract that is copied whole; what counted pointers
+/// lead to is not.
 std::uint32_t largestSlot(const InterfaceInfo& info);
 
-/// Throws SetupError if a task would provide or require such a contract: its thread never
-/// allocates.
+/// Throws SetupError if a task would provide or require a contract with unbounded values, because a
+/// task's thread never allocates.
 void refuseUnbounded(const InterfaceInfo& info, bool isTask);
 
-/// InterfaceInfo::toBase of a contract and its base.
+/// Is the InterfaceInfo::toBase of a contract and its base.
 template <class Contract, class Base>
 void* castToBase(void* implementation) {
   return static_cast<Base*>(static_cast<Contract*>(implementation));
 }
 
-/// The tables of `Contract`. Each contract's generated header "X.suture.h" declares its own.
+/// Returns the tables of `Contract`. Each contract's generated header "X.suture.h" declares its
+/// own.
 template <class Contract>
 const InterfaceInfo& interfaceInfo() = delete;
 

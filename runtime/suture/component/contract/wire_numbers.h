@@ -1,5 +1,5 @@
 #pragma once
-// The numbers by which two processes name events and columns to each other.
+// By these numbers two processes name events and columns to each other.
 
 #include <algorithm>
 #include <cstddef>
@@ -8,11 +8,11 @@
 
 namespace suture {
 
-/// By place in a contract's tables, the number on the wire: the place in the lock, which stays when
-/// a base of the contract gets more. Empty: the two are the same.
+/// Has, by place in a contract's tables, the number on the wire: the place in the lock, which stays
+/// when a base of the contract gets more. Empty means that the two are equal.
 using WireNumbers = std::span<const std::uint8_t>;
 
-/// A set of events or columns, one bit each, as the wire has it.
+/// Returns a set of events or columns, one bit each, in wire numbers.
 inline std::uint64_t toWireNumbers(WireNumbers numbers, std::uint64_t set) {
   if (numbers.empty()) return set;
   std::uint64_t wire = 0;
@@ -25,14 +25,14 @@ inline std::uint16_t numberAt(WireNumbers numbers, std::uint16_t place) {
   return numbers.empty() ? place : numbers[place];
 }
 
-/// Returns the place of one that has come: beyond all places if this side does not know it.
+/// Returns the place of a received number, or one beyond all places if this side does not know it.
 inline std::size_t placeOf(WireNumbers numbers, std::uint16_t number) {
   if (numbers.empty()) return number;
   const auto found = std::find(numbers.begin(), numbers.end(), number);
   return static_cast<std::size_t>(found - numbers.begin());
 }
 
-/// Reads a set that has come, and leaves out what this side does not know.
+/// Reads a received set, and leaves out what this side does not know.
 inline std::uint64_t fromWireNumbers(WireNumbers numbers, std::uint64_t wire) {
   if (numbers.empty()) return wire;
   std::uint64_t set = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// How a deployment creates components by class name. suturec writes componentClass<T>() for each
-// SUTURE_COMPONENT; a program lists the classes it offers; nothing registers itself.
+// A deployment creates components by class name. suturec writes componentClass<T>() for each
+// SUTURE_COMPONENT; a program lists the classes that it offers; no class registers itself.
 
 #include <suture/component/component.h>
 
@@ -14,19 +14,19 @@ class JsonReader;
 
 struct ComponentClass {
   const char* name;  ///< unqualified C++ name: "Psm"
-  /// Reads the parameters and constructs the component. Null if the reader has reported a problem;
-  /// what the constructor throws passes through.
+  /// Reads the parameters and constructs the component. Returns null if the reader has reported a
+  /// problem; what the constructor throws passes through.
   std::unique_ptr<Component> (*create)(const JsonReader& parameters);
 };
 
-/// For generated code: these required interfaces of `component` need no provider.
+/// For generated code: makes these required interfaces of `component` optional.
 void makeOptional(Component& component, std::initializer_list<std::string_view> required);
 
-/// For generated code: values that the required interface `required` of `component` reads are stale
-/// when they are older than that, unless a connection says otherwise.
+/// For generated code: makes values that the required interface `required` of `component` reads
+/// stale when they are older than that, unless a connection says otherwise.
 void limitAge(Component& component, std::string_view required, Duration maxAge);
 
-/// The class `T`. Each component's generated header "X.suture.h" declares its own.
+/// Returns the class `T`. Each component's generated header "X.suture.h" declares its own.
 template <class T>
 ComponentClass componentClass() = delete;
 

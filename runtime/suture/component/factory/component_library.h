@@ -1,6 +1,6 @@
 #pragma once
-// What a shared library of components offers to deployments. suturec writes its one entry point for
-// a target that is LOADABLE:
+// A shared library offers its components to deployments with this. suturec writes its one entry
+// point for a target that is LOADABLE:
 //   extern "C" const suture::ComponentLibrary* suture_components();
 
 #include <suture/base/time.h>
@@ -11,17 +11,17 @@
 
 namespace suture {
 
-/// This release of Suture. What has been built with another one does not fit.
+/// Names this release of Suture. A library that was built with another one is refused.
 inline constexpr const char kVersion[] = "0.1.0";
 
-/// The name of the entry point.
+/// Names the entry point.
 inline constexpr const char kComponentsEntry[] = "suture_components";
 
 struct ComponentLibrary {
   const char* version;  ///< of the Suture it was built with; first, so that any other can read it
   std::span<const ComponentClass> classes;
-  /// The runtime inside the library asks it for time. The program that loads the library stores its
-  /// own stepped clock there.
+  /// The runtime inside the library asks this for time. The program that loads the library stores
+  /// its own stepped clock there.
   std::atomic<VirtualTime*>* virtualTime = &detail::virtualTime;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Reads sets, maps, optionals, tuples, variants and matrices of any size from JSON. See
+// These read sets, maps, optionals, tuples, variants and matrices of any size from JSON. See
 // json_reader.h, which includes this.
 
 #include <suture/component/factory/json_reader.h>
@@ -15,7 +15,7 @@
 
 namespace suture {
 
-/// null is nothing.
+/// Reads null as an empty optional.
 template <class T>
 void fromJson(const JsonReader& in, std::optional<T>& value) {
   if (in.json().is_null()) return value.reset();
@@ -47,7 +47,7 @@ void fromJson(const JsonReader& in, std::unordered_set<T>& value) {
   setFromJson(in, value);
 }
 
-/// An object where the keys are strings, else a list of pairs [key, value].
+/// Reads an object if the keys are strings, else a list of pairs [key, value].
 template <class Map>
 void mapFromJson(const JsonReader& in, Map& value) {
   using Key = typename Map::key_type;
@@ -73,7 +73,7 @@ void fromJson(const JsonReader& in, std::unordered_map<Key, Value>& value) {
   mapFromJson(in, value);
 }
 
-/// A list of its members.
+/// Reads a list of the members.
 template <class Tuple, std::size_t... I>
 void tupleFromJson(const JsonReader& in, Tuple& value, std::index_sequence<I...>) {
   if (!in.isArrayOf(sizeof...(I))) {
@@ -94,7 +94,8 @@ inline void fromJson(const JsonReader& in, std::monostate&) {
   if (!in.json().is_null()) in.expected("null");
 }
 
-/// {"index": 1, "value": ...}: nothing else tells which of two alternatives that read alike it is.
+/// Reads {"index": 1, "value": ...}, because two alternatives may read alike and only the index
+/// tells which one it is.
 template <class Variant, std::size_t... I>
 void variantFromJson(const JsonReader& in, Variant& value, std::index_sequence<I...>) {
   JsonReader reader = in;
@@ -112,7 +113,7 @@ void fromJson(const JsonReader& in, std::variant<T...>& value) {
   variantFromJson(in, value, std::index_sequence_for<T...>());
 }
 
-/// A vector is a list; a matrix is a list of its rows, all equally long.
+/// Reads a vector as a list, and a matrix as a list of its rows, all equally long.
 template <class S, int Rows, int Columns, int O, int MaxRows, int MaxColumns>
 requires(Rows == Eigen::Dynamic || Columns == Eigen::Dynamic) void fromJson(
     const JsonReader& in, Eigen::Matrix<S, Rows, Columns, O, MaxRows, MaxColumns>& value) {

@@ -1,5 +1,5 @@
 #pragma once
-// Reads a component's parameters from JSON. Generated code calls field() once for each member.
+// This reads a component's parameters from JSON. Generated code calls field() once for each member.
 
 #include <suture/annotate.h>
 
@@ -18,15 +18,15 @@
 
 namespace suture {
 
-/// Something wrong in a JSON text, and where: an RFC 6901 pointer, which the deployment turns into
-/// file and line.
+/// Says what is wrong in a JSON text, and where: an RFC 6901 pointer, which the deployment turns
+/// into file and line.
 struct JsonProblem {
   std::string pointer;
   std::string text;
 };
 
-/// One JSON value that becomes one C++ value. Collects all problems instead of stopping at the
-/// first. Set-up code only.
+/// Set-up code only. Holds one JSON value that becomes one C++ value. It collects all problems
+/// instead of stopping at the first.
 class JsonReader {
  public:
   JsonReader(const nlohmann::json& json, std::string pointer, std::vector<JsonProblem>& problems)
@@ -37,16 +37,16 @@ class JsonReader {
   void expected(std::string_view what) const;
   void report(std::string text) const { problems_.push_back({pointer_, std::move(text)}); }
 
-  /// Member `key` of this object into `target`; if absent, `target` keeps its default.
+  /// Reads member `key` of this object into `target`; if it is absent, `target` keeps its default.
   template <class T>
   void field(const char* key, T& target);
-  /// The same for numbers, which must all lie between `lowest` and `highest`, both allowed.
+  /// Does the same for numbers, which must all lie between `lowest` and `highest`, inclusive.
   template <class T>
   void field(const char* key, T& target, double lowest, double highest);
-  /// After all fields: reports every key that none of them is named by.
+  /// After all fields: reports every key that is not the name of one of them.
   void finish() const;
 
-  /// True if any problem has been reported so far, here or anywhere else in the text.
+  /// Returns true if any problem has been reported so far, here or anywhere else in the text.
   bool failed() const { return !problems_.empty(); }
 
   /// Reports every number, here or within lists and objects, that is not between the two.
@@ -54,8 +54,8 @@ class JsonReader {
 
   JsonReader at(const std::string& key) const;
   JsonReader at(std::size_t index) const;
-  /// Reports and returns true if this value lies deeper than any real one: types may hold
-  /// themselves.
+  /// Reports and returns true if this value lies deeper than any real one, because types may
+  /// contain themselves.
   bool tooDeep() const;
   bool isArrayOf(std::size_t size) const;
 
@@ -75,7 +75,8 @@ void fromJson(const JsonReader& in, std::byte& value);
 void fromJson(const JsonReader& in, Eigen::Isometry3d& value);
 void fromJson(const JsonReader& in, Eigen::Affine3d& value);
 
-/// The name of an enumerator, of those in `names`: its index, or -1 and a report.
+/// Returns the index of the enumerator whose name this is, of those in `names`, or reports and
+/// returns -1.
 int enumeratorFromJson(const JsonReader& in, const std::vector<std::string>& names);
 
 template <class T>
@@ -97,14 +98,14 @@ requires(std::is_arithmetic_v<T> && !std::is_same_v<T, bool> &&
   }
 }
 
-/// A char of a foreign struct is read as the number of its byte.
+/// Reads a char of a foreign struct as the number of its byte.
 inline void fromJson(const JsonReader& in, char& value) {
   signed char number = 0;
   fromJson(in, number);
   value = static_cast<char>(number);
 }
 
-/// Durations are numbers of seconds.
+/// Reads durations as numbers of seconds.
 template <class Rep, class Period>
 void fromJson(const JsonReader& in, std::chrono::duration<Rep, Period>& value) {
   if (!in.json().is_number()) return in.expected("a number of seconds");
@@ -118,7 +119,7 @@ void fromJson(const JsonReader& in, std::vector<T>& value) {
   if (!in.json().is_array()) return in.expected("a list");
   value.resize(in.json().size());
   for (std::size_t i = 0; i < value.size(); ++i) {
-    if constexpr (std::is_same_v<T, bool>) {  // its elements have no address
+    if constexpr (std::is_same_v<T, bool>) {  // the elements of a vector<bool> have no address
       bool element = false;
       fromJson(in.at(i), element);
       value[i] = element;
@@ -141,7 +142,7 @@ void fromJson(const JsonReader& in, T (&value)[N]) {
   for (std::size_t i = 0; i < N; ++i) fromJson(in.at(i), value[i]);
 }
 
-/// A type that has a suture::Wire is read as that says.
+/// Reads a type that has a suture::Wire as that says.
 template <class T>
 requires requires { typename Wire<T>::Type; }
 void fromJson(const JsonReader& in, T& value) {
@@ -156,7 +157,7 @@ void fromJson(const JsonReader& in, std::array<T, N>& value) {
   for (std::size_t i = 0; i < N; ++i) fromJson(in.at(i), value[i]);
 }
 
-/// A vector is a list; a matrix is a list of its rows.
+/// Reads a vector as a list, and a matrix as a list of its rows.
 template <class S, int Rows, int Columns, int Options>
 requires(Rows > 0 && Columns > 0) void fromJson(const JsonReader& in,
                                                 Eigen::Matrix<S, Rows, Columns, Options>& value) {
@@ -174,7 +175,7 @@ requires(Rows > 0 && Columns > 0) void fromJson(const JsonReader& in,
   }
 }
 
-/// A quaternion is the list w, x, y, z.
+/// Reads a quaternion as the list w, x, y, z.
 template <class S>
 void fromJson(const JsonReader& in, Eigen::Quaternion<S>& value) {
   std::array<S, 4> wxyz{};

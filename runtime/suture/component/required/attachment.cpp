@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-// The provider lets go in its own time.
+// Closes the channel for this end; the provider drops it in its own time.
 void giveUp(const std::shared_ptr<Channel>& channel) {
   if (channel == nullptr) return;
   channel->client.cut();
@@ -32,7 +32,7 @@ void Attachment::awaitDirectHandlers() const {
 }
 
 void Attachment::attach(std::shared_ptr<Channel> channel) {
-  // Close only what the owner has not taken over: the rest is its own to close.
+  // Close only what the owner has not taken over; the owner closes the rest.
   const std::unique_ptr<std::shared_ptr<Channel>> unadopted(
       incoming_.exchange(new std::shared_ptr<Channel>(channel), std::memory_order_acq_rel));
   if (unadopted != nullptr && *unadopted != channel) giveUp(*unadopted);
@@ -96,15 +96,15 @@ Errc Attachment::unusable(std::uint16_t command) {
   return awaitsOperator(command) ? Errc::AwaitingOperator : Errc{};
 }
 
-// Reads and qualified reads await no operator, since questions move nothing.
+// Reads and qualified reads await no operator, since they move nothing.
 bool Attachment::awaitsOperator(std::uint16_t command) const {
   if (channel_->terms.watch == nullptr || !channel_->terms.watch->awaitsOperator) return false;
   const CommandKind kind = info_.commands[command].kind;
   return kind != CommandKind::Read && kind != CommandKind::QualifiedRead;
 }
 
-// Only asks a device, whose required interfaces belong to another thread than its commands. Whoever
-// resumes a connection has not seen what is lost since, so that awaits its operator.
+// Only asks a device, whose required interfaces belong to another thread than its commands. An
+// operator who resumes has not seen a loss that comes later, so that awaits the operator again.
 ResumeOutcome Attachment::resume() {
   if (!owner_.ownsThread()) {
     resumeAsked_ = true;

@@ -21,7 +21,7 @@ class Component;
 class ProvidedBase;
 
 /// Knows the component that a required interface belongs to, and the connection that it has in this
-/// cycle. Belongs to the thread of the component, but for what says otherwise.
+/// cycle. Belongs to the thread of the component, except where a comment says otherwise.
 class Attachment {
  public:
   /// Keeps something that holds for one connection only.
@@ -29,7 +29,7 @@ class Attachment {
    public:
     /// The present connection is about to be given up.
     virtual void leave() {}
-    /// Another one has taken its place, or none has.
+    /// Another connection has taken its place, or none has.
     virtual void join() {}
 
    protected:
@@ -52,26 +52,26 @@ class Attachment {
   const InterfaceInfo& info() const { return info_; }
   Component& owner() const { return owner_; }
 
-  /// The connection; nullptr if there is none.
+  /// Returns the connection; nullptr if there is none.
   const std::shared_ptr<Channel>& channel() const { return channel_; }
-  /// Why calls cannot reach the provider now; 0 if they can.
+  /// Returns why calls cannot reach the provider now, or 0 if they can.
   Errc unusable();
-  /// The same for one command.
+  /// Returns the same for one command.
   Errc unusable(std::uint16_t command);
 
-  /// Any thread: the next connection, or nullptr to take it away; adopt() does the rest.
+  /// Any thread. Sets the next connection, or takes it away if null; adopt() does the rest.
   void attach(std::shared_ptr<Channel> channel);
-  /// True if adopt() has something to do.
+  /// Returns true if adopt() has something to do.
   bool rewired() const { return incoming_.load(std::memory_order_relaxed) != nullptr; }
   /// Takes over what attach() left.
   void adopt();
   /// Acts on each loss of the provider, once.
   void noticeLoss();
-  /// Does both.
+  /// Calls adopt() and noticeLoss().
   void lookAt();
-  /// Lets commands through again that await their operator.
+  /// Admits commands that await their operator again.
   ResumeOutcome resume();
-  /// Before anything that uses it ends: gives up the connection, and what attach() left. Returns
+  /// Gives up the connection, and what attach() left, before anything that uses them ends. Returns
   /// when no direct handler of an event is running.
   void close();
   /// Returns when no direct handler of an event is running.
@@ -91,7 +91,7 @@ class Attachment {
   // True once noticeLoss() has dealt with the loss of channel_.
   bool lossNoticed_ = false;
   std::uint32_t faultsNoticed_ = 0;
-  std::atomic<bool> resumeAsked_{false};  // of a device
+  std::atomic<bool> resumeAsked_{false};  // used by a device
 };
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-// Somebody waits for these events.
+// These are the events that a caller waits for.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
@@ -16,25 +16,26 @@ namespace suture {
 class AwaitedEvents;
 class Subscriptions;
 
-/// A NextEvent without its payload. Belongs to the thread of the component.
+/// Is a NextEvent without its payload. Belongs to the thread of the component.
 class AwaitedEvent {
  public:
   AwaitedEvent(const AwaitedEvent&) = delete;
   AwaitedEvent& operator=(const AwaitedEvent&) = delete;
 
-  /// True if the event has come or cannot come any more.
+  /// Returns true if the event has come or cannot come any more.
   bool over();
 
  protected:
-  /// It is awaited from now on.
+  /// Begins to await the event.
   AwaitedEvent(Subscriptions& subscriptions, std::uint16_t event);
   /// Takes the place of `other`, which must not be used any more.
   AwaitedEvent(AwaitedEvent&& other) noexcept;
   ~AwaitedEvent();
 
-  /// Handles what arrives until it is over, at most for `limit`; then that is its end.
+  /// Handles what arrives until the event is over, at most for `limit`; then it ends with
+  /// Errc::Timeout.
   void wait(Duration limit);
-  /// Why it has not come; 0: it has.
+  /// Returns why it has not come, or 0 if it has.
   Errc error() const { return error_; }
 
   virtual void take(const std::byte* payload) = 0;
@@ -52,8 +53,8 @@ class AwaitedEvent {
   AwaitedEvent* next_ = nullptr;  // of the same required interface
 };
 
-/// Those of one required interface. They link themselves, so that nothing is allocated; each is
-/// ended at most once, since what is over is no longer among them.
+/// Lists the awaited events of one required interface. They link themselves, so that nothing is
+/// allocated. Each is ended at most once, since it leaves the list when it is over.
 class AwaitedEvents {
  public:
   void add(AwaitedEvent& event);
@@ -63,7 +64,7 @@ class AwaitedEvents {
   void endAll(Errc error);
   /// Ends those of `event`.
   void end(std::uint16_t event, Errc error);
-  /// Ends those that `record` is for, which get it.
+  /// Ends those that wait for `record`, and gives it to them.
   void satisfy(const rt::EventRecord& record);
 
  private:

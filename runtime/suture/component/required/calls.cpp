@@ -39,7 +39,7 @@ PendingCall* Calls::open(std::uint16_t command) {
 }
 
 void Calls::close(PendingCall& call) {
-  // The answer may still come; until then the place is taken.
+  // The answer may still come, so the place stays taken until then.
   if (call.done || attachment_.channel() == nullptr) {
     discard(call);
   } else {
@@ -47,7 +47,7 @@ void Calls::close(PendingCall& call) {
   }
 }
 
-// Calls under way went to the old connection; nobody will answer them on the next.
+// Ends calls under way, which went to the old connection: the next one will not answer them.
 void Calls::leave() {
   collectReplies();
   for (PendingCall& call : calls_) {
@@ -62,7 +62,7 @@ void Calls::collectReplies() {
   Channel* const channel = attachment_.channel().get();
   if (channel == nullptr) return;
   channel->client.lowerUntaken();
-  // Take no more than there may be calls: a foreign provider may write without end.
+  // Take no more than there may be calls, because a foreign provider may write without end.
   for (std::size_t i = 0; i < calls_.size(); ++i) {
     ReplyRecord* const reply = channel->client.nextReply();
     if (reply == nullptr) return;
@@ -75,7 +75,7 @@ void Calls::collect(ReplyRecord& reply, std::size_t size) {
   Channel& channel = *attachment_.channel();
   channel.countReceived(rt::SpscRing::recordSize(sizeof(reply) + size));
   const std::size_t index = reply.call % Channel::kMaxCalls;
-  if (index >= calls_.size()) return;  // no call of ours: the provider made it up
+  if (index >= calls_.size()) return;  // no call of ours: the provider invented it
   PendingCall& call = calls_[index];
   if (call.number != reply.call) return;
   call.done = true;
@@ -86,7 +86,7 @@ void Calls::collect(ReplyRecord& reply, std::size_t size) {
   copyUsed(call.result.data(), reply.result(), std::min(size, call.result.size()),
            size == command.resultSize ? command.resultLevels : BoundedLevels{});
   call.shared = reply.shared;
-  if (reply.shared) putSharedSlot(reply.result(), nullptr);  // it is the call's now
+  if (reply.shared) putSharedSlot(reply.result(), nullptr);  // the call owns it now
   if (call.error == Errc{} && !channel.admitsCopy(command, call.result.data())) {
     call.error = Errc::Invalid;
   }

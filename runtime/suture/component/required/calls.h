@@ -14,9 +14,9 @@ namespace suture {
 class Calls;
 struct ReplyRecord;
 
-/// A place for one call under way, and for its answer.
+/// Is a place for one call under way, and for its answer.
 struct PendingCall {
-  /// How large a handler of Call::then() may be.
+  /// Limits the size of a handler of Call::then().
   static constexpr std::size_t kHandlerSize = 48;
   /// Called in the owner's thread as soon as the call is done.
   using Follower = void (*)(Calls&, PendingCall&);
@@ -30,7 +30,7 @@ struct PendingCall {
   Errc error{};
   Time stamp{};
   std::span<std::byte> result;
-  Follower follower = nullptr;  ///< null: whoever started it looks at the answer himself
+  Follower follower = nullptr;  ///< null: the caller looks at the answer itself
   alignas(std::max_align_t) std::byte handler[kHandlerSize];  ///< the follower's
 };
 
@@ -42,23 +42,23 @@ class Calls final : private Attachment::User {
   Calls(const Calls&) = delete;
   Calls& operator=(const Calls&) = delete;
 
-  /// Takes a place; nullptr if none is free.
+  /// Takes a place; returns nullptr if none is free.
   PendingCall* open(std::uint16_t command);
   /// Frees the place, as soon as no answer can come any more.
   void close(PendingCall& call);
   bool isDone(PendingCall& call);
   void waitFor(PendingCall& call, Duration limit);
-  /// True if the provider will not execute it, and answers so.
+  /// Returns true if the provider will not execute it, and answers so.
   bool cancel(PendingCall& call);
   void follow(PendingCall& call, PendingCall::Follower follower);
 
-  /// True if finishFollowed() may have something to do.
+  /// Returns true if finishFollowed() may have something to do.
   bool followedMayBeDone() const;
-  /// Has the followers of those that are done called.
+  /// Calls the followers of the calls that are done.
   void finishFollowed();
-  /// True if an answer has come since offerNews() that nobody has taken.
+  /// Returns true if an answer has come since offerNews() that has not been taken.
   bool unseen();
-  /// Leaves the answers that have come by now to run().
+  /// Leaves the answers that have come so far to run().
   void offerNews();
 
  private:
@@ -68,15 +68,15 @@ class Calls final : private Attachment::User {
   void collect(ReplyRecord& reply, std::size_t size);
   /// Frees the place of a call that is over.
   void discard(PendingCall& call);
-  /// What ends the calls under way; 0: nothing.
+  /// Returns what ends the calls under way, or 0 if nothing does.
   Errc end() const;
 
   Attachment& attachment_;
   std::vector<PendingCall> calls_;
-  std::vector<std::uint64_t> results_;  // the memory of the calls'
+  std::vector<std::uint64_t> results_;  // the memory of the calls' results
   std::uint32_t opened_ = 0;
-  unsigned fresh_ = 0;     // calls that are
-  unsigned followed_ = 0;  // calls that have a follower
+  unsigned fresh_ = 0;     // how many calls are fresh
+  unsigned followed_ = 0;  // how many calls have a follower
 };
 
 }  // namespace suture

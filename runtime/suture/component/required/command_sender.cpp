@@ -56,7 +56,7 @@ std::uint32_t CommandSender::room(std::uint16_t command) {
   return attachment_.channel()->commands.room(command);
 }
 
-// A task takes another connection over between its cycles only, so there is no room until then.
+// A task takes over another connection only between its cycles, so it has no room until then.
 Errc CommandSender::whyNotAwaited(std::uint16_t command) const {
   const Errc error = attachment_.unusable(command);
   if (error != Errc{}) return error;

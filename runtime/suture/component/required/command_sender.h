@@ -15,42 +15,42 @@ class CommandSender {
  public:
   explicit CommandSender(Attachment& attachment) : attachment_(attachment) {}
 
-  /// The provider if `command` runs in the caller's thread; else nullptr.
+  /// Returns the provider if `command` runs in the caller's thread; else nullptr.
   ProvidedBase* callee(std::uint16_t command) const;
 
   /// Queues a command whose arguments `fill(std::byte*)` stores; it returns false if they do not
-  /// fit. `call`: the number of the call that awaits the answer; 0: nobody does.
+  /// fit. `call` is the number of the call that awaits the answer; 0: none does.
   template <class Fill>
   Errc send(std::uint16_t command, std::uint32_t call, const Fill& fill);
-  /// Answers an error for arguments that go to a handler as they are, if their slot would not fit
-  /// or the contract does not admit them.
+  /// Checks arguments that go to a handler as they are. Answers an error if their slot would not
+  /// fit or the contract does not admit them.
   template <class Slot, class... Arguments>
   Errc judgeHere(std::uint16_t command, Arguments&... arguments);
   /// Does the same for the result of a call in this thread.
   template <class Slot, class Value>
   Errc judgeResultHere(std::uint16_t command, const Value& value) const;
-  /// How many more of `command` can be sent now. Of 0, the component is rung when that may have
-  /// changed.
+  /// Returns how many more of `command` can be sent now. After 0, the component is rung when that
+  /// may have changed.
   std::uint32_t room(std::uint16_t command);
-  /// The same, waiting at most `limit` until there is some.
+  /// Waits at most `limit` until there is room, and returns how much.
   Result<std::uint32_t> roomWithin(std::uint16_t command, Duration limit);
-  /// How long within() waits for the answer of `command`.
+  /// Returns how long within() waits for the answer of `command`.
   Duration deadlineOf(std::uint16_t command) const;
 
  private:
   const CommandInfo& infoOf(std::uint16_t command) const {
     return attachment_.info().commands[command];
   }
-  /// Why it is no use to wait for room; 0: it is.
+  /// Returns why waiting for room is useless, or 0 if it is not.
   Errc whyNotAwaited(std::uint16_t command) const;
-  /// `arguments`: where they go.
+  /// Sets `arguments` to where they go.
   Errc claim(std::uint16_t command, std::uint32_t call, std::byte*& arguments);
-  /// Publishes what claim() gave, or gives it up if no provider is to see such arguments.
+  /// Publishes what claim() gave, or gives it up if no provider may see such arguments.
   Errc commit(std::uint16_t command, const std::byte* arguments, bool fits);
   /// Answers an error, and counts it, if the arguments in a slot did not fit or the contract does
   /// not admit them.
   Errc judge(std::uint16_t command, const std::byte* arguments, bool fits);
-  /// False, and noted, for a result that the contract does not admit.
+  /// Returns false for a result that the contract does not admit, and notes that.
   bool admitsResult(std::uint16_t command, const std::byte* result) const;
 
   Attachment& attachment_;

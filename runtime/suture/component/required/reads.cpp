@@ -9,8 +9,8 @@
 namespace suture {
 namespace {
 
-// The client's thread alone counts what arrives there, so a read need not pay for an addition that
-// others could join.
+// Only the client's thread counts what arrives there, so a read need not pay for an atomic
+// addition.
 void countRead(Channel& channel, unsigned column) {
   if (!channel.foreign) return;
   const std::uint64_t before = channel.bytesReceived.load(std::memory_order_relaxed);
@@ -96,8 +96,8 @@ Sample<void> Reads::readRow(const Time* at, std::span<const std::uint16_t> comma
   return judgeAge(row.stamp);
 }
 
-// Looks at the clock once for a row that is read many times, and then at every 16th read: asking
-// for the time takes longer than the read itself.
+// Looks at the clock when a row is first read, and then at every 16th read of it, because the clock
+// takes longer than the read itself.
 void Reads::noteRead(Time stamp) {
   if (stamp == lastRead_ && ++repeatedReads_ % 16 != 0) return;
   lastRead_ = stamp;

@@ -40,7 +40,7 @@ Errc Subscriptions::unsubscribe(std::uint16_t event) {
   return Errc{};
 }
 
-// Passes on what has been subscribed to since the channel was made.
+// Tells the channel what has been subscribed to since it was made.
 void Subscriptions::join() {
   for (std::uint16_t event = 0; event < heard_.size(); ++event) lendHandler(event);
   const Channel* const channel = attachment_.channel().get();
@@ -61,7 +61,7 @@ void Subscriptions::passOn(EventSet joining) {
   if (channel == nullptr) return;
   if (joining == 0 && channel->subscribed() == subscribed()) return;
   channel->client.subscribe(subscribed(), joining);
-  // Once the connection is over, the device at its far end may be gone: leave that alone.
+  // Once the connection is over, the device at its far end may be gone, so do not touch it.
   const ChannelStatus status = channel->status.load(std::memory_order_acquire);
   if (isOver(status)) return;
   const Channel::Ends& ends = channel->ends;
@@ -82,13 +82,13 @@ std::size_t Subscriptions::handleQueued() {
   // A task that is asked to stop ends after this handler; a collector takes the rest in onStop().
   const Component& owner = attachment_.owner();
   const bool atItsEnd = owner.ending();
-  // A provider that emits faster than they are handled must not keep the task from its cycle. What
-  // is left of a connection that a handler of a device has found over is not heard.
+  // A provider that emits faster than they are handled must not keep the task from its cycle. If a
+  // handler of a device has found the connection over, the rest of its events is dropped.
   while (attachment_.channel() == channel && handled < channel->events.capacity() &&
          (atItsEnd || !owner.ending())) {
     const rt::EventRecord* const record = channel->events.next();
     if (record == nullptr) break;
-    // Release the event even if the handler throws: it must not meet the same event again.
+    // Release the event even if the handler throws: it must not get the same event again.
     struct Release {
       rt::EventQueue& events;
       bool& handling;
@@ -108,19 +108,20 @@ void Subscriptions::deliver(const rt::EventRecord& record) {
   Channel& channel = *attachment_.channel();
   const EventInfo& info = attachment_.info().events[record.event];
   channel.countReceived(sizeof(record) + info.payloadSize);
-  // Judge the copy of a foreign event: on other lanes it was judged before it came here.
+  // Check the copy of a foreign event; those of other lanes were checked before they came here.
   if (channel.foreign && !channel.admits(info, record.payload())) {
     return channel.events.countDropped();
   }
   awaited_.satisfy(record);
   const Heard& heard = heard_[record.event];
-  // The value of a latched event may be older than its subscription, for it is a replay.
+  // The value of a latched event may be older than its subscription, because it may be a replay.
   if (record.stamp < heard.since && !info.latched) return;
   if (VirtualTime* const time = virtualTime(); time != nullptr) {
     time->note(VirtualTime::Kind::Event, attachment_.name().c_str(), info.name,
                channel.events.delivered());
   }
-  const auto handler = heard.handler;  // lives on if it ends its own subscription
+  const auto handler = heard.handler;  // a copy, which lives on if the handler ends its own
+                                       // subscription
   if (handler != nullptr) (*handler)(record.payload());
 }
 
@@ -157,7 +158,7 @@ Errc Subscriptions::waitFor(AwaitedEvent& event, Duration limit) {
   return Errc::Timeout;
 }
 
-// Does as a cycle does first; but a task's connections change between its cycles only.
+// Does what a cycle does first, except that a task's connections change only between its cycles.
 std::size_t Subscriptions::handleArrivals() {
   if (!attachment_.owner().ownsThread()) attachment_.adopt();
   attachment_.noticeLoss();

@@ -1,5 +1,5 @@
 #pragma once
-// A required interface hears events by these.
+// A required interface receives events by these.
 
 #include <suture/base/errors.h>
 #include <suture/component/required/attachment.h>
@@ -14,7 +14,7 @@
 
 namespace suture {
 
-/// Belongs to the thread of the component, but for what says otherwise.
+/// Belongs to the thread of the component, except where a comment says otherwise.
 class Subscriptions final : private Attachment::User {
  public:
   /// Gets the slot of what the event carries.
@@ -24,27 +24,27 @@ class Subscriptions final : private Attachment::User {
   Subscriptions(const Subscriptions&) = delete;
   Subscriptions& operator=(const Subscriptions&) = delete;
 
-  /// The events that are subscribed to. Any thread.
+  /// Any thread. Returns the events that are subscribed to.
   EventSet subscribed() const { return subscribed_.load(std::memory_order_relaxed); }
-  /// Errc::WrongThread if the interface is another thread's. `direct`: where both ends are in one
-  /// process, the thread that emits runs the handler.
+  /// Answers Errc::WrongThread if the interface is another thread's. If `direct` and both ends are
+  /// in one process, the thread that emits runs the handler.
   Errc subscribe(std::uint16_t event, Handler handler, bool direct = false);
   Errc unsubscribe(std::uint16_t event);
 
   /// Runs the handlers of the events that have arrived, and returns how many.
   std::size_t handleQueued();
-  /// True if there are any.
+  /// Returns true if there are any.
   bool pending() const;
 
   /// Subscribes to `event`, so that it can be awaited; an error says why it cannot.
   Errc await(std::uint16_t event);
   AwaitedEvents& awaited() { return awaited_; }
-  /// Handles what arrives until `event` is over, at most for `limit`. Answers why it may not be:
-  /// Errc::Timeout; WrongThread or CannotWait, at once.
+  /// Handles what arrives until `event` is over, at most for `limit`. Answers Errc::Timeout if it
+  /// is not over by then, and WrongThread or CannotWait at once.
   Errc waitFor(AwaitedEvent& event, Duration limit);
-  /// Why no event will come any more; 0: one may.
+  /// Returns why no event will come any more, or 0 if one may.
   Errc end() const;
-  /// True if such a wait has handled an event since offerNews() that it was not for.
+  /// Returns true if such a wait has handled an event since offerNews() that it did not wait for.
   bool unseen() const { return handledInWait_; }
   /// Leaves the effects of those to run().
   void offerNews() { handledInWait_ = false; }
@@ -59,19 +59,19 @@ class Subscriptions final : private Attachment::User {
   void leave() override { awaited_.endAll(Errc::Lost); }
   void join() override;
 
-  /// Tells the provider's end what is subscribed to by now.
+  /// Tells the provider's end what is subscribed to.
   void passOn(EventSet joining);
-  /// Has the provider run the handler of `event` itself, if that is direct and both are here.
+  /// Lets the provider run the handler of `event` itself, if it is direct and both are here.
   void lendHandler(std::uint16_t event);
   void deliver(const rt::EventRecord& record);
   std::size_t handleArrivals();
 
   Attachment& attachment_;
   std::vector<Heard> heard_;             // by event
-  std::atomic<EventSet> subscribed_{0};  // the owner's; read by who connects
+  std::atomic<EventSet> subscribed_{0};  // written by the owner; read by the thread that connects
   AwaitedEvents awaited_;
   bool handling_ = false;       // a handler of an event is running
-  bool handledInWait_ = false;  // events, other than the one waited for
+  bool handledInWait_ = false;  // events other than the one waited for
 };
 
 }  // namespace suture

@@ -14,7 +14,7 @@ void CallbackTask::start() {
 
 void CallbackTask::stop() {
   setEnding(true);
-  doorbell().ring();  // its cycle may wait for an event that nobody handles any more
+  doorbell().ring();  // its cycle may wait for an event that no thread handles any more
   if (!running_.exchange(false)) return;
   while (cycling_.test_and_set(std::memory_order_seq_cst)) cycleEnded_.wait();
   claimThread();
@@ -23,7 +23,7 @@ void CallbackTask::stop() {
   cycling_.clear(std::memory_order_release);
 }
 
-// Gives no due time, since nobody here knows when it is called next.
+// Gives no due time, since the task does not know when it is called next.
 void CallbackTask::restUntilTriggered() {
   if (allRest()) {
     mutableActivity().suspend();

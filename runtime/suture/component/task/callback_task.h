@@ -6,18 +6,18 @@
 
 namespace suture {
 
-/// Has no thread of its own: another one, say that of a driver or a window system, calls trigger()
-/// and runs the cycle. Commands, events, and requests to suspend or resume wait for the next call.
+/// Has no thread: another one, say that of a driver or a window system, calls trigger() and runs
+/// the cycle. Commands, events, and requests to suspend or resume wait for the next call.
 class CallbackTask : public Task {
  public:
   void start() final;
-  /// Waits for the cycle under way, so it must not be called from one. Calls that come later do
+  /// Waits for the cycle under way, so it must not be called from one. Later calls of trigger() do
   /// nothing.
   void stop() final;
 
-  /// Any thread: one cycle, here and now. False, and counted as skipped, if one is under way,
-  /// whether in another thread or further up in this one; false also if run() was not called, since
-  /// it is not started, suspended or parked.
+  /// Any thread. Runs one cycle, here and now. Returns false, and counts a skipped cycle, if one is
+  /// under way in another thread or further up in this one. Returns false also if run() was not
+  /// called, because the task is not started, suspended or parked.
   bool trigger();
 
  private:
@@ -26,7 +26,7 @@ class CallbackTask : public Task {
 
   std::atomic<bool> running_{false};
   std::atomic_flag cycling_ = ATOMIC_FLAG_INIT;
-  rt::Doorbell cycleEnded_;  // rung once stop() may wait for it
+  rt::Doorbell cycleEnded_;  // rung if stop() may wait for it
 };
 
 }  // namespace suture

@@ -8,9 +8,9 @@ struct ContinuousOptions {
   rt::Scheduling scheduling{};
 };
 
-/// Runs one cycle after another without a pause: for a run() that itself waits, say for the next
-/// frame of a camera. Whatever it waits for needs a deadline, for stop() waits for the cycle. On a
-/// stepped clock each cycle takes at least kLeastCycle, for it never sleeps.
+/// Runs one cycle after another without a pause, for a run() that itself waits, say for the next
+/// frame of a camera. Give each such wait a deadline, because stop() waits for the cycle. On a
+/// stepped clock each cycle takes at least kLeastCycle, because the task never sleeps.
 class ContinuousTask : public ThreadTask {
  public:
   static constexpr Duration kLeastCycle = std::chrono::microseconds(100);

@@ -8,14 +8,13 @@ namespace suture {
 
 struct EventOptions {
   rt::Scheduling scheduling{};
-  /// run() is called at least this often, even if nothing arrives. Without it, a task that nothing
-  /// arrives for sleeps on; while a client on the `shm` lane may ring, it looks again once a
-  /// second.
+  /// Calls run() at least this often, even if nothing arrives. Without it, a task for which nothing
+  /// arrives sleeps on; while a client on the `shm` lane may ring, it looks again once a second.
   std::optional<Duration> longestSleep{};
 };
 
 /// Sleeps until a command, an event or an answer arrives, then runs one cycle. What a cycle has
-/// taken itself, by within() or poll(), brings no other.
+/// taken itself, by within() or poll(), starts no other cycle.
 class EventTask : public ThreadTask {
  public:
   explicit EventTask(const EventOptions& options = {})

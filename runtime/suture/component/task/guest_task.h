@@ -4,11 +4,11 @@
 
 namespace suture {
 
-/// Runs its cycles in the thread of another task, after that one's own: Task::lend(). What arrives
+/// Runs its cycles in the thread of another task, after that task's own: Task::lend(). What arrives
 /// for the guest wakes that thread.
 class GuestTask : public Task {
  public:
-  /// Started and stopped with its host. Throws SetupError if it has none.
+  /// Checks that it has a host, with which it starts and stops. Throws SetupError if it has none.
   void start() final;
   void stop() final {}
 

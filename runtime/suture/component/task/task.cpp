@@ -13,7 +13,7 @@
 namespace suture {
 namespace {
 
-/// To be called before a thread's first cycle with these interfaces, since no cycle allocates.
+/// Makes room before a thread's first cycle with these interfaces, because no cycle allocates.
 template <class Provided, class Required>
 void makeRoom(const Provided& provided, const Required& required) {
   for (const auto* one : provided) reserveScratch(largestSlot(one->info()));
@@ -82,7 +82,7 @@ void Task::parkIfAsked() {
 void Task::makeRequestedTransition() {
   if (!requested_.load(std::memory_order_relaxed)) return;
   const auto requested = requested_.exchange(std::nullopt, std::memory_order_acquire);
-  if (!after(state(), *requested)) return;  // it has been parked since it was asked
+  if (!after(state(), *requested)) return;  // it has been parked since this was requested
   activity_.run(now());
   makeTransition(*requested);
   if (state() != ComponentState::Running) rest();
@@ -107,7 +107,7 @@ void Task::restartAfterFaults(const RestartBudget& budget) {
   restarts_ = budget;
 }
 
-// A restart may fail and be a fault again; the budget bounds that too.
+// A restart may fail and so be another fault; the budget bounds that too.
 void Task::makeSafe() {
   while (state() == ComponentState::Faulted && safeAfter_ != faults()) {
     safeAfter_ = faults();
@@ -122,7 +122,7 @@ bool Task::tryOnFault() {
   try {
     onFault();
     return true;
-  } catch (...) {  // the reason for the fault says more than what its aftermath met
+  } catch (...) {  // the reason for the fault says more than what onFault() threw
     return false;
   }
 }
@@ -157,7 +157,7 @@ void Task::work() {
                            std::memory_order_relaxed);
 }
 
-// Does the part of a cycle that runs no code of the user's.
+// Does the part of a cycle that runs no user code.
 void Task::rest() {
   for (RequiredBase* interface : required()) interface->adopt();
   for (ProvidedBase* interface : provided()) {
@@ -166,7 +166,7 @@ void Task::rest() {
   }
 }
 
-// Turns away what still waits, so that nothing is left without an answer.
+// Refuses the commands that still wait, so that each has an answer.
 void Task::leave() {
   setEnding(true);
   for (GuestTask* guest : guests_) guest->leave();

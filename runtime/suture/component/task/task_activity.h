@@ -1,5 +1,5 @@
 #pragma once
-// What a task shows of itself to those who watch whether it hangs.
+// A task shows here if it hangs.
 
 #include <suture/base/time.h>
 
@@ -14,8 +14,8 @@ enum class Activity : std::uint8_t {
   Suspended,  ///< it has no cycles to run
 };
 
-/// Written by the thread that runs the task, readable by any. One word, so that neither waits and
-/// both halves are of one moment.
+/// Written by the thread that runs the task, readable by any. It is one word, so that neither waits
+/// and both halves are of one moment.
 class TaskActivity {
  public:
   struct Reading {
@@ -23,7 +23,7 @@ class TaskActivity {
     /// Running: when the cycle began. Asleep: the latest time of the next; unset: there is none.
     Time due{};
 
-    /// For how long the task has owed the end of a cycle, or the beginning of one.
+    /// Returns for how long the end of a cycle, or the beginning of one, has been overdue.
     Duration overdue(Time present) const {
       return due == Time{} || present < due ? Duration{0} : present - due;
     }

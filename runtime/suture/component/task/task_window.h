@@ -1,5 +1,5 @@
 #pragma once
-// How regularly a task ran and how long its cycles took, window by window.
+// This measures how regularly a task ran and how long its cycles took, window by window.
 
 #include <suture/base/time.h>
 #include <suture/rt/histogram.h>
@@ -10,16 +10,16 @@
 
 namespace suture {
 
-/// The durations of one window. `p99`: the upper edge of a histogram's bucket, at most 6 % too
-/// large.
+/// Sums up the durations of one window. `p99` is the upper edge of a histogram's bucket, at most 6
+/// % too large.
 struct DurationSummary {
   Duration mean{}, deviation{}, min{}, max{}, p99{};
 };
 
-/// One window of a task's cycles. A plain value; valid once `end` is set.
+/// Measures one window of a task's cycles. It is a plain value, valid once `end` is set.
 struct TaskWindow {
   Time begin{}, end{};        ///< of the first cycle, and of the first of the next window
-  std::uint64_t cycles = 0;   ///< that began within
+  std::uint64_t cycles = 0;   ///< cycles that began within it
   std::uint64_t skipped = 0;  ///< periods or callbacks that passed without a cycle
   DurationSummary period;     ///< from the beginning of a cycle to that of the next
   DurationSummary compute;    ///< length of a cycle, without those of guests
@@ -31,7 +31,7 @@ struct TaskWindow {
 class DurationMeter {
  public:
   void add(Duration duration);
-  /// What was added since the last call.
+  /// Returns the summary of what was added since the last call.
   DurationSummary close();
 
  private:
@@ -41,17 +41,18 @@ class DurationMeter {
   rt::Histogram histogram_;
 };
 
-/// Measures a task's windows in its own thread; the last whole one may be read by any. No
+/// Measures a task's windows in its own thread; any thread may read the last whole one. No
 /// allocation, no locks.
 class WindowMeter {
  public:
-  /// Before the first cycle: how long a window is. Throws SetupError if that is not positive.
+  /// Before the first cycle: sets the length of a window. Throws SetupError if that is not
+  /// positive.
   void setLength(Duration length);
 
-  /// Task's thread, at the end of each cycle. `skipped`: so far.
+  /// Task's thread, at the end of each cycle. `skipped` is the count so far.
   void cycle(Time begin, Time end, std::uint64_t skipped);
 
-  /// Any thread.
+  /// Any thread. Returns the last whole window.
   TaskWindow last() const { return last_.read(); }
 
  private:

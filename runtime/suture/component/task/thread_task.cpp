@@ -68,13 +68,13 @@ void ThreadTask::loop() {
   mutableActivity().suspend();
 }
 
-// A ring may announce what is not work pending: somebody asks for the first time for a read of an
-// interface that is served in every state.
+// A ring may come without work to do: a client asks for the first time for a read of an interface
+// that is served in every state.
 void ThreadTask::awaitWork() {
   if (!ending() && !workPending()) sleepForWork(Time::max());
 }
 
-// While time is virtual every task looks again, which shows work that nobody has rung for.
+// While time is virtual every task looks again at times, which finds work that was not rung for.
 void ThreadTask::sleepForWork(Time due) {
   VirtualTime* const time = virtualTime();
   if (time != nullptr) due = std::min(due, now() + rt::Doorbell::kLookAgain);

@@ -1,5 +1,5 @@
 #pragma once
-// A task with a thread of its own.
+// This is a task with its own thread.
 
 #include <suture/component/task/task.h>
 #include <suture/rt/processor_clock.h>
@@ -11,7 +11,7 @@
 
 namespace suture {
 
-/// Runs its cycles in a thread of its own; the kinds derived from it say when.
+/// Runs its cycles in its own thread; the kinds derived from it say when.
 class ThreadTask : public Task {
  public:
   ~ThreadTask() override;
@@ -24,23 +24,22 @@ class ThreadTask : public Task {
 
   std::optional<Duration> processorTime() const final { return processor_.used(); }
 
-  /// Errors of scheduling are thrown here, in the caller's thread.
+  /// Throws errors of scheduling here, in the caller's thread.
   void start() final;
   void stop() final;
 
  protected:
   explicit ThreadTask(const rt::Scheduling& scheduling) : scheduling_(scheduling) {}
 
-  /// Waits for the next cycle; false when the task is to end.
+  /// Waits for the next cycle; returns false when the task is to end.
   virtual bool awaitCycle() = 0;
   /// Called in the thread before the first awaitCycle(), and before the first after a rest.
   virtual void beginCycles() {}
 
-  /// Sleeps until something rings, at the latest until `due`, which is there in case a ring is
-  /// lost.
+  /// Sleeps until something rings, at the latest until `due`, which exists in case a ring is lost.
   void sleepForWork(Time due);
 
-  /// Rung by stop() only.
+  /// Returns the bell that only stop() rings.
   rt::Doorbell& stopBell() { return stopBell_; }
 
  private:

@@ -4,7 +4,7 @@
 namespace suture {
 namespace {
 
-/// The provider counts these: it takes the commands and emits the events.
+/// Returns what the provider counts, because it takes the commands and emits the events.
 Tally ofProvider(const rt::MailboxCounters& commands, const rt::EventCounters& events) {
   return {.executed = rt::count(commands.executed),
           .late = rt::count(commands.late),

@@ -1,12 +1,12 @@
 #pragma once
-// What a lane has done to the messages of a connection.
+// This counts what a lane has done to the messages of a connection.
 
 #include <atomic>
 #include <cstdint>
 
 namespace suture {
 
-/// Found by the ends that receive. None of these has had any effect, but that it was counted.
+/// The receiving ends count these. Such a message has no effect other than its count.
 struct DeliveryCounters {
   std::atomic<std::uint64_t> lost{0};        ///< never taken: they did not come in time
   std::atomic<std::uint64_t> duplicated{0};  ///< had come before; dropped

@@ -79,7 +79,7 @@ void Ledger::begin(const std::shared_ptr<Channel>& channel, std::uint64_t otherP
   entries_.push_back({channel, channel->counts, otherProcess});
 }
 
-// Lost commands stay lost, also while channels are added whose last word is awaited.
+// Lost commands stay lost, also while channels are added whose last counts are awaited.
 std::uint64_t Ledger::lostOf(const Groups& all) const {
   if (!earlier_.ended) return lostHere_;
   Group earlier = all.earlier;
@@ -87,7 +87,7 @@ std::uint64_t Ledger::lostOf(const Groups& all) const {
   return earlier.open();
 }
 
-// Keeps what that process has told, also of channels that somebody still has.
+// Keeps what that process has told, also of channels that still exist.
 void Ledger::leaveProcess() {
   const Groups all = groups();
   const Tally told = larger(all.earlier.heard, earlier_.tally);
@@ -155,7 +155,7 @@ void Ledger::divideOpen(const Groups& all, const Channel* latest, Sums& sums) co
     sums.unknown += withoutDebt(all.earlier.open(), lost);
     sums.unknown += withoutDebt(all.gone.open(), lostThere_);
   } else {
-    // A thread may still be executing a command of a channel that is over: that is under way.
+    // A thread may still be executing a command of a channel that is over: that one is under way.
     const std::uint64_t ended = ended_.open() + (latest == nullptr ? all.latest.open() : 0);
     sums.lost += ended;
     sums.underWay = withoutDebt(all.earlier.open() + all.latest.open(), ended);

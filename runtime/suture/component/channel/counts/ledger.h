@@ -1,5 +1,5 @@
 #pragma once
-// The sums of a connection, over all the channels that it has had.
+// This sums up a connection over all the channels that it has had.
 
 #include <suture/component/channel/counts/channel_counts.h>
 
@@ -12,55 +12,56 @@ namespace suture {
 
 class Channel;
 
-/// What a provider's process tells of the channels that a connection had before.
+/// Is what a provider's process tells of the channels that a connection had before.
 struct Earlier {
   Tally tally;
-  bool ended = false;  ///< nothing of them is executed any more, so these are the last counts
+  bool ended = false;  ///< they execute nothing any more, so these are the last counts
 };
 
-/// What a client's end turned down at once, and so never accepted.
+/// Counts what a client's end turned down at once, and so never accepted.
 struct TurnedDown {
   std::uint64_t full = 0, tooLarge = 0, invalid = 0;
 };
 
-/// Where the commands of a connection are: those accepted are as many as those that `tally` counts,
-/// and those lost, unknown and under way.
+/// Says where the commands of a connection are: the accepted ones are those that `tally` counts,
+/// those lost, those unknown and those under way, together.
 struct Sums {
   std::uint64_t accepted = 0;  ///< client: from the component; provider: from the lane
   TurnedDown turnedDown;
   std::uint64_t eventsDelivered = 0;
-  Tally tally;  ///< with `heard`
-  Tally heard;  ///< of it what the provider's process has told, as long as it is the same process
+  Tally tally;  ///< includes `heard`
+  Tally heard;  ///< the part that the provider's process has told, as long as it is the same
+                ///< process
   std::uint64_t lost = 0;          ///< never executed: they did not reach the provider in time
   std::uint64_t unknown = 0;       ///< client: the provider may have executed them
   std::uint64_t underWay = 0;      ///< they have no outcome yet
   std::uint64_t otherProcess = 0;  ///< the incarnation of the process at the other end
 };
 
-/// Any thread but a task's. The sums of one end, as long as its connection has the same name: a
-/// channel that is lost takes nothing with it.
+/// Any thread but a task's. Holds the sums of one end, as long as its connection has the same name.
+/// They keep the counts of channels that are lost.
 class Ledger {
  public:
   enum class History : std::uint8_t {
     Whole,
-    Forgotten,  ///< there may have been channels that it knows nothing of
+    Forgotten,  ///< there may have been channels that it does not know
   };
 
   explicit Ledger(ConnectionEnd end, History history = History::Whole)
       : end_(end), history_(history) {}
 
-  /// From now on `channel` is the connection's, to a process of that incarnation. `earlier`: what
-  /// it tells of the channels before.
+  /// From now on `channel` is the connection's, to a process of that incarnation. `earlier` is what
+  /// that process tells of the channels before.
   void begin(const std::shared_ptr<Channel>& channel, std::uint64_t otherProcess,
              const Earlier& earlier = {});
-  /// Client's end: more about the same channels as before.
+  /// Client's end: adds news about the same earlier channels.
   void tell(const Earlier& earlier);
-  /// Provider's end: what there is to tell of all channels but `latest`. Never the last word, if
-  /// something has been forgotten.
+  /// Provider's end: returns what there is to tell of all channels but `latest`. These are never
+  /// the last counts if the history is Forgotten.
   Earlier before(const Channel& latest);
 
   Sums sums() const;
-  /// False of a channel that another has followed.
+  /// Returns false for a channel that another has followed.
   bool isLatest(const Channel& channel) const;
 
  private:
@@ -69,7 +70,7 @@ class Ledger {
     std::shared_ptr<const ChannelCounts> counts;
     std::uint64_t otherProcess;
   };
-  /// The sums of several channels.
+  /// Sums up several channels.
   struct Group {
     std::uint64_t accepted = 0, lost = 0, eventsDelivered = 0;
     TurnedDown turnedDown;
@@ -83,11 +84,11 @@ class Ledger {
   };
   Groups groups() const;
   Group groupOf(const ChannelCounts& counts) const;
-  /// Divides those without an outcome into lost, unknown and under way.
+  /// Divides the commands without an outcome into lost, unknown and under way.
   void divideOpen(const Groups& all, const Channel* latest, Sums& sums) const;
   void fold();
   void leaveProcess();
-  /// Client's end: how many commands to the present process never reached it, as it has said.
+  /// Client's end: returns how many commands never reached the present process, as it has said.
   std::uint64_t lostOf(const Groups& all) const;
 
   const ConnectionEnd end_;
@@ -95,9 +96,10 @@ class Ledger {
   mutable std::mutex mutex_;
   std::uint64_t otherProcess_ = 0;
   std::vector<Entry> entries_;  // oldest first; the last is the connection's
-  // Sums of closed channels: those to processes that are gone, and those to the present one.
+  // These sum up closed channels: those to processes that are gone, and those to the present one.
   Group gone_, ended_;
-  std::uint64_t lostThere_ = 0, lostHere_ = 0;  // at processes that are gone, at the present one
+  std::uint64_t lostThere_ = 0, lostHere_ = 0;  // at processes that are gone, and at the present
+                                                // one
   Earlier earlier_;                             // what the present one has told of all but the last
 };
 
