@@ -6,7 +6,8 @@
 
 namespace suture {
 
-// Tells the time namespace too, by which processes of one machine may have other clocks.
+// Includes the time namespace, because processes of one machine that differ in it may have other
+// clocks.
 std::string bootId() {
   std::string id;
   std::ifstream("/proc/sys/kernel/random/boot_id") >> id;

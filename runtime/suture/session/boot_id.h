@@ -1,11 +1,12 @@
 #pragma once
-// By what processes know that they share a steady clock.
+// By this id processes know that they share a steady clock.
 
 #include <string>
 
 namespace suture {
 
-/// Identifies a start of this machine: processes with the same share the steady clock. Any thread.
+/// Any thread. Identifies a start of this machine: processes with the same id share the steady
+/// clock.
 std::string bootId();
 
 }  // namespace suture

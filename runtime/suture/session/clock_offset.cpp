@@ -11,7 +11,7 @@ Duration ClockOffset::error(Time present) const {
   return error_ + clockDrift(present - compared_);
 }
 
-// True if a clock was stepped, or slewed faster than quartz drifts.
+// Returns true if a clock was stepped, or slewed faster than quartz drifts.
 bool ClockOffset::contradicts(Duration offset, Duration errors) const {
   return std::max(offset - offset_, offset_ - offset) > errors;
 }
@@ -20,7 +20,8 @@ bool ClockOffset::add(Time asked, std::int64_t received, std::int64_t sent, Time
   const Duration there(rpc::bounded(received) / 2 + rpc::bounded(sent) / 2);
   const Duration here = asked.time_since_epoch() / 2 + answered.time_since_epoch() / 2;
   const Duration whole = answered - asked, answering(rpc::bounded(sent) - rpc::bounded(received));
-  // Do not believe a peer that says answering took longer than everything, or less than no time.
+  // Do not believe a peer that says that answering took longer than everything, or less than no
+  // time.
   const bool possible = answering >= Duration{0} && answering <= whole;
   const Duration underWay = possible ? whole - answering : whole;
   const Duration offset = there - here, known = error(answered), found = underWay / 2;

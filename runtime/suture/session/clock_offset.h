@@ -1,35 +1,35 @@
 #pragma once
-// How the steady clock of a peer stands to this process's.
+// This estimates how far the steady clock of a peer is from this process's.
 
 #include <suture/base/time.h>
 
 namespace suture {
 
-/// Learns from questions with stamps around them, as NTP does (RFC 5905): the one with the smallest
-/// error counts, unless a later one shows that it cannot be so. A value.
+/// Is a value. It learns from questions with stamps around them, as NTP does (RFC 5905): the one
+/// with the smallest error counts, unless a later one contradicts it.
 class ClockOffset {
  public:
-  /// Both have one clock: nothing has to be measured.
+  /// Returns the offset of two processes with one clock, where nothing has to be measured.
   static ClockOffset none() {
     ClockOffset one;
     one.one_ = true;
     one.error_ = Duration{0};
     return one;
   }
-  /// An offset that is not known yet.
+  /// Makes an offset that is not known yet.
   ClockOffset() = default;
 
-  /// True if both have one clock.
+  /// Returns true if both have one clock.
   bool isOne() const { return one_; }
 
   /// `asked` and `answered` are on this process's clock, `received` and `sent` on the peer's, in
-  /// ns. True if that tells more than what was known by then.
+  /// ns. Returns true if that tells more than was known before.
   bool add(Time asked, std::int64_t received, std::int64_t sent, Time answered);
 
-  /// The peer's clock minus ours.
+  /// Returns the peer's clock minus ours.
   Duration offset() const { return offset_; }
-  /// How wrong that may be at `present`, either way: half of the time for which the question was
-  /// under way, and what the clocks may have drifted apart since.
+  /// Returns how wrong the offset may be at `present`, either way: half of the time for which the
+  /// question was under way, and what the clocks may have drifted apart since.
   Duration error(Time present) const;
 
  private:
@@ -37,7 +37,7 @@ class ClockOffset {
 
   bool one_ = false;
   Duration offset_{0};
-  Duration error_ = Duration::max();  // when it was compared
+  Duration error_ = Duration::max();  // at the time of comparison
   Time compared_{};
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// How a connection is to be made.
+// This says how a connection is to be made.
 
 #include <suture/component/contract/connection_contract.h>
 #include <suture/lane/delay/connection_delay.h>
@@ -9,20 +9,20 @@
 
 namespace suture {
 
-/// What Manager::connect() is told beside the two interfaces.
+/// Holds what Manager::connect() gets beside the two interfaces.
 ///   manager.connect("Teleop/Slave", "psm-host:PSM/Arm", {.patience = 1min});
 struct ConnectOptions {
-  /// How long it waits for another process to appear.
+  /// Says how long it waits for another process to appear.
   static constexpr Duration kDefaultPatience = std::chrono::seconds(10);
 
-  /// What is not Lane::Auto is used within the process as well. If it cannot be had, the next
-  /// slower one is, and reports say why.
+  /// A lane other than Lane::Auto is used within the process as well. If it cannot be had, the next
+  /// slower one is used, and reports say why.
   Lane lane = Lane::Auto;
-  /// The connection fails rather than travel by another lane. Lane::Auto cannot be required.
+  /// Makes the connection fail rather than travel by another lane. Lane::Auto cannot be required.
   bool laneRequired = false;
   Duration patience = kDefaultPatience;
-  ConnectionDelay delay = {};  ///< added to what the lane takes, by a thread of its own
-  /// docs/safety.md; without a max_age, that of the required interface holds.
+  ConnectionDelay delay = {};  ///< added to what the lane takes, by another thread
+  /// See docs/safety.md; without a max_age, that of the required interface holds.
   ConnectionContract contract = {};
 };
 

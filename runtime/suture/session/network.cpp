@@ -34,7 +34,7 @@ std::string hostName() {
   return name;
 }
 
-/// Tells this start of the process from all others; never 0.
+/// Returns a number that distinguishes this start of the process from all others; never 0.
 std::uint64_t newIncarnation() {
   std::random_device device;
   return std::max<std::uint64_t>(std::uint64_t{device()} << 32 | device(), 1);
@@ -61,8 +61,8 @@ class Network::Impl {
 
   ~Impl() { leave(); }
 
-  // The thread of frame links begins in the control thread, with the first of them, and inherits
-  // how that is scheduled.
+  // The thread of frame links starts from the control thread, with the first such link, and
+  // inherits its scheduling.
   void schedule(const rt::Scheduling& scheduling) {
     run(control_, kLocalWork, [scheduling] { rt::schedule("the network", scheduling); });
   }
@@ -103,7 +103,7 @@ class Network::Impl {
       connection = std::make_unique<RemoteConnection>(
           control_, *sessions_, lanes_, required, from, to, options, told, delays, watch,
           ledgerOf(from.toString() + " -> " + to.toString()));
-      // Forget what could not be connected: it may be gone before this is.
+      // Forget what could not be connected, because it may be gone before this is.
       return connection->open()
           .exclusiveJoin(untilGivenUp())
           .catch_([this, name](kj::Exception&& failure) {
@@ -140,7 +140,7 @@ class Network::Impl {
     return whyLost_;
   }
 
-  /// Ends what lives on the control thread, in that thread.
+  /// Ends what belongs to the control thread, in that thread.
   void leave() {
     control_.run(kLocalWork, [this] {
       connections_.clear();
@@ -201,7 +201,7 @@ class Network::Impl {
   }
 
   const Directory& directory_;
-  const std::vector<rpc::Address> managers_;  // of one kind
+  const std::vector<rpc::Address> managers_;  // all of one kind
   const Security security_;
   const std::uint64_t incarnation_ = newIncarnation();
   rpc::ControlThread control_;

@@ -1,5 +1,5 @@
 #pragma once
-// How a task does, as messages.
+// This converts the activity of a task to and from messages.
 
 #include <suture/component/task/task_activity.h>
 #include <suture/peer.capnp.h>
@@ -7,7 +7,7 @@
 namespace suture {
 
 void toWire(const TaskActivity::Reading& activity, wire::TaskActivity::Builder out);
-/// What a peer says may be anything.
+/// Accepts any values, because a peer wrote them.
 TaskActivity::Reading fromWire(wire::TaskActivity::Reader in);
 
 }  // namespace suture

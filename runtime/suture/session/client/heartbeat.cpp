@@ -10,7 +10,7 @@
 namespace suture {
 namespace {
 
-// Asks so often in a bound that a loss is told late by at most a tenth of it.
+// Asks this many times within a bound, so that a loss is noticed late by at most a tenth of it.
 constexpr int kPerBound = 10;
 
 std::string milliseconds(Duration duration) {
@@ -36,7 +36,7 @@ kj::Promise<void> Heartbeat::Watch::whenWell() {
   return kj::mv(pair.promise);
 }
 
-// A watch that has begun since the peer was told anything counts from then.
+// Counts from the beginning of the watch if the peer was told of an answer before that.
 BootTime Heartbeat::Watch::silentAt() const {
   if (bounds_.silence == kEver) return BootTime::max();
   return std::max(heartbeat_.told_, begun_) + bounds_.silence;
@@ -46,7 +46,7 @@ void Heartbeat::Watch::lose(std::string why) {
   if (!std::exchange(lost_, true)) tellLost_(std::move(why));
 }
 
-// A process that has not run for so long must not go on as if the peer had waited for it.
+// A process that did not run for that long must not go on as if the peer had waited for it.
 void Heartbeat::Watch::look(BootTime present, BootTime begun) {
   if (present < silentAt()) return;
   heartbeat_.lostOne_ = true;
@@ -61,9 +61,9 @@ void Heartbeat::Watch::heard(wire::TaskActivity::Reader task, Time then) {
   KJ_IF_MAYBE (well, well_) (*well)->fulfill();
 }
 
-// Compares times of the peer's clock alone, so that neither its offset nor the way of the answer
-// matters. A process that was stopped as a whole answers before its tasks have had a turn, so a
-// task hangs only if it has not moved between two answers.
+// Compares only times of the peer's clock, so that neither its offset nor the time that the answer
+// took matters. A process that was stopped as a whole answers before its tasks have run, so a task
+// hangs only if it has not moved between two answers.
 bool Heartbeat::Watch::hangs(wire::TaskActivity::Reader task, Time then) {
   const TaskActivity::Reading activity = fromWire(task);
   const bool running = activity.activity == Activity::Running;
@@ -93,7 +93,7 @@ void Heartbeat::end(const std::string& why) {
   for (Watch* watch : watches_) watch->lose(why);
 }
 
-// The places of all change with a name, and only then.
+// The places of all watches change with a name, and only then.
 void Heartbeat::name() {
   if (std::vector<std::string> now = components(); now != named_) {
     named_ = std::move(now);
@@ -151,14 +151,14 @@ void Heartbeat::ask() {
     for (unsigned i = 0; i < named_.size(); ++i) names.set(i, textOf(named_[i]));
   }
   if (heard_ != 0) told_ = BootClock::now();
-  // Ignore a failure: a broken link is told of elsewhere.
+  // Ignore a failure: other code learns of a broken link.
   asking_ =
       request.send()
           .then([this, asked = now()](auto&& told) { heard(asked, told); }, [](kj::Exception&&) {})
           .eagerlyEvaluate(nullptr);
 }
 
-// An answer to a question from before a change of names tells of other components.
+// An answer to a question from before a change of names is about other components.
 void Heartbeat::heard(Time asked, wire::Peer::PingResults::Reader told) {
   asked_ = false;
   lostOne_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a peer and the tasks behind a session's connections still do their work.
+// This asks if a peer and the tasks behind a session's connections still work.
 
 #include <suture/base/boot_time.h>
 #include <suture/loop/kj_comparisons.h>  // first
@@ -16,18 +16,18 @@
 
 namespace suture {
 
-/// Asks a peer again and again how it and those of its components do that are watched. All watches
-/// judge the same answers, each by its own bounds; it asks as often as the strictest needs. Belongs
-/// to the control thread, and outlives its watches.
+/// Belongs to the control thread, and outlives its watches. Asks a peer again and again if it and
+/// those of its components that are watched still work. All watches check the same answers, each by
+/// its own bounds; it asks as often as the strictest needs.
 class Heartbeat {
  public:
   struct Bounds {
-    /// How long the peer may leave a question unanswered. It counts from when the peer was last
-    /// told that it had answered, and so does the peer, who then executes nothing more.
+    /// Says how long the peer may leave a question unanswered. It counts from when the peer was
+    /// last told that it had answered. The peer counts likewise, and then executes nothing more.
     Duration silence;
     Duration hang;  ///< how long the component's thread may be in one cycle, or late for one
   };
-  /// A silence that never ends: somebody else bounds how long one waits for an answer.
+  /// A silence that never ends, for a caller that limits its wait for an answer itself.
   static constexpr Duration kEver = Duration::max();
 
   /// Called once, with the reason in words for people. It must not end the watch itself.
@@ -54,27 +54,28 @@ class Heartbeat {
     const std::string component_;
     const Bounds bounds_;
     const BootTime begun_ = BootClock::now();
-    std::size_t place_ = 0;  // of the component among those that are told of
+    std::size_t place_ = 0;  // of the component among the watched ones
     Time due_{};             // of the component's thread, by the latest answer
     bool lost_ = false;
     Lost tellLost_;
-    kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> well_;  // null: nobody waits for that
+    kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> well_;  // null: no caller waits for that
   };
 
   Heartbeat(kj::Timer& timer, wire::Peer::Client peer) : timer_(timer), peer_(kj::mv(peer)) {}
 
-  /// Watches a component of the peer, from the next answer on. `lost` is called when a bound has
-  /// passed, or the peer is gone: then perhaps before this returns.
+  /// Watches a component of the peer, from the next answer on. Calls `lost` when a bound has
+  /// passed, or the peer is gone, perhaps before this returns.
   kj::Own<Watch> watch(std::string component, Bounds bounds, Lost lost);
-  /// The peer is gone, and so are all watches, for this reason.
+  /// Ends all watches for this reason, because the peer is gone.
   void end(const std::string& why);
 
-  /// To be set before the first watch: called with each answer, and with when it was asked for.
+  /// Set it before the first watch. It is called with each answer, and with when that was asked
+  /// for.
   using Answered = std::function<void(Time asked, wire::Peer::PingResults::Reader answer)>;
   void onAnswer(Answered answered) { answered_ = std::move(answered); }
 
-  /// True if a watch has been lost to silence, no answer has come since, and no other watch bears
-  /// it still.
+  /// Returns true if a watch has been lost to silence, no answer has come since, and no other watch
+  /// bears the silence still.
   bool silent() const;
 
  private:
@@ -89,13 +90,13 @@ class Heartbeat {
   wire::Peer::Client peer_;
   Answered answered_;
   std::vector<Watch*> watches_;
-  std::vector<std::string> named_;    // what the peer tells of, in this order
-  std::string gone_;                  // why the peer is; "" while it is there
-  bool renamed_ = false;              // it is to be told what that is
+  std::vector<std::string> named_;    // what the peer reports on, in this order
+  std::string gone_;                  // why the peer is gone; "" while it is there
+  bool renamed_ = false;              // the peer must be told of the new names
   bool lostOne_ = false;              // to silence, since the latest answer
-  std::int64_t heard_ = 0;            // when the peer sent its latest answer, as it says
+  std::int64_t heard_ = 0;            // when the peer sent its latest answer, by its own clock
   BootTime told_ = BootClock::now();  // when it was last told that an answer has come
-  bool asked_ = false;                // and not answered
+  bool asked_ = false;                // a question is under way
   kj::Promise<void> asking_ = kj::READY_NOW, looking_ = kj::READY_NOW;  // last: cancelled first
 };
 

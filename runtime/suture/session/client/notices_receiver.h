@@ -1,5 +1,5 @@
 #pragma once
-// What a client hears of its provider in another process, also before the connection stands.
+// A client gets this news of its provider in another process, also before the connection is made.
 
 #include <suture/lane/client_end.h>
 #include <suture/loop/kj_comparisons.h>  // first
@@ -11,13 +11,13 @@
 
 namespace suture {
 
-/// Passes what befalls the provider on to the client's end, as soon as there is one. Belongs to the
-/// control thread.
+/// Belongs to the control thread. Passes news of the provider on to the client's end, as soon as
+/// there is one.
 class ProviderNews final : public kj::Refcounted {
  public:
   void tell(ChannelStatus status);
   void close();
-  /// The provider has given this client up.
+  /// Tells the client that the provider has given it up.
   void lapse();
 
   void passOnTo(kj::Own<rpc::ClientEnd> end);
@@ -29,10 +29,10 @@ class ProviderNews final : public kj::Refcounted {
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
 };
 
-/// What the provider's process calls.
+/// Is what the provider's process calls.
 class NoticesReceiver final : public wire::Notices::Server {
  public:
-  /// `lost` is told in words why the provider has closed the connection, before the client is.
+  /// `lost` gets in words why the provider has closed the connection, before the client is told.
   NoticesReceiver(kj::Own<ProviderNews> news, std::shared_ptr<Ledger> ledger,
                   std::function<void(std::string)> lost)
       : news_(kj::mv(news)), ledger_(std::move(ledger)), lost_(std::move(lost)) {}

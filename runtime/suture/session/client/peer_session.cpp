@@ -70,7 +70,7 @@ kj::Promise<void> PeerSession::compareClocks(unsigned times) {
   });
 }
 
-// Clocks drift apart, so the peer is told what is known better now, or much worse.
+// Clocks drift apart, so the peer is told when the estimate has become better, or much worse.
 void PeerSession::follow(Time asked, wire::Peer::PingResults::Reader answer) {
   const bool better = clock_.add(asked, answer.getReceived(), answer.getSent(), now());
   noteClock();
@@ -87,7 +87,7 @@ void PeerSession::tellClock() {
   auto request = peer_.comparedRequest();
   request.setClockOffset(-clock_.offset().count());
   request.setClockError(toldError_.count());
-  // Ignore a failure: a broken link is told of elsewhere.
+  // Ignore a failure: other code learns of a broken link.
   telling_ = request.send().ignoreResult().eagerlyEvaluate([](kj::Exception&&) {});
 }
 

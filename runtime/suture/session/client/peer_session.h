@@ -1,5 +1,5 @@
 #pragma once
-// The session of this process with a peer whose components it uses.
+// This is the session of this process with a peer whose components it uses.
 
 #include <suture/component/channel/peer_state.h>
 #include <suture/framing/link.h>
@@ -15,34 +15,34 @@
 
 namespace suture {
 
-/// How long a peer may take to let a new socket be used.
+/// Limits the time that a peer may take to let a new socket be used.
 inline constexpr Duration kDialLimit = std::chrono::seconds(2);
 
-/// Who this process is to its peers.
+/// Says who this process is to its peers.
 struct SessionIdentity {
   std::string process;
   std::uint64_t incarnation = 0;
 };
 
-/// Owns what all connections from here to that process share: the control link, the heartbeat, the
-/// estimate of the peer's clock, and for each lane what that keeps. The control link carries no
-/// payload of a connection, so none holds up another here. Ends with the last connection. Belongs
-/// to the control thread; outlives its promises.
+/// Belongs to the control thread; outlives its promises. Owns what all connections from here to
+/// that process share: the control link, the heartbeat, the estimate of the peer's clock, and for
+/// each lane what that keeps. The control link carries no payload, so no connection holds up
+/// another here. It ends with the last connection.
 class PeerSession final : private ClientSession {
  public:
-  /// `bytes`: a connection to `process`, which nothing has been said on.
+  /// `bytes` is a connection to `process`, on which nothing has been sent.
   PeerSession(rpc::ControlThread& control, ManagerLink& manager, const Lanes& lanes,
               ProcessRecord process, rpc::ByteStream bytes);
   ~PeerSession() noexcept(false);
   KJ_DISALLOW_COPY(PeerSession);
 
-  /// Says hello and compares the clocks; first of all, and once.
+  /// Says hello and compares the clocks. Call it first, and once.
   kj::Promise<void> greet(const SessionIdentity& self);
 
   wire::Peer::Client peer() { return peer_; }
   std::uint64_t peersIncarnation() const { return peersIncarnation_; }
   const ClockOffset& clock() const { return clock_; }
-  /// Connections read here what is known of the peer.
+  /// Returns what is known of the peer, for connections to read.
   std::shared_ptr<const PeerState> state() const { return state_; }
   LaneClient& lane(std::size_t which) { return *lanes_[which]; }
 
@@ -51,12 +51,13 @@ class PeerSession final : private ClientSession {
                                   Heartbeat::Lost lost) {
     return heartbeat_.watch(component, bounds, kj::mv(lost));
   }
-  /// A connection gives the peer up after `silence`: no socket may break before.
+  /// A connection gives the peer up after `silence`, so no socket may break before.
   void bear(Duration silence);
 
-  /// The control link has ended, or the peer has been silent for longer than any connection bears.
+  /// Returns true if the control link has ended, or the peer has been silent for longer than any
+  /// connection bears.
   bool broken() const { return closed_ || heartbeat_.silent(); }
-  /// The control link has ended.
+  /// Returns true if the control link has ended.
   bool closed() const { return closed_; }
 
  private:
@@ -81,9 +82,9 @@ class PeerSession final : private ClientSession {
   ClockOffset clock_;  // the peer's
   const std::shared_ptr<PeerState> state_ = std::make_shared<PeerState>();
   Duration toldError_{0};  // of the clock, to the peer
-  Duration longest_{0};    // silence that a connection bears
+  Duration longest_{0};    // the longest silence that a connection bears
   Heartbeat heartbeat_;
-  std::vector<kj::Own<LaneClient>> lanes_;  // in the order of the process's
+  std::vector<kj::Own<LaneClient>> lanes_;  // in the order of the process's lanes
   bool closed_ = false;
   kj::Promise<void> telling_ = kj::READY_NOW;
   kj::Promise<void> ending_;  // last: cancelled first

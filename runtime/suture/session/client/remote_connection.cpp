@@ -14,7 +14,7 @@ namespace {
 using Type = kj::Exception::Type;
 
 constexpr Duration kFirstRedialPause = std::chrono::milliseconds(50);
-// A pause and an attempt that fails together take less than the second within which the connection
+// A pause and an attempt that fails take together less than a second, within which the connection
 // is to be back after a fault.
 constexpr Duration kLongestRedialPause = std::chrono::milliseconds(250);
 constexpr Duration kTakeOverLimit = std::chrono::milliseconds(500);
@@ -77,7 +77,7 @@ kj::Promise<void> RemoteConnection::connect(Duration patience, Duration limit) {
                      noAnswerOf(to_.process));
 }
 
-// Does not connect a provider that hangs, only to lose it again.
+// Does not connect to a provider that hangs, because the connection would be lost at once.
 kj::Promise<void> RemoteConnection::introduce() {
   auto lost = kj::newPromiseAndFulfiller<void>();
   auto watch =
@@ -92,7 +92,7 @@ kj::Promise<void> RemoteConnection::introduce() {
   return lost.promise.exclusiveJoin(kj::mv(asked)).attach(kj::mv(watch));
 }
 
-// A question that a link has taken with it is never answered.
+// A question that was lost with its link is never answered.
 kj::Exception RemoteConnection::whyNotIntroduced(const std::string& why) const {
   const std::string what = "connecting " + name() + ": ";
   return session_->closed() ? rpc::disconnected(what + "the link was " + why + ". Try again.")
@@ -232,7 +232,7 @@ void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Rea
   required_.attach(std::move(channel));
 }
 
-// A peer that is stopped, or behind a cable that was pulled, says nothing; so it is asked.
+// A peer that is stopped, or behind a cable that was pulled, sends nothing, so it is asked.
 void RemoteConnection::keep() {
   session_->bear(longestSilence_);
   watching_ = session_->watch(to_.component, {.silence = longestSilence_, .hang = longestSilence_},
@@ -240,7 +240,7 @@ void RemoteConnection::keep() {
   KJ_ASSERT_NONNULL(end_)->onBroken([this](std::string why) { lose(std::move(why)); });
 }
 
-// Later, since whoever tells of the loss is what is dropped.
+// This runs later, since what it drops is what reports the loss.
 void RemoteConnection::lose(std::string why) {
   losing_ = kj::evalLater([this, why = std::move(why)]() mutable {
               told_.lost(name(), std::move(why));

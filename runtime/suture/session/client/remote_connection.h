@@ -1,5 +1,5 @@
 #pragma once
-// One required interface of this process, connected to a provided one of another.
+// This connects one required interface of this process to a provided one of another.
 
 #include <suture/component/channel/counts/ledger.h>
 #include <suture/component/required.h>
@@ -17,44 +17,45 @@ namespace suture {
 
 class DelayThread;
 
-/// An entry in the session with the provider's process. When the session ends, or this alone is
-/// lost, the required interface is Lost at once, and the connection is made anew, with back-off,
-/// for as long as this lives. Belongs to the control thread; outlives its promises.
+/// Belongs to the control thread; outlives its promises. It is an entry in the session with the
+/// provider's process. When the session ends, or only this is lost, the required interface is Lost
+/// at once, and the connection is made anew, with back-off, for as long as this lives.
 class RemoteConnection {
  public:
   /// The control thread calls these with news of the connection.
   struct Told {
     /// Takes each channel, when the connection has been made or made anew.
     std::function<void(std::shared_ptr<Channel>)> made;
-    /// Hears by the channel's name why it is lost, in words, before it is.
+    /// Gets the channel's name and the reason in words, before the channel is lost.
     std::function<void(const std::string& channel, std::string why)> lost;
   };
 
-  /// `from` and `to` with their processes. `ledger`: the sums of the connection's name.
+  /// `from` and `to` include their processes. `ledger` has the sums of the connection's name.
   RemoteConnection(rpc::ControlThread& control, Sessions& sessions, const Lanes& lanes,
                    RequiredBase& required, Endpoint from, Endpoint to,
                    const ConnectOptions& options, Told told, DelayThread* delays,
                    std::shared_ptr<ConnectionWatch> watch, std::shared_ptr<Ledger> ledger);
   ~RemoteConnection() noexcept(false);
 
-  /// Connects, waiting for the other process and its component as long as its options say. Rejects
-  /// with the reason.
+  /// Connects, and waits for the other process and its component as long as its options say.
+  /// Rejects with the reason.
   kj::Promise<void> open();
-  /// Takes the connection down for good: that is no loss to the client.
+  /// Takes the connection down for good; the client does not count that as a loss.
   void end();
 
  private:
   using Results = capnp::Response<wire::ConnectResults>;
 
-  /// `limit`: how long the peer may take for each answer.
+  /// `limit` says how long the peer may take for each answer.
   kj::Promise<void> connect(Duration patience, Duration limit);
   kj::Promise<void> introduce();
   kj::Exception whyNotIntroduced(const std::string& why) const;
   kj::Promise<void> requireClocksThatCanTell();
-  /// The place of the first that may carry it. Throws if there is none of the name asked for.
+  /// Returns the place of the first lane that may carry it. Throws if there is none of the name
+  /// asked for.
   std::size_t firstLane() const;
   kj::Promise<void> askNext(std::size_t lane);
-  /// Asks for the connection on that lane or, if it cannot be had, on one of those behind it.
+  /// Asks for the connection on that lane or, if it cannot be had, on a later one.
   kj::Promise<void> ask(std::size_t lane);
   /// Resolves to the reason if that lane cannot be had; rejects if none can.
   kj::Promise<kj::Maybe<std::string>> attempt(LaneClient& lane, const char* name);
@@ -81,15 +82,15 @@ class RemoteConnection {
   const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
   const std::shared_ptr<Ledger> ledger_;
   const Duration longestSilence_;
-  std::string laneReason_;  // why it is not a faster one
-  EventSet asked_ = 0;      // what was subscribed to when it was asked
+  std::string laneReason_;  // why it is not a faster lane
+  EventSet asked_ = 0;      // the events that were subscribed to when it was asked
   std::shared_ptr<PeerSession> session_;
   kj::Maybe<wire::Connection::Client> connection_;
   kj::Maybe<kj::Own<ProviderNews>> news_;
   kj::Maybe<kj::Own<rpc::ClientEnd>> end_;
   kj::Maybe<kj::Own<Heartbeat::Watch>> watching_;
-  // Null as long as nothing was lost, since a promise of KJ takes half a KiB. Last: cancelled
-  // first.
+  // These are null as long as nothing was lost, since a promise of KJ takes half a KiB. They are
+  // last, so they are cancelled first.
   kj::Maybe<kj::Promise<void>> comingBack_, losing_;
 };
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 namespace suture {
-// Another caller may have begun the attempt with less patience: its failure is not this one's.
+// Another caller may have begun the attempt with less patience, so its failure is not this one's.
 kj::Promise<std::shared_ptr<PeerSession>> Sessions::open(const std::string& process,
                                                          Duration patience, Duration limit) {
   const Time until = now() + patience;

@@ -1,5 +1,5 @@
 #pragma once
-// The sessions of this process with the peers whose components it uses.
+// These are the sessions of this process with the peers whose components it uses.
 
 #include <suture/lane/opened_once.h>
 #include <suture/session/client/peer_session.h>
@@ -17,16 +17,16 @@ class Sessions {
            SessionIdentity self)
       : control_(control), manager_(manager), lanes_(lanes), self_(std::move(self)) {}
 
-  /// The session with `process`: the one that stands, or a new one, whose process is waited for no
-  /// longer than `patience`, and its answer no longer than `limit`. Rejects with the reason. It
-  /// ends when nobody has it any more.
+  /// Resolves to the session with `process`: the one that exists, or a new one. Then it waits for
+  /// the process no longer than `patience`, and for its answer no longer than `limit`. Rejects with
+  /// the reason. The session ends when the last reference to it is gone.
   kj::Promise<std::shared_ptr<PeerSession>> open(const std::string& process, Duration patience,
                                                  Duration limit);
 
  private:
   struct Known {
     OpenedOnce<PeerSession> session;
-    Time until{};  // of the attempt that is being made
+    Time until{};  // when the attempt under way ends
   };
 
   kj::Promise<std::shared_ptr<PeerSession>> dial(const std::string& process, Duration patience,
@@ -39,7 +39,7 @@ class Sessions {
   std::map<std::string, Known> known_;  // by the peer's process
 };
 
-/// Says what to do about a peer that is there and says nothing.
+/// Says what to do about a peer that is there and does not answer.
 std::string noAnswerOf(const std::string& process);
 
 }  // namespace suture

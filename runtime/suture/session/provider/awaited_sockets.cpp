@@ -13,7 +13,7 @@ bool isSame(const rpc::PeerIdentity& one, const rpc::PeerIdentity& other) {
   return one.proof == other.proof && one.user == other.user && one.process == other.process;
 }
 
-// Fills memory with what no peer can guess.
+// Fills memory with bytes that no peer can guess.
 void fillWithRandom(rpc::Token& token) {
   if (getrandom(token.data(), token.size(), 0) == static_cast<ssize_t>(token.size())) return;
   throw SetupError("get random bytes for a connection", std::strerror(errno), "Try again");

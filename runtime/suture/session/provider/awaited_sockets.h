@@ -1,5 +1,5 @@
 #pragma once
-// Second connections of peers that are on their way to this process.
+// These are second connections of peers that are on their way to this process.
 
 #include <kj/function.h>
 #include <suture/framing/preamble.h>
@@ -23,7 +23,7 @@ class AwaitedSockets {
   using All = std::map<rpc::Token, One>;
 
  public:
-  /// Awaits it as long as this lives, and until it has come.
+  /// Awaits the connection as long as this lives, and until it has come.
   class Awaiting {
    public:
     Awaiting(All& all, const rpc::Token& token) : all_(all), token_(token) {}
@@ -36,12 +36,12 @@ class AwaitedSockets {
     const rpc::Token token_;
   };
 
-  /// `take` is given the connection of `who` that shows the token, once, and may let go of what
-  /// this returns. Throws SetupError if the kernel refuses.
+  /// Calls `take` once with the connection of `who` that shows the token; `take` may drop what this
+  /// returns. Throws SetupError if the kernel refuses.
   kj::Own<Awaiting> await(const rpc::PeerIdentity& who, Take take);
 
-  /// A connection has come and shows `token`. It is closed if nobody awaits it, or not any more, or
-  /// not of this peer.
+  /// Takes a connection that has come and shows `token`. Closes it if it is not awaited, or not any
+  /// more, or not of this peer.
   void arrived(const rpc::Token& token, rpc::ByteStream bytes);
 
  private:

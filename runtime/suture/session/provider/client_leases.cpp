@@ -21,8 +21,8 @@ std::int64_t ClientLeases::answer() {
   return answered_ = toNanoseconds(now());
 }
 
-// The thread that executes sees for itself that a lease has ended. Where nothing waits to be
-// executed, nobody but this sees it.
+// The thread that executes sees itself that a lease has ended. If no command waits to be executed,
+// only this sees it.
 kj::Promise<void> ClientLeases::look() {
   const BootTime present = BootClock::now();
   std::erase_if(ends_, [](const auto& one) { return one->endOfLease() == BootTime::max(); });

@@ -1,5 +1,5 @@
 #pragma once
-// How long a provider may execute what the clients of one link have sent.
+// This says how long a provider may execute what the clients of one link have sent.
 
 #include <suture/base/boot_time.h>
 #include <suture/lane/provider_end.h>
@@ -12,8 +12,8 @@
 
 namespace suture {
 
-/// Notes in `client` when its process answers a heartbeat, by which all leases of the link's
-/// connections are renewed, and ends those that have run out. Belongs to the control thread.
+/// Belongs to the control thread. Notes in `client` when its process answers a heartbeat, which
+/// renews all leases of the link's connections, and ends those that have run out.
 class ClientLeases {
  public:
   ClientLeases(rpc::ControlThread& control, std::shared_ptr<PeerState> client)
@@ -23,7 +23,7 @@ class ClientLeases {
   void watch(rpc::ProviderEnd& end);
   /// The client has the answer to a ping which says that it was sent at `sent`; 0: it has none.
   void hear(std::int64_t sent);
-  /// An answer to a ping is about to be sent: when, as it says.
+  /// Notes that an answer to a ping is about to be sent, and returns when, for the answer to say.
   std::int64_t answer();
 
  private:
@@ -33,7 +33,7 @@ class ClientLeases {
   const std::shared_ptr<PeerState> client_;
   std::vector<kj::Own<rpc::ProviderEnd>> ends_;
   std::int64_t answered_ = 0;                   // when the latest answer was sent, as it says
-  BootTime answeredAt_{};                       // and on the clock of the leases
+  BootTime answeredAt_{};                       // the same on the clock of the leases
   kj::Promise<void> watching_ = kj::READY_NOW;  // last: cancelled first
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The thread that serves remote clients of devices, which have none of their own.
+// This thread serves remote clients of devices, which have no thread.
 
 #include <suture/component/provided.h>
 #include <suture/component/task/thread_task.h>
@@ -10,14 +10,15 @@
 
 namespace suture {
 
-/// Executes the commands of remote clients as they arrive, and evaluates the reads they asked for
-/// at the period the device declares. Exists only in a process whose devices have remote clients.
+/// Executes the commands of remote clients as they arrive, and evaluates the reads that they asked
+/// for at the period that the device declares. It exists only in a process whose devices have
+/// remote clients.
 class DeviceExecutor final : public ThreadTask {
  public:
   explicit DeviceExecutor(const rt::Scheduling& scheduling);
   ~DeviceExecutor() override;
 
-  /// Any thread: serves `device` from now on.
+  /// Any thread. Serves `device` from now on.
   void serve(ProvidedBase& device);
 
  private:
@@ -31,7 +32,7 @@ class DeviceExecutor final : public ThreadTask {
   void takeOver();
   static void serveOnce(Served& served);
 
-  std::mutex mutex_;  // devices are added rarely, and no control loop waits here
+  std::mutex mutex_;  // no control loop waits for it, because devices are added rarely
   std::vector<ProvidedBase*> added_;
   std::vector<Served> served_;
 };

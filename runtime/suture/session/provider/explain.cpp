@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-/// A schema and all that it depends on, each once.
+/// Collects a schema and all that it depends on, each once.
 class Closure {
  public:
   explicit Closure(capnp::Schema root) { add(root); }
@@ -40,7 +40,8 @@ class Closure {
   std::map<std::uint64_t, capnp::Schema> schemas_;
 };
 
-/// "robot_types/pose.capnp:PoseStamped" -> "PoseStamped": the file is nobody else's business.
+/// Turns "robot_types/pose.capnp:PoseStamped" into "PoseStamped", because no peer needs the file's
+/// name.
 void nameWithoutFile(capnp::schema::Node::Builder node) {
   const kj::String whole = kj::heapString(node.asReader().getDisplayName());
   KJ_IF_MAYBE (colon, whole.findLast(':')) {

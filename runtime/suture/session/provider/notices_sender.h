@@ -1,5 +1,5 @@
 #pragma once
-// Tells a client in another process what befalls its provider.
+// This sends a client in another process news of its provider.
 
 #include <suture/lane/provider_end.h>
 #include <suture/loop/control_thread.h>
@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// Whether the client hears does not matter here. Belongs to the control thread.
+/// Belongs to the control thread. It does not matter here if the client gets the news.
 class NoticesSender final : public rpc::ProviderEnd::Listener {
  public:
   NoticesSender(rpc::ControlThread& control, wire::Notices::Client client)

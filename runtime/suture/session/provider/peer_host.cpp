@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::size_t kMostCallers = 1024;
 
-// Peers choose the names. Beyond that many, the sums of connections that are over are forgotten.
+// Peers choose the names, so the sums of connections that are over are dropped beyond that many.
 constexpr std::size_t kMostAccounts = 1024;
 
 }  // namespace
@@ -71,9 +71,9 @@ void PeerHost::forgetClosed() {
   std::erase_if(served_, [](const auto& one) { return one->status == ChannelStatus::Closed; });
 }
 
-// Attempts that are under way at a time have one ledger.
+// Attempts that are under way at the same time share one ledger.
 std::shared_ptr<Ledger> PeerHost::ledgerOf(const std::string& name, std::uint64_t client) {
-  const bool named = client != 0;  // else it is a process of before incarnations were told
+  const bool named = client != 0;  // else the process is too old to tell an incarnation
   const auto account = accounts_.find(name);
   if (named && account != accounts_.end() && account->second.client == client) {
     return account->second.ledger;

@@ -1,5 +1,5 @@
 #pragma once
-// What a process is to its peers: an address at which they connect to its provided interfaces.
+// A process is this to its peers: an address at which they connect to its provided interfaces.
 
 #include <suture/component/channel/counts/ledger.h>
 #include <suture/framing/link_server.h>
@@ -30,45 +30,45 @@ class PeerHost {
 
   const rpc::Address& address() const { return server_.address(); }
 
-  /// All components are in the directory: what is not there now does not exist.
+  /// Says that all components are in the directory: what is not there now does not exist.
   void publish() { published_->fulfill(); }
 
-  /// Any thread may ask how many peers and requests this process has turned away.
+  /// Any thread. Returns how many peers and requests this process has refused.
   rpc::Refusals::Summary refusals() const { return refusals_.summary(); }
 
-  /// Any thread: the provider ends of the connections that stand.
+  /// Any thread. Returns the provider ends of the connections that exist.
   std::vector<std::shared_ptr<Channel>> served() const;
 
  private:
   friend class PeerServer;
 
-  /// What serves a new link: this process, or the reason why not.
+  /// Returns what serves a new link: this process, or the reason why not.
   capnp::Capability::Client offerTo(std::shared_ptr<rpc::Caller> caller);
 
-  /// The latest connection of a required interface of a peer.
+  /// Describes the latest connection of a required interface of a peer.
   struct Latest {
-    std::string bootId;  // of the peer's machine: its clock gave the epoch
+    std::string bootId;  // of the peer's machine, whose clock gave the epoch
     std::int64_t epoch;
     rpc::ProviderEnd* end;
   };
 
-  /// True if there is a later one than a connection of this epoch, which may be 0: it has none.
+  /// Returns true if there is a later connection than one of this epoch; 0 means that it has none.
   bool isSuperseded(const std::string& client, const std::string& bootId, std::int64_t epoch) const;
   /// Ends the latest connection, ahead of a later one.
   void endLatest(const std::string& client);
   void setLatest(const std::string& client, const Latest& latest) { latest_[client] = latest; }
   void forget(const rpc::ProviderEnd& end);
 
-  /// The sums of the connection of that name with that start of its client's process; an attempt
-  /// that is never accepted leaves nothing behind.
+  /// Returns the sums of the connection of that name with that start of its client's process; an
+  /// attempt that is never accepted leaves nothing behind.
   std::shared_ptr<Ledger> ledgerOf(const std::string& name, std::uint64_t client);
   /// Keeps the sums of a connection that has been accepted.
   void keepLedger(const std::string& name, std::uint64_t client, std::shared_ptr<Ledger> ledger);
 
-  /// Adds to served(), and forgets those that have been closed.
+  /// Adds to served(), and drops channels that have been closed.
   void remember(std::shared_ptr<Channel> channel);
-  /// A client has let go of some, and stays. The last ones of a client that leaves are kept for the
-  /// reports, until somebody connects.
+  /// Drops the closed channels of a client that stays. The last ones of a client that leaves are
+  /// kept for the reports until another client connects.
   void forgetClosed();
 
   rpc::ControlThread& control_;

@@ -23,17 +23,17 @@ namespace {
 using Kind = wire::Refusal::Kind;
 using Type = kj::Exception::Type;
 
-// There is a bound, since each has a mailbox of its own for as long as the session stands.
+// This is bounded, because each connection has its own mailbox for as long as the session lives.
 constexpr std::size_t kMostConnections = 1024;
 constexpr std::size_t kMostAwaitedSockets = 16;
 
-// Bounds what a client may say, since sums with it have to fit.
+// Bounds what a client may say, so that sums with it do not overflow.
 Duration silenceIn(wire::ConnectRequest::Reader request) {
   constexpr Duration kLongest = std::chrono::hours(24 * 365);
   return std::clamp(Duration(request.getSilence()), Duration{0}, kLongest);
 }
 
-/// Ends the connection when the client lets go of it.
+/// Ends the connection when the client drops it.
 class ConnectionServer final : public wire::Connection::Server {
  public:
   explicit ConnectionServer(kj::Own<rpc::ProviderEnd> end) : end_(kj::mv(end)) {}
@@ -127,7 +127,7 @@ kj::Promise<void> PeerServer::whenThere(Attempt attempt, Refuse refuse) {
   try {
     return attempt();
   } catch (const SetupError&) {
-    // The interface may still come, since the process is perhaps still adding components.
+    // The interface may still come, since the process may still be adding components.
   }
   return host_.whenPublished_.addBranch().then([attempt, refuse]() mutable -> kj::Promise<void> {
     try {
@@ -185,7 +185,7 @@ kj::Promise<void> PeerServer::connect(ConnectContext context) {
       });
 }
 
-/// A request that may be accepted.
+/// Is a request that may be accepted.
 struct PeerServer::Asked {
   std::string client;  // the required interface, with its process
   IncomingConnection connection;
@@ -253,7 +253,7 @@ kj::Promise<void> PeerServer::accept(const Asked& asked) {
             });
 }
 
-// The process is perhaps still adding lanes, until it says what it has.
+// The process may still be adding lanes until it publishes.
 kj::Promise<LaneServer*> PeerServer::whenLane(const std::string& name) {
   if (LaneServer* const lane = laneNamed(name)) return lane;
   return host_.whenPublished_.addBranch().then([this, name]() -> kj::Promise<LaneServer*> {
@@ -269,8 +269,8 @@ LaneServer* PeerServer::laneNamed(const std::string& name) {
   return lanes_.emplace(name, (*kind)->makeServer(*this)).first->second.get();
 }
 
-// Another attempt of the same interface may have come while the lane was getting ready. Keeps the
-// end before it becomes the latest: what the caller sent may be anything, and throw.
+// Another attempt of the same interface may have come while the lane was getting ready. Stores the
+// end before it becomes the latest, because what the caller sent may be invalid and throw.
 void PeerServer::accepted(const Asked& asked, AcceptedEnd accepted) {
   ConnectContext context = asked.context;
   const auto in = context.getParams();
@@ -322,7 +322,7 @@ kj::Promise<void> PeerServer::socket(SocketContext context) {
 }
 
 void PeerServer::awaitSocket(LaneServer& lane, SocketContext& context) {
-  // A client gives up one that does not come, and asks for another.
+  // A client gives up a socket that does not come, and asks for another.
   if (sockets_.size() == kMostAwaitedSockets) sockets_.erase(sockets_.begin());
   const std::uint32_t number = ++latestSocket_;
   auto awaiting =

@@ -1,5 +1,5 @@
 #pragma once
-// One peer's view of this process.
+// This is one peer's view of this process.
 
 #include <suture/lane/lanes.h>
 #include <suture/names/records.h>
@@ -12,8 +12,8 @@
 
 namespace suture {
 
-/// The bootstrap capability of one link, and what this process keeps of the session that the link
-/// carries. When the link goes, so do the connections made through it.
+/// Is the bootstrap capability of one link, and holds what this process keeps of the session that
+/// the link carries. When the link goes, so do the connections made through it.
 class PeerServer final : public wire::Peer::Server, private ServerSession {
  public:
   PeerServer(PeerHost& host, std::shared_ptr<rpc::Caller> caller);
@@ -46,7 +46,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   /// Makes the connection by the lane that was asked for, or declines it.
   kj::Promise<void> accept(const Asked& asked);
   void accepted(const Asked& asked, AcceptedEnd accepted);
-  /// The lane of that name in this session; nullptr: this process has no such lane.
+  /// Returns the lane of that name in this session; nullptr: this process has no such lane.
   LaneServer* laneNamed(const std::string& name);
   kj::Promise<LaneServer*> whenLane(const std::string& name);
   void awaitSocket(LaneServer& lane, SocketContext& context);
@@ -54,10 +54,10 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   void forgetEnded();
   void putTasks(wire::Peer::PingResults::Builder results) const;
   void attach(ProvidedBase& provided, std::shared_ptr<Channel> channel);
-  /// Why the caller is not the process that it says it is, or is not to have that interface.
+  /// Returns why the caller is not the process that it says it is, or may not have that interface.
   std::optional<Refusal> whyNotProcess(const std::string& name) const;
   std::optional<Refusal> whyNotGiven(const Endpoint& endpoint);
-  /// Tells the caller and, here, whoever runs this process.
+  /// Tells the caller and, in this process, its operator.
   void refuse(const Refusal& refusal, wire::Refusal::Builder out);
   bool mayOnlyRead(const Endpoint& endpoint) const;
 
@@ -66,7 +66,7 @@ class PeerServer final : public wire::Peer::Server, private ServerSession {
   std::string bootId_;             // the peer's, as it said in hello
   std::uint64_t incarnation_ = 0;  // likewise
   const std::shared_ptr<PeerState> state_ = std::make_shared<PeerState>();  // the peer's
-  std::vector<std::string> watched_;  // components that it is told of
+  std::vector<std::string> watched_;  // components that it gets reports of
   std::vector<AcceptedEnd> held_;     // connections, and what plain clients have opened
   ClientLeases leases_;
   std::map<std::string, kj::Own<LaneServer>> lanes_;
