@@ -24,7 +24,7 @@ void ClientEnd::close(ChannelStatus why) {
   channel_->status.store(why, std::memory_order_release);
   channel_->noteStatus(why);
   channel_->ends.client->ring();
-  channel_->ends.provider->ring();  // whoever carries it lets go
+  channel_->ends.provider->ring();  // a thread that carries it drops it then
 }
 
 }  // namespace suture::rpc

@@ -1,5 +1,5 @@
 #pragma once
-// The client's end of a connection to another process, on any lane.
+// This is the client's end of a connection to another process, on any lane.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -12,19 +12,20 @@
 
 namespace suture::rpc {
 
-/// Tells a client's channel what becomes of its provider. Belongs to the control thread.
+/// Belongs to the control thread. Tells a client's channel the news of its provider.
 class ClientEnd : public kj::Refcounted {
  public:
   explicit ClientEnd(std::shared_ptr<Channel> channel) : channel_(std::move(channel)) {}
 
-  /// Tells the client how it stands with the provider's component.
+  /// Tells the client the state of the provider's component.
   void tell(ChannelStatus status) { channel_->tell(status); }
-  /// `broken` is called once, with the reason in words, when the connection carries nothing any
-  /// more and is not closed. It may be called before this returns, and must not destroy this.
+  /// Calls `broken` once, with the reason in words, when the connection carries nothing any more
+  /// and is not closed. That may be before this returns, and `broken` must not destroy this.
   void onBroken(kj::Function<void(std::string why)> broken);
-  /// The connection carries nothing any more. May be called again: the first reason counts.
+  /// Says that the connection carries nothing any more. May be called again: the first reason
+  /// counts.
   void tellBroken(std::string why);
-  /// The connection is over: the client is told `why`, calls under way end with their outcome
+  /// Ends the connection: the client is told `why`, and calls under way end with their outcome
   /// unknown. May be called again.
   void close(ChannelStatus why);
 
@@ -36,8 +37,8 @@ class ClientEnd : public kj::Refcounted {
   const std::shared_ptr<Channel> channel_;
 
  private:
-  kj::Maybe<kj::Function<void(std::string)>> broken_;  // null: nobody listens
-  std::string whyBroken_;                              // "" while it is not
+  kj::Maybe<kj::Function<void(std::string)>> broken_;  // null: no one listens
+  std::string whyBroken_;                              // "" while it is not broken
   bool closed_ = false;
 };
 

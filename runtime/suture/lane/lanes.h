@@ -1,5 +1,5 @@
 #pragma once
-// The lanes from which a session chooses.
+// A session chooses from these lanes.
 
 #include <suture/lane/lane_kind.h>
 
@@ -9,13 +9,13 @@
 
 namespace suture {
 
-/// The fastest first: each connection travels by the first that it can have.
+/// Has the fastest first: each connection travels by the first that it can have.
 using Lanes = std::vector<std::unique_ptr<LaneKind>>;
 
-/// Throws SetupError if the kernel refuses what one needs.
+/// Returns all lanes. Throws SetupError if the kernel refuses what one needs.
 Lanes makeLanes();
 
-/// The one of that name; end() if there is none.
+/// Returns the one of that name; end() if there is none.
 Lanes::const_iterator findLane(const Lanes& lanes, std::string_view name);
 
 }  // namespace suture

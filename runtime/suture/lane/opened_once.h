@@ -1,5 +1,5 @@
 #pragma once
-// Something that takes long to open and serves many.
+// This opens something that takes long to open and serves many.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -11,9 +11,9 @@
 
 namespace suture {
 
-/// The first who asks opens it, and all who ask meanwhile get the same, or the same failure. It is
-/// opened anew when nobody has it any more, or T::broken(). Belongs to the control thread; outlives
-/// its promises.
+/// Belongs to the control thread; outlives its promises. The first caller opens it, and all that
+/// ask meanwhile get the same, or the same failure. It is opened anew when the last reference has
+/// gone, or T::broken().
 template <class T>
 class OpenedOnce {
  public:
@@ -35,7 +35,7 @@ class OpenedOnce {
     return kj::mv(pair.promise);
   }
 
-  /// What there is; nullptr: nothing, or nobody has it any more.
+  /// Returns what is open; nullptr: nothing, or the last reference has gone.
   Opened held() const { return opened_.lock(); }
 
  private:

@@ -20,7 +20,7 @@ BootTime ProviderEnd::endOfLease() const {
 
 void ProviderEnd::lapse() {
   channel_->tell(ChannelStatus::Lapsed);
-  channel_->ends.provider->ring();  // its component is to be told
+  channel_->ends.provider->ring();  // its component must be told
 }
 
 void ProviderEnd::close() {
@@ -29,7 +29,7 @@ void ProviderEnd::close() {
   ending();
   channel_->status = ChannelStatus::Closed;
   channel_->ends.provider->ring();
-  channel_->ends.client->ring();  // whoever carries it lets go
+  channel_->ends.client->ring();  // a thread that carries it drops it then
 }
 
 void ProviderEnd::end() {
@@ -41,7 +41,7 @@ void ProviderEnd::end() {
 void ProviderEnd::pumpStatus() {
   const std::uint32_t faults = channel_->faults.load(std::memory_order_acquire);
   const ChannelStatus status = channel_->status.load(std::memory_order_acquire);
-  // Tell the client of a fault, even if the provider was restarted before anybody looked.
+  // Tell the client of a fault, even if the provider was restarted before anyone looked.
   if (faults != faultsTold_ && told_ != ChannelStatus::Faulted) passOn(ChannelStatus::Faulted);
   faultsTold_ = faults;
   if (status != told_) passOn(status);

@@ -1,5 +1,5 @@
 #pragma once
-// The provider's end of a connection to another process, on any lane.
+// This is the provider's end of a connection to another process, on any lane.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -12,29 +12,28 @@
 
 namespace suture::rpc {
 
-/// Watches over a provider's channel for a client in another process. Belongs to the control
-/// thread.
+/// Belongs to the control thread. Watches a provider's channel for a client in another process.
 class ProviderEnd : public kj::Refcounted {
  public:
-  /// Hears of each change of how it stands with the provider's component.
+  /// Is called for each change of the state of the provider's component.
   struct Listener {
     virtual ~Listener() noexcept(false) = default;
     virtual void told(ChannelStatus status) = 0;
-    /// Passes on what has become of the commands of the connections before.
+    /// Passes on the outcomes of the commands of earlier connections.
     virtual void tells(const Earlier& earlier) = 0;
   };
 
   void setListener(kj::Own<Listener> listener) { listener_ = kj::mv(listener); }
 
-  /// When it is too late to hear of the client; never, if the connection is over.
+  /// Returns when the lease ends; never, if the connection is over.
   BootTime endOfLease() const;
-  /// What there is to tell the client of the connections of the same name before.
+  /// Returns what there is to tell the client of earlier connections of the same name.
   Earlier earlier();
-  /// Tells it the last word on them, as soon as there is one.
+  /// Tells it the last counts of them, as soon as they are known.
   void tellEarlier();
-  /// Ends what may be executed, since nobody has heard of the client in time.
+  /// Ends what may be executed, because the client was silent for too long.
   void lapse();
-  /// The connection is over: the provider lets go of the channel. May be called again.
+  /// Ends the connection: the provider drops the channel. May be called again.
   void close();
   /// Does the same because of a later connection of the same interface, and tells the client, if it
   /// can still be told.
@@ -48,7 +47,7 @@ class ProviderEnd : public kj::Refcounted {
   virtual void ending() {}
   /// Called before the listener is told.
   virtual void changed(ChannelStatus) {}
-  /// Tells what the status has become.
+  /// Tells the listener of a new status.
   void pumpStatus();
 
   const std::shared_ptr<Channel> channel_;
@@ -60,7 +59,7 @@ class ProviderEnd : public kj::Refcounted {
   bool closed_ = false;
   ChannelStatus told_ = ChannelStatus::Connected;
   std::uint32_t faultsTold_ = 0;
-  bool earlierTold_ = false;  // the last word
+  bool earlierTold_ = false;  // the last counts
 };
 
 }  // namespace suture::rpc

@@ -1,5 +1,5 @@
 #pragma once
-// The provider's end of a connection whose data do not pass the control thread.
+// This is the provider's end of a connection whose data do not pass the control thread.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -13,7 +13,7 @@ namespace suture {
 /// Belongs to the control thread. Passes on the status of a connection by shm or frame.
 class StatusPort final : public rpc::ProviderEnd, private rpc::Pump {
  public:
-  /// `channel` is about to be attached to the provider; its watcher is the control thread.
+  /// `channel` will be attached to the provider; its watcher is the control thread.
   StatusPort(rpc::ControlThread& control, std::shared_ptr<Channel> channel);
   ~StatusPort() noexcept(false) { close(); }
 

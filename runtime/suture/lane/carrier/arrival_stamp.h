@@ -9,9 +9,9 @@
 
 namespace suture {
 
-/// Any thread: turns a stamp of the peer to this process's clock, but not later than now: what has
-/// not happened yet would have a negative age, and such a command would never be late. It is now
-/// for 0, with which the peer does not say.
+/// Any thread. Shifts a stamp of the peer to this process's clock, but not later than now: a stamp
+/// in the future would have a negative age, and such a command would never be late. Returns now for
+/// 0, which means that the peer does not say.
 inline Time arrivalStamp(const Channel& channel, std::int64_t stamp) {
   const Time received = now();
   if (stamp == 0) return received;

@@ -7,8 +7,8 @@
 
 namespace suture {
 
-// The first subscription says once more what the provider's channel was made with, so that the lane
-// hears of this end.
+// The first subscription repeats what the provider's channel was made with, so that the lane hears
+// of this end.
 ClientCarrier::ClientCarrier(Channel& channel, Wire& wire)
     : channel_(channel),
       wire_(wire),
@@ -29,7 +29,7 @@ void ClientCarrier::giveSubscription() {
   if ((known && !channel_.provider.joining()) || !wire_.hasRoom(Message::Interest)) return;
   ++subscription_;
   const EventSet joining = channel_.provider.takeJoining();
-  events_ = channel_.subscribed();  // after it: has all that join
+  events_ = channel_.subscribed();  // read after takeJoining(), so it has all that join
   columns_ = columns;
   for (std::size_t i = 0; i < since_.size(); ++i) {
     if (joining >> i & 1) since_[i] = subscription_;
@@ -43,7 +43,7 @@ void ClientCarrier::giveCommands() {
   rt::Mailbox& commands = channel_.commands;
   if (!wire_.hasRoom(Message::Command) || !commands.pending()) return;
   commands.fixCut();
-  giveSubscription();  // ahead of commands that were sent later
+  giveSubscription();  // sent ahead of commands that were sent later
   while (wire_.hasRoom(Message::Command)) {
     const rt::CommandRecord* const record = commands.next();
     if (record == nullptr) return;
@@ -119,7 +119,8 @@ bool ClientCarrier::credits(std::uint16_t command, std::uint32_t count) {
   return true;
 }
 
-// Lowers the flag behind the credits: the client raises it before it looks for them again.
+// Lowers the flag after it returns the credits: the client raises it before it looks for them
+// again.
 void ClientCarrier::giveBack(std::uint16_t command, std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) channel_.commands.returnCredit(command);
   if (channel_.commands.roomAwaited().take(std::memory_order_acq_rel)) news_ = true;
@@ -130,7 +131,7 @@ void ClientCarrier::tally(const Tally& tally) {
   tellLane();
 }
 
-// A component looks by itself; a lane that leads from here to the client has to be told.
+// A component looks by itself; a lane that leads from here to the client must be rung.
 void ClientCarrier::tellLane() { news_ = news_ || channel_.provider.rowsAreWanted(); }
 
 void ClientCarrier::ringClient() {

@@ -1,5 +1,5 @@
 #pragma once
-// ClientCarrier plays the provider's end of a channel whose provider is beyond a lane.
+// ClientCarrier stands in for the provider's end of a channel whose provider is beyond a lane.
 
 #include <suture/component/channel/channel.h>
 #include <suture/lane/carrier/interest.h>
@@ -13,38 +13,39 @@
 
 namespace suture {
 
-/// One thread, the lane's, uses this. It sends what a client has put into its channel, and puts
-/// there what comes from its provider.
+/// Only the lane's thread uses this. It sends what a client has put into its channel, and puts
+/// there what comes from the provider.
 class ClientCarrier {
  public:
   enum class Message : std::uint8_t { Interest, Command };
 
-  /// A lane implements this, and so sends what the client has.
+  /// Is what a lane implements to send what the client has.
   class Wire {
    public:
-    /// True if one more such message may be sent.
+    /// Returns true if one more such message may be sent.
     virtual bool hasRoom(Message message) const = 0;
     virtual void send(const Interest& interest) = 0;
-    /// The command stays as it is until commandSent(), which has to come before the next one.
+    /// Sends a command, which is unchanged until commandSent(); that must be called before the next
+    /// one.
     virtual void send(const rt::CommandRecord& command) = 0;
 
    protected:
     ~Wire() = default;
   };
 
-  /// The provider's channel has been made with what `channel` is subscribed to. Both outlive this.
+  /// The provider's channel has been made with the subscriptions of `channel`. Both outlive this.
   ClientCarrier(Channel& channel, Wire& wire);
 
   // --- to the provider
 
   /// Sends what there is, as far as there is room.
   void give();
-  /// The command that the wire got has left.
+  /// Call it when the wire has sent the command that it got.
   void commandSent() { channel_.commands.pop(); }
 
   // --- from the provider
 
-  /// Returns the command that `call` has asked an answer of; none if no answer to it is awaited.
+  /// Returns the command whose answer `call` awaits, or none if no answer to it is awaited.
   std::optional<std::uint16_t> commandOf(std::uint32_t call) const;
   /// Passes an answer on, unless it is not awaited. `produce(std::byte* result)` fills in the
   /// result and returns an Errc, 0 for success.
@@ -53,14 +54,14 @@ class ClientCarrier {
   /// Does the same with an error, or with the bytes of a result of the right size.
   void reply(std::uint32_t call, Time stamp, Errc error, std::span<const std::byte> result);
   void replyError(std::uint32_t call, Errc error) { reply(call, now(), error, {}); }
-  /// Passes an event on that was emitted for `subscription`, unless the client has joined it anew
+  /// Passes on an event that was emitted for `subscription`, unless the client has joined it anew
   /// since. Returns false if the contract does not admit the payload.
   bool event(std::uint16_t event, std::uint32_t subscription, Time stamp, const std::byte* payload);
-  /// Publishes a row, whose values are `values`, or lie in the draft of the channel's state if
-  /// there are none. A reader judges what it reads of it.
+  /// Publishes a row. Its values are `values`, or lie in the draft of the channel's state if there
+  /// are none. A reader checks what it reads of it.
   void row(Time stamp, rt::RowColumns columns, std::span<const rt::StateTable::Value> values = {});
-  /// Gives credits back, since so many commands have been taken. Returns false if there are not so
-  /// many under way.
+  /// Gives that many credits back, because the commands have been taken. Returns false if fewer are
+  /// under way.
   bool credits(std::uint16_t command, std::uint32_t count);
   /// Takes over what the provider's end has counted.
   void tally(const Tally& tally);
@@ -82,7 +83,7 @@ class ClientCarrier {
 
   Channel& channel_;
   Wire& wire_;
-  EventSet events_;  // that the provider has been told of
+  EventSet events_;  // which the provider knows of
   rt::ColumnSet columns_ = 0;
   std::uint32_t subscription_ = 0;    // how many have been sent
   std::vector<std::uint32_t> since_;  // by event: the subscription that began it

@@ -100,7 +100,7 @@ void ProviderCarrier::giveEvents() {
   }
 }
 
-// The value of a latched event may be older than its subscription, for it is a replay.
+// The value of a latched event may be older than its subscription, because it may be a replay.
 bool ProviderCarrier::wanted(const rt::EventRecord& record) const {
   if ((channel_.subscribed() >> record.event & 1) == 0) return false;
   return record.stamp >= since_[record.event] || channel_.info.events[record.event].latched;

@@ -1,5 +1,5 @@
 #pragma once
-// ProviderCarrier plays the client's end of a channel whose client is beyond a lane.
+// ProviderCarrier stands in for the client's end of a channel whose client is beyond a lane.
 
 #include <suture/component/channel/channel.h>
 #include <suture/lane/carrier/interest.h>
@@ -11,7 +11,7 @@
 
 namespace suture {
 
-/// One thread, the lane's, uses this. It puts the commands that arrive into the provider's channel
+/// Only the lane's thread uses this. It puts the commands that arrive into the provider's channel
 /// in their order, and sends what the provider answers, emits and publishes.
 class ProviderCarrier {
  public:
@@ -20,32 +20,34 @@ class ProviderCarrier {
 
   enum class Message : std::uint8_t { Reply, Credits, Tally, Event, Row };
 
-  /// A lane implements this, and so sends what the provider has.
+  /// Is what a lane implements to send what the provider has.
   class Wire {
    public:
-    /// True if one more such message may be sent.
+    /// Returns true if one more such message may be sent.
     virtual bool hasRoom(Message message) const = 0;
-    /// The answer stays as it is until replySent(), which has to come before the next one.
+    /// Sends an answer, which is unchanged until replySent(); that must be called before the next
+    /// one.
     virtual void send(const ReplyRecord& reply) = 0;
-    /// Tells that so many more of a command may be sent, which the client gives this number.
+    /// Says that the client may send that many more of the command that it gives this number.
     virtual void sendCredits(std::uint16_t command, std::uint32_t count) = 0;
-    /// Tells what has become of all commands so far.
+    /// Sends the outcomes of all commands so far.
     virtual void send(const Tally& tally) = 0;
-    /// The event stays as it is until eventSent(), which has to come before the next one.
+    /// Sends an event, which is unchanged until eventSent(); that must be called before the next
+    /// one.
     virtual void send(const rt::EventRecord& event, std::uint32_t subscription) = 0;
-    /// Sends the newest row, if it is another one than row `last`, and sets that to its number;
-    /// perhaps rows between the two. Returns true if it goes on at the next turn.
+    /// Sends the newest row, unless it is row `last`, and sets that to its number; it may send rows
+    /// between the two as well. Returns true if it goes on at the next turn.
     virtual bool sendRow(rt::ColumnSet columns, std::uint64_t& last) = 0;
 
    protected:
     ~Wire() = default;
   };
 
-  /// Both outlive this. `commands`: by the number that the client gives a command, its number here,
-  /// or kUnknown; empty if the two have the same numbers.
+  /// Both outlive this. `commands` has, by the number that the client gives a command, its number
+  /// here, or kUnknown; it is empty if the two have the same numbers.
   ProviderCarrier(Channel& channel, Wire& wire, std::vector<std::uint16_t> commands = {});
 
-  /// From now on only what reads is taken: a command is refused (Errc::NotPermitted).
+  /// From now on accepts only reads: a command is refused (Errc::NotPermitted).
   void setReadOnly() { readOnly_ = true; }
 
   // --- from the client
@@ -55,18 +57,19 @@ class ProviderCarrier {
     return theirs < commands_.size() ? commands_[theirs] : kUnknown;
   }
   std::size_t commands() const { return commands_.size(); }
-  /// A command of this number uses a credit, which goes back to the client when it has been taken,
-  /// or will never be.
+  /// Notes that a command of this number uses a credit, which goes back to the client when the
+  /// command has been taken, or never will be.
   void lend(std::uint16_t theirs) { ++waiting_[theirs]; }
   std::uint32_t lent(std::uint16_t theirs) const { return waiting_[theirs]; }
 
-  /// This tells why a command was not put in.
+  /// Says why a command was not put in.
   struct Refusal {
-    Errc error{};         ///< 0: it was
-    FieldPath invalid{};  ///< what is, of Errc::Invalid
+    Errc error{};         ///< 0 if it was put in
+    FieldPath invalid{};  ///< the invalid part, for Errc::Invalid
   };
-  /// Puts in a command; `decode(std::byte* arguments)` fills in its arguments and returns an Errc,
-  /// 0 for success. They are judged before the provider sees them. What is refused is not counted.
+  /// Puts in a command, and checks its arguments before the provider sees them. `decode(std::byte*
+  /// arguments)` fills them in and returns an Errc, 0 for success. Does not count a refused
+  /// command.
   template <class Decode>
   Refusal post(std::uint16_t command, Time stamp, std::uint32_t call, const Decode& decode);
   /// Counts a command that was not put in.
@@ -77,13 +80,13 @@ class ProviderCarrier {
 
   // --- to the client
 
-  /// Sends what there is, as far as there is room; true: it goes on at the next turn.
+  /// Sends what there is, as far as there is room. Returns true if it goes on at the next turn.
   bool give();
   void giveReplies();
   void giveTally();
   void giveEvents();
   bool giveRow();
-  /// The wire says with these that what it got has left.
+  /// The wire calls these when it has sent what it got.
   void replySent() { channel_.client.popReply(); }
   void eventSent() { channel_.events.pop(); }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The calls of a connection that may lose a command or its answer.
+// These are the calls of a connection that may lose a command or its answer.
 
 #include <suture/component/channel/channel.h>
 
@@ -8,26 +8,26 @@
 
 namespace suture {
 
-/// What the provider's end says of its calls now and then.
+/// Is what the provider's end says of its calls from time to time.
 struct CallsMark {
   std::uint64_t reached;  ///< no command up to this number will arrive there any more
   std::array<std::uint32_t, Channel::kMaxCalls> atProvider;  ///< not answered yet; 0: none
 };
 
-/// One thread. Sees to it that each call is answered to the client at least once: one that is never
-/// answered would keep its place for ever. A second answer is dropped by the client's carrier.
+/// One thread. Makes sure that the client gets at least one answer to each call, because a call
+/// without an answer would keep its place for ever. The client's carrier drops a second answer.
 class CallsUnderWay {
  public:
-  /// The client's end sends `call` as message `sequence`.
+  /// Notes that the client's end sends `call` as message `sequence`.
   void sent(std::uint32_t call, std::uint64_t sequence);
-  /// True if any has not been settled.
+  /// Returns true if any call has not been settled.
   bool any() const;
-  /// The client's end has heard `mark`, and no answer that was sent before it will come any more:
-  /// calls `lose(call)` for each that has been answered, or will never be executed.
+  /// The client's end has got `mark`, and no answer that was sent before it will come any more.
+  /// Calls `lose(call)` for each call that has been answered, or will never be executed.
   template <class Lose>
   void settle(const CallsMark& mark, const Lose& lose);
 
-  /// The provider has been given `call`, or has answered it.
+  /// Note that the provider has got `call`, or has answered it.
   void given(std::uint32_t call) { atProvider_[call % Channel::kMaxCalls] = call; }
   void answered(std::uint32_t call) { atProvider_[call % Channel::kMaxCalls] = 0; }
   CallsMark mark(std::uint64_t reached) const { return {reached, atProvider_}; }

@@ -14,7 +14,7 @@ std::size_t slotsOf(std::size_t slotSize, std::size_t records) {
 
 }  // namespace
 
-// Memory that is never used is never touched.
+// The constructor touches no page of this memory before it is used.
 DelayLine::DelayLine(std::size_t largest, std::size_t records)
     : slotSize_(wordBytes(std::max<std::size_t>(largest, 1))),
       memory_(new std::byte[slotsOf(slotSize_, records) * slotSize_]),

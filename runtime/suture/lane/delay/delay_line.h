@@ -1,5 +1,5 @@
 #pragma once
-// What is under way in one direction.
+// This holds what is under way in one direction.
 
 #include <suture/base/time.h>
 #include <suture/base/words.h>
@@ -11,7 +11,7 @@
 
 namespace suture {
 
-/// Records, each due at a time. One thread. No allocation after construction.
+/// One thread; no allocation after construction. Holds records, each due at a time.
 class DelayLine {
  public:
   enum class Order : std::uint8_t {
@@ -19,32 +19,32 @@ class DelayLine {
     Overtakable,  ///< due at its own time, and what follows at theirs
   };
 
-  /// Room for `records` of `largest` bytes each, but not for more than 16 MiB of them, and for four
-  /// at least.
+  /// Makes room for `records` of `largest` bytes each, but for at most 16 MiB of them, and for at
+  /// least four.
   DelayLine(std::size_t largest, std::size_t records);
 
-  /// True if so many more have room.
+  /// Returns true if that many more have room.
   bool hasRoom(std::size_t records) const { return free_.size() >= records; }
-  /// Memory for a record that is due at `due`, to be filled before commit(); nullptr: no room. What
-  /// has not been committed by the next claim() is given up.
+  /// Returns memory for a record that is due at `due`, to be filled before commit(); nullptr: no
+  /// room. A record that is not committed before the next claim() is dropped.
   std::byte* claim(Time due, std::size_t size, Order order = Order::Kept);
   void commit();
-  /// When the last one claimed is due, with what it waits behind.
+  /// Returns when the last one claimed is due, including what it waits behind.
   Time claimedDue() const { return claimed_.due; }
 
-  /// The record that is due first if it is so at `now`, else nullptr. Stays until pop(), which is
-  /// to come before the next commit().
+  /// Returns the record that is due first if it is due at `now`, else nullptr. It stays until
+  /// pop(), which must come before the next commit().
   const std::byte* due(Time now) const;
   std::size_t size() const { return waiting_.front().size; }
   void pop();
 
-  /// When the first record is due; Time::max() if there is none.
+  /// Returns when the first record is due; Time::max() if there is none.
   Time next() const { return waiting_.empty() ? Time::max() : waiting_.front().due; }
 
  private:
   struct Record {
     Time due;
-    std::uint64_t number;  // of records due at one time, the first claimed comes first
+    std::uint64_t number;  // orders records that are due at the same time
     std::size_t size;
     std::uint32_t slot;
   };

@@ -1,5 +1,5 @@
 #pragma once
-// The thread that carries all delayed connections of a process.
+// This thread carries all delayed connections of a process.
 
 #include <suture/component/required.h>
 #include <suture/component/task/thread_task.h>
@@ -11,19 +11,18 @@
 
 namespace suture {
 
-/// Exists only in a process that delays connections. Each connection has its own lines: what one of
-/// them carries, or how long it takes, is nothing to another. Ends its connections when it ends,
-/// which must be after the tasks.
+/// Exists only in a process that delays connections. Each connection has its own lines, so none
+/// affects another. Ends its connections when it ends, which must be after the tasks.
 class DelayThread final : public ThreadTask {
  public:
   explicit DelayThread(const rt::Scheduling& scheduling);
   ~DelayThread() override;
 
-  /// Throws SetupError if the contract has a type without bounds: what is under way is kept in
-  /// memory of a fixed size.
+  /// Throws SetupError if the contract has a type without bounds, because what is under way is kept
+  /// in memory of a fixed size.
   static void requireBounded(const InterfaceInfo& contract);
 
-  /// Any thread: puts a delay between `required` and `far`, whose client doorbell is this thread's.
+  /// Any thread. Puts a delay between `required` and `far`, whose client doorbell is this thread's.
   /// Returns the channel to be attached to `required`.
   std::shared_ptr<Channel> interpose(const RequiredBase& required, std::shared_ptr<Channel> far,
                                      const ConnectionDelay& delay);
@@ -33,7 +32,7 @@ class DelayThread final : public ThreadTask {
   void run() override;
   void takeOver();
 
-  std::mutex mutex_;  // connections are made rarely, and no control loop waits here
+  std::mutex mutex_;  // no control loop waits for it, because connections are made rarely
   std::vector<std::unique_ptr<DelayedConnection>> added_;
   std::vector<std::unique_ptr<DelayedConnection>> carried_;
 };

@@ -9,13 +9,13 @@
 namespace suture {
 namespace {
 
-// Two seconds of what comes at 1 kHz.
+// Holds two seconds of messages at 1 kHz.
 constexpr std::size_t kUnderWay = 2048;
 
-// A message may come so long after others and is still awaited, if nothing newer comes.
+// A message that comes this much later than others is still awaited, if nothing newer comes.
 constexpr Duration kMarkPeriod = std::chrono::milliseconds(50);
 
-// The kinds of messages of a connection: each meets faults of its own.
+// These are the kinds of messages of a connection; each has its own faults.
 enum Stream : std::uint64_t { kCommands, kAnswers, kEvents, kRows };
 
 struct EventMessage {
@@ -78,7 +78,7 @@ DelayedConnection::DelayedConnection(std::shared_ptr<Channel> near, std::shared_
       client_(*near_, *this),
       provider_(*far_, *this) {}
 
-// Delivers first, which makes room for what there is to take.
+// Delivers first, to make room for what it takes.
 void DelayedConnection::pump(Time now) {
   deliverCommands(now);
   deliverAnswers(now);
@@ -139,7 +139,7 @@ void DelayedConnection::deliverCommands(Time now) {
 }
 
 void DelayedConnection::deliver(const rt::CommandRecord& record) {
-  // A command that meets a connection which is over is lost: nobody has refused it.
+  // A command that reaches a connection which is over is lost: no one has refused it.
   const ChannelStatus beyond = far_->status.load(std::memory_order_acquire);
   if (isOver(beyond)) {
     giveUp(commands_.reached());
@@ -164,8 +164,7 @@ void DelayedConnection::deliver(const rt::CommandRecord& record) {
   }
 }
 
-// Commands up to this number have been lost, if they have not arrived: they give their credits
-// back.
+// Commands up to this number that have not arrived are lost, so they give their credits back.
 void DelayedConnection::giveUp(std::uint64_t sequence) {
   for (; !outstanding_.empty() && outstanding_.front().sequence <= sequence;
        outstanding_.pop_front()) {
@@ -217,7 +216,9 @@ bool DelayedConnection::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
   const std::uint64_t newest = far_->state->rows(), capacity = far_->state->capacity();
   if (newest == last) return false;
   if (last == 0) nextRow_ = std::min(nextRow_, newest);  // its columns may be others now
-  if (newest > capacity) nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of those kept
+  if (newest > capacity)
+    nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of rows kept
+                                                           // are kept
   for (; nextRow_ <= newest; ++nextRow_) {
     rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, row_.of(columns));
     if (row.sequence == 0) continue;
@@ -270,7 +271,7 @@ void DelayedConnection::deliverAnswer(const ReplyRecord& answer) {
   if (!command) return;
   const std::size_t size = near_->info.commands[*command].resultSize;
   Errc error = answer.error;
-  // A foreign provider may say that its answer has any size.
+  // A foreign provider may claim that its answer has any size.
   if (error == Errc{} && answers_.size() < sizeof(answer) + size) error = Errc::Invalid;
   client_.reply(answer.call, answer.stamp, error, {answer.result(), size});
 }
@@ -310,7 +311,7 @@ void DelayedConnection::deliverStatus(Time now) {
 
 // ---- losses
 
-// Marks settle what has been lost, so there are none where nothing can be.
+// Marks settle what has been lost, so there are none where nothing can be lost.
 bool DelayedConnection::expectsMarks() const {
   return delay_.faults.any() && (!outstanding_.empty() || calls_.any());
 }
@@ -329,13 +330,13 @@ void DelayedConnection::sendMarks(Time now) {
   callsMark_ = calls_.mark(commands_.reached());
 }
 
-// The client's end cannot tell a command that was lost from an answer that was.
+// The client's end cannot tell a lost command from a lost answer.
 void DelayedConnection::settleCalls(const CallsMark& mark) {
   calls_.settle(mark,
                 [this](std::uint32_t call) { client_.replyError(call, Errc::OutcomeUnknown); });
 }
 
-// Adds what was told from beyond, since the provider's end may be another lane's client.
+// Adds what the far end has heard, since the provider's end may be another lane's client.
 void DelayedConnection::countCommands() {
   const ChannelCounts& beyond = *far_->counts;
   constexpr auto kEnd = ConnectionEnd::Client;

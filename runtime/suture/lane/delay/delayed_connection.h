@@ -1,5 +1,5 @@
 #pragma once
-// One connection with a delay, or with faults.
+// This is one connection with a delay, or with faults.
 
 #include <suture/lane/carrier/client_carrier.h>
 #include <suture/lane/carrier/provider_carrier.h>
@@ -15,16 +15,16 @@
 
 namespace suture {
 
-/// Carries everything between `near`, which the client uses, and `far`, which leads to the provider
-/// over whatever lane. Belongs to the delay thread.
+/// Belongs to the delay thread. Carries everything between `near`, which the client uses, and
+/// `far`, which leads to the provider over whatever lane.
 ///
-/// A command is due `delay.commands` after it was sent, and keeps its stamp: a ttl sees the delay.
-/// What comes back is due `delay.answers` after it arrived here, and keeps its stamp too: a read's
-/// age shows the delay. Credits, subscriptions and the first ask for a read are not
-/// delayed, and neither these nor losses of the provider meet faults.
+/// A command is due `delay.commands` after it was sent, and keeps its stamp, so a ttl sees the
+/// delay. An answer is due `delay.answers` after it arrived here, and keeps its stamp too, so a
+/// read's age shows the delay. Credits, subscriptions and the first request for a read are not
+/// delayed. Neither these nor losses of the provider meet faults.
 ///
-/// With faults, messages may be lost, come twice or out of order; docs/lanes.md says what holds all
-/// the same. near->client.delivery counts what was noticed.
+/// With faults, messages may be lost, come twice or out of order; docs/lanes.md says what still
+/// holds. near->client.delivery counts what was noticed.
 class DelayedConnection final : private ClientCarrier::Wire, private ProviderCarrier::Wire {
  public:
   DelayedConnection(std::shared_ptr<Channel> near, std::shared_ptr<Channel> far,
@@ -32,9 +32,9 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
 
   /// Takes what has come and delivers what is due.
   void pump(Time now);
-  /// When something is due next.
+  /// Returns when something is due next.
   Time due();
-  /// True if the client has let go; there is nothing to carry any more.
+  /// Returns true if the client has closed the connection, so there is nothing to carry any more.
   bool over() const;
   /// Tells both ends that nothing is carried any more.
   void end();
@@ -42,7 +42,7 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
  private:
   using Message = ProviderCarrier::Message;
 
-  // The client's carrier sends by these, and what is sent arrives.
+  // The client's carrier sends by these, and the deliver functions take what arrives.
   bool hasRoom(ClientCarrier::Message message) const override {
     return message == ClientCarrier::Message::Interest || commands_.hasRoom();
   }
@@ -52,7 +52,7 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   void deliver(const rt::CommandRecord& command);
   void giveUp(std::uint64_t sequence);
 
-  // The provider's carrier does.
+  // The provider's carrier sends by these.
   bool hasRoom(Message message) const override;
   void send(const ReplyRecord& reply) override;
   void sendCredits(std::uint16_t command, std::uint32_t count) override;
@@ -79,23 +79,23 @@ class DelayedConnection final : private ClientCarrier::Wire, private ProviderCar
   const ConnectionDelay delay_;
   MessageLine commands_, answers_, events_, rows_;
   DelayLine statuses_;
-  /// A command that uses a credit and may still arrive.
+  /// Is a command that uses a credit and may still arrive.
   struct Outstanding {
     std::uint64_t sequence;
     std::uint16_t command;
   };
-  std::deque<Outstanding> outstanding_;  // as many as there are credits at most
+  std::deque<Outstanding> outstanding_;  // at most as many as there are credits
   CallsUnderWay calls_;
-  // What was so when the last marks were sent, which the next ones say: what takes no longer than
-  // the time between the two is not given up.
+  // These hold the state when the last marks were sent, which the next marks say: a message that
+  // takes no longer than the time between the two is not given up.
   std::uint64_t delivered_ = 0;  // commands
   std::uint64_t commandsSent_ = 0, answersSent_ = 0;
   CallsMark callsMark_{};
   Time nextMarks_{};
   std::uint64_t nextRow_ = 1;
-  RowSlots row_;                                     // that is being taken
+  RowSlots row_;                                     // the row that is being taken
   std::vector<rt::StateTable::Value> values_;        // of the row that is delivered
-  ChannelStatus status_ = ChannelStatus::Connected;  // as far as it has been taken
+  ChannelStatus status_ = ChannelStatus::Connected;  // the last status that was taken
   ClientCarrier client_;
   ProviderCarrier provider_;
 };

@@ -7,8 +7,8 @@
 namespace suture {
 namespace {
 
-// Marks have faults of their own, since their time must not decide those of messages, and a test
-// does not count them.
+// Marks have their own faults, since their time must not decide those of messages, and a test does
+// not count them.
 constexpr std::uint64_t kOfMarks = 0x100;
 
 FaultPlan uncounted(FaultPlan plan) {
@@ -37,7 +37,7 @@ std::byte* MessageLine::claim(Time due, std::size_t size) {
 std::byte* MessageLine::claimMark(Time due, std::size_t size, std::uint64_t sequence) {
   if (!hasRoom()) return nullptr;
   const Fate fate = markFaults_.next();
-  const Fate applied{.lost = fate.lost, .duplicated = fate.duplicated};  // never ahead of others
+  const Fate applied{.lost = fate.lost, .duplicated = fate.duplicated};  // a mark never overtakes
   return claim(due, size, {.sequence = sequence, .mark = true}, applied);
 }
 
@@ -56,7 +56,7 @@ void MessageLine::commit() {
   if (fate_.stall > Duration{0}) stalledUntil_ = std::max(stalledUntil_, now() + fate_.stall);
 }
 
-// Comes later than the message itself, and so than what that waits behind.
+// Makes the duplicate come later than the message itself, and so later than what that waits behind.
 void MessageLine::duplicate() {
   std::byte* const again = line_.claim(line_.claimedDue() + fate_.duplicateLater, claimedSize_,
                                        DelayLine::Order::Overtakable);

@@ -18,7 +18,7 @@ Duration part(Duration whole, double share) {
 FaultInjector::FaultInjector(const FaultPlan& plan, std::uint64_t stream)
     : plan_(plan), random_(randomOf(plan.seed, stream)) {}
 
-// The library's distributions may differ from one build to another.
+// Does not use the library's distributions, which may differ from one build to another.
 double FaultInjector::draw() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
 
 void FaultInjector::count(std::atomic<std::uint64_t> FaultCounts::*which) {
@@ -37,10 +37,11 @@ bool FaultInjector::isLost() {
   return alone;
 }
 
-/// How often a message is delayed for which `draw` is below the chance of it. One draw tells all:
-/// it is below a product of chances as rarely as as many draws would each be below its own.
+/// Returns how often a message is delayed whose `draw` is below the chance of a delay. One draw is
+/// enough: it is below a product of chances as rarely as that many draws would each be below their
+/// own.
 int FaultInjector::times(double draw) const {
-  constexpr int kMost = 100;  // of what is always delayed again
+  constexpr int kMost = 100;  // bounds a message that is always delayed again
   int count = 1;
   for (double chance = plan_.delay * plan_.delayAgain; draw < chance && count < kMost; ++count) {
     chance *= plan_.delayAgain;
@@ -48,7 +49,7 @@ int FaultInjector::times(double draw) const {
   return count;
 }
 
-// Draws equally often for each message, so that what befalls one does not change the next.
+// Draws equally often for each message, so that the faults of one do not change those of the next.
 Fate FaultInjector::next() {
   const bool lost = isLost();
   const bool duplicated = strikes(plan_.duplicate), reordered = strikes(plan_.reorder);

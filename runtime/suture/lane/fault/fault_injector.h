@@ -1,5 +1,5 @@
 #pragma once
-// Decides what befalls each message of one direction.
+// This decides which faults each message of one direction meets.
 
 #include <suture/lane/fault/fault_plan.h>
 
@@ -8,17 +8,17 @@
 
 namespace suture {
 
-/// What befalls one message.
+/// Says which faults one message meets.
 struct Fate {
   bool lost = false;
-  bool overtakable = false;  ///< `later` holds for it alone, not for what follows
+  bool overtakable = false;  ///< `later` holds only for it, not for what follows
   bool duplicated = false;
-  Duration later{0};           ///< it takes so much longer
-  Duration duplicateLater{0};  ///< its duplicate, than itself
-  Duration stall{0};           ///< from now on nothing arrives for so long
+  Duration later{0};           ///< it takes this much longer
+  Duration duplicateLater{0};  ///< its duplicate takes this much longer than the message
+  Duration stall{0};           ///< nothing arrives for this long from now on
 };
 
-/// One thread. The n-th call of next() depends on the plan's seed, `stream` and n only.
+/// One thread. The n-th call of next() depends only on the plan's seed, `stream` and n.
 class FaultInjector {
  public:
   FaultInjector(const FaultPlan& plan, std::uint64_t stream);

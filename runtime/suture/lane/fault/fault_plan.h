@@ -1,5 +1,5 @@
 #pragma once
-// What is to befall the messages of a connection, for tests.
+// This says which faults the messages of a connection meet, for tests.
 
 #include <suture/base/time.h>
 
@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// How many messages each fault has struck. Any thread may read.
+/// Counts how many messages each fault has hit. Any thread may read.
 struct FaultCounts {
   std::atomic<std::uint64_t> lost{0}, burstLost{0}, duplicated{0}, reordered{0}, delayed{0},
       jittered{0}, stalls{0};
@@ -19,9 +19,9 @@ struct FaultCounts {
   }
 };
 
-/// What happens to messages: commands, answers, events, rows of state. A chance is 0 to 1. Each
-/// kind of message has its own sequence of faults, which `seed` alone decides: the n-th command of
-/// a connection meets the same in each run.
+/// Says what happens to messages: commands, answers, events, rows of state. A chance is 0 to 1.
+/// Each kind of message has its own sequence of faults, which only `seed` decides: the n-th command
+/// of a connection meets the same ones in each run.
 struct FaultPlan {
   std::uint64_t seed = 0;
   double loss = 0;           ///< chance to be lost
@@ -32,15 +32,15 @@ struct FaultPlan {
   Duration holdBack = std::chrono::milliseconds(5);
   double delay = 0;  ///< chance to take `delayLength` longer; what follows waits behind it
   Duration delayLength = std::chrono::milliseconds(20);
-  /// Chance of one that takes longer to take as much longer again, and so on, as what a stream
-  /// repeats may be lost again.
+  /// The chance that a message which takes longer takes as much longer again, and so on, because
+  /// what a stream repeats may be lost again.
   double delayAgain = 0;
-  Duration jitter{0};  ///< each takes up to so much longer, so that others may overtake
-  /// Jitter lets none overtake: what follows waits behind a late one, as it does on a stream.
+  Duration jitter{0};  ///< each takes up to this much longer, so that others may overtake
+  /// Lets jitter make none overtake: what follows waits behind a late one, as it does on a stream.
   bool ordered = false;
   double stall = 0;  ///< chance that nothing arrives in this direction for `stallLength`
   Duration stallLength = std::chrono::milliseconds(100);
-  /// Where they are counted; nullptr: nowhere. Shared by all connections of the plan.
+  /// Counts them; nullptr: nothing does. All connections of the plan share it.
   std::shared_ptr<FaultCounts> counts = nullptr;
 
   bool any() const {

@@ -7,7 +7,7 @@ constexpr std::uint64_t kRemembered = 64;
 
 }  // namespace
 
-// What is too long ago is not remembered; a straggler has been counted as lost already.
+// Takes what is too long ago as come; such a straggler has been counted as lost already.
 bool SequenceCheck::hasCome(std::uint64_t sequence) const {
   const std::uint64_t ago = reached_ - sequence;
   return ago >= kRemembered || (recent_ >> ago & 1) != 0;
@@ -29,7 +29,7 @@ bool SequenceCheck::accepts(std::uint64_t sequence) {
   if (hasCome(sequence)) {
     counters_.duplicated.fetch_add(1, std::memory_order_relaxed);
   } else {
-    recent_ |= std::uint64_t{1} << (reached_ - sequence);  // its duplicate is one
+    recent_ |= std::uint64_t{1} << (reached_ - sequence);  // its duplicate will count as one
     counters_.overtaken.fetch_add(1, std::memory_order_relaxed);
   }
   return false;

@@ -1,5 +1,5 @@
 #pragma once
-// Recognises what a lane has lost, repeated or put out of order.
+// This recognises what a lane has lost, repeated or put out of order.
 
 #include <suture/component/channel/counts/delivery_counters.h>
 
@@ -7,19 +7,20 @@
 
 namespace suture {
 
-/// The receiving end of messages that are numbered from 1 on. One thread; its counters, any.
+/// Receives messages that are numbered from 1 on. One thread uses it; any may read its counters.
 ///
-/// A number is accepted once at most, and never after a higher one: what is accepted is in order.
-/// So what has been passed over will never be accepted, and may be settled as lost.
+/// Each number is accepted at most once, and never after a higher one, so what is accepted is in
+/// order. What has been passed over will never be accepted, and may be settled as lost.
 class SequenceCheck {
  public:
   explicit SequenceCheck(DeliveryCounters& counters) : counters_(counters) {}
 
-  /// True if message `sequence` is to be taken; else it is dropped and counted.
+  /// Returns true if message `sequence` must be taken; else it is dropped and counted.
   bool accepts(std::uint64_t sequence);
-  /// Everything up to `sequence` has been sent long ago: what of it has not come is lost.
+  /// Counts each message up to `sequence` that has not come as lost, because all were sent long
+  /// ago.
   void passOver(std::uint64_t sequence);
-  /// The highest number that has been accepted or passed over.
+  /// Returns the highest number that has been accepted or passed over.
   std::uint64_t reached() const { return reached_; }
 
  private:
@@ -28,7 +29,7 @@ class SequenceCheck {
 
   DeliveryCounters& counters_;
   std::uint64_t reached_ = 0;
-  // Which of the last 64 up to reached_ (bit 0) have come: tells a duplicate from a straggler.
+  // Says which of the last 64 up to reached_ (bit 0) have come; tells a duplicate from a straggler.
   std::uint64_t recent_ = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The two ends of a connection between two processes that share memory.
+// These are the two ends of a connection between two processes that share memory.
 
 #include <suture/component/channel/channel.h>
 #include <suture/lane/lane_kind.h>
@@ -11,27 +11,27 @@
 
 namespace suture::shm {
 
-/// What a provider's process hands over, and how it is laid out.
+/// Has what a provider's process hands over, and its layout.
 struct SharedParts {
   std::shared_ptr<MemoryBlock> channel;  ///< the queues; both write
-  std::shared_ptr<MemoryBlock> state;    ///< the provider's table; it alone writes
+  std::shared_ptr<MemoryBlock> state;    ///< the provider's table; only the provider writes
   std::shared_ptr<MemoryBlock> bell;     ///< wakes the provider's thread
   std::vector<std::uint32_t> columns;  ///< sizes: the contract's own first, a derived one's behind
   std::uint32_t rows = 0;
 };
 
-/// A provider's end, before it is attached, and what the client needs for its own.
+/// Holds a provider's end, before it is attached, and what the client needs for its own.
 struct SharedOffer {
   std::shared_ptr<Channel> channel;
   SharedParts parts;
 };
 
-/// `client`: the memory of its doorbell. `watcher` is rung when the status changes. Throws
+/// `client` is the memory of its doorbell. `watcher` is rung when the status changes. Throws
 /// SetupError if there is no memory.
 SharedOffer offerShared(const IncomingConnection& connection, std::shared_ptr<MemoryBlock> client,
                         std::shared_ptr<rt::Doorbell> watcher);
 
-/// How many bytes the blocks of `parts` must have.
+/// Return how many bytes the blocks of `parts` must have.
 std::size_t channelBytes(const InterfaceInfo& contract);
 std::size_t stateBytes(const SharedParts& parts);
 

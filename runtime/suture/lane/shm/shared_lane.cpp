@@ -41,7 +41,7 @@ class SharedClient final : public LaneClient {
  public:
   explicit SharedClient(ClientSession& session) : session_(session) {}
 
-  // Nothing converts the stamps that lie in shared memory.
+  // Refuses different clocks, because nothing converts the stamps that lie in shared memory.
   std::string whyNot(const OutgoingConnection& connection) const override {
     if (std::string why = whyUnbounded(connection.contract); !why.empty()) return why;
     if (!session_.hasOneClock()) return "the two processes have different clocks";

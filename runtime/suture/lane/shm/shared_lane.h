@@ -1,5 +1,5 @@
 #pragma once
-// The lane of memory that two processes of a machine share.
+// This is the lane of memory that two processes of a machine share.
 
 #include <suture/lane/lane_kind.h>
 

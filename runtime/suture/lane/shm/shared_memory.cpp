@@ -5,7 +5,7 @@
 namespace suture {
 namespace {
 
-// How large a state table of another process may be; it is mapped, not copied.
+// Limits the state table of another process; it is mapped, not copied.
 constexpr std::size_t kMostStateBytes = std::size_t{1} << 30;
 constexpr std::uint32_t kMostRows = 1u << 20;
 constexpr unsigned kMostColumns = 64;

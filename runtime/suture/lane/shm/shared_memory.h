@@ -1,5 +1,5 @@
 #pragma once
-// Memory blocks as capabilities: what the shm lane needs of the control link.
+// These hand out memory blocks as capabilities, which the shm lane needs of the control link.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -11,11 +11,11 @@
 
 namespace suture {
 
-/// Hands out the descriptor of `block`, and keeps it for as long as anybody has the capability.
+/// Hands out the descriptor of `block`, and keeps it for as long as the capability exists.
 wire::SharedMemory::Client handOut(std::shared_ptr<MemoryBlock> block);
 
-/// The block behind a capability. Rejects: it has none, as over TCP, or is not as MemoryBlock
-/// demands.
+/// Resolves to the block behind a capability. Rejects if it has none, as over TCP, or is not what
+/// MemoryBlock demands.
 kj::Promise<std::shared_ptr<MemoryBlock>> receive(wire::SharedMemory::Client memory,
                                                   std::size_t size, MemoryBlock::Others others);
 
