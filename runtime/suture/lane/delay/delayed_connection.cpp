@@ -216,9 +216,7 @@ bool DelayedConnection::sendRow(rt::ColumnSet columns, std::uint64_t& last) {
   const std::uint64_t newest = far_->state->rows(), capacity = far_->state->capacity();
   if (newest == last) return false;
   if (last == 0) nextRow_ = std::min(nextRow_, newest);  // its columns may be others now
-  if (newest > capacity)
-    nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of rows kept
-                                                           // are kept
+  if (newest > capacity) nextRow_ = std::max(nextRow_, newest - capacity + 1);  // of those kept
   for (; nextRow_ <= newest; ++nextRow_) {
     rt::StateTable::Row row = far_->state->readRowNumber(nextRow_, row_.of(columns));
     if (row.sequence == 0) continue;
