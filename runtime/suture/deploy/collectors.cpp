@@ -18,7 +18,7 @@ constexpr std::string_view kStates = "StateCollector", kEvents = "EventCollector
 
 constexpr double kLongestInterval = 86400;  // s
 
-/// What a deployment says of a collector.
+/// Has what a deployment says of a collector.
 struct Parameters {
   std::string file;
   std::vector<std::string> names;  // of reads, or events
@@ -48,7 +48,7 @@ std::filesystem::path fileOf(const Deployment& deployment, const std::string& fi
   return deployment.besideIt(file).lexically_normal();
 }
 
-/// Finds what `component` provides as `name`, or what its manager will provide for it.
+/// Returns what `component` provides as `name`, or what its manager will provide for it.
 const InterfaceInfo* provided(const Component& component, std::string_view name) {
   for (const ProvidedBase* one : component.provided()) {
     if (one->name() == name) return &one->info();

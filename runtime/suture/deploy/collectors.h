@@ -1,5 +1,5 @@
 #pragma once
-// The component classes that every deployment has: "StateCollector" and "EventCollector".
+// Every deployment has these component classes: "StateCollector" and "EventCollector".
 
 #include <suture/component/component.h>
 #include <suture/component/contract/interface_info.h>
@@ -17,8 +17,8 @@
 
 namespace suture {
 
-/// Makes the collectors of one process. Their contract is that of the interface which their
-/// "Source" is connected to, so what they collect has to exist before them, in the same process:
+/// Makes the collectors of one process. A collector has the contract of the interface that its
+/// "Source" is connected to, so what it collects has to exist before it, in the same process:
 /// docs/collecting.md.
 class Collectors {
  public:
@@ -29,13 +29,14 @@ class Collectors {
       : deployment_(deployment), process_(process) {}
 
   static bool offers(std::string_view className);
-  /// A problem for each collector that writes to the file of another process's.
+  /// Adds a problem for each collector that writes to a file of another process's collector.
   static void checkFiles(const Deployment& deployment,
                          const std::function<bool(const ComponentEntry&)>& isCollector,
                          std::vector<std::string>& problems);
 
   /// Returns what creates the collector `entry`. `components` are in the order of the process, and
-  /// null where one does not exist yet. Empty, and a problem, if there is nothing to collect.
+  /// null where one does not exist yet. If there is nothing to collect, adds a problem and returns
+  /// an empty function.
   Create find(const ComponentEntry& entry, std::span<const std::unique_ptr<Component>> components,
               std::vector<std::string>& problems);
 

@@ -11,7 +11,7 @@
 namespace suture {
 namespace {
 
-// Files of one run are not replaced by those of the next: "robot.20260314T150926Z.4711."
+// Makes the files of one run distinct from those of the next: "robot.20260314T150926Z.4711."
 std::string prefixOf(const std::string& process) {
   const std::time_t seconds = std::time(nullptr);
   std::tm utc{};
@@ -48,7 +48,7 @@ void FaultHandling::giveBudgets(std::vector<std::string>& problems) const {
   }
 }
 
-// Look now: at the first fault it would be too late to say so.
+// Looks now, because at the first fault it would be too late to say so.
 void FaultHandling::checkFolder(std::vector<std::string>& problems) const {
   const std::filesystem::path& folder = process_.blackBox->folder;
   const bool there = std::filesystem::is_directory(folder);

@@ -36,13 +36,13 @@ std::string unknownClass(const ComponentEntry& entry, std::span<const ComponentC
          listNames(offered) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
-// False while it is between a fault and a restart.
+// Returns false while it is between a fault and a restart.
 bool faultedForGood(const Component& component) {
   if (component.state() != ComponentState::Faulted) return false;
   return !component.ownsThread() || static_cast<const Task&>(component).staysFaulted();
 }
 
-/// `why`: of each connection, by its name, what its client's end was told: "closed: ...".
+/// `why` has, by the name of each connection, what its client's end was told: "closed: ...".
 std::string lossText(const std::map<std::string, std::string>& why, const std::string& name) {
   const auto told = why.find(name);
   if (told == why.end()) return "is lost: the process at its other end is gone. Start it again";
@@ -67,7 +67,7 @@ Host::Host(const Deployment& deployment, std::string_view process,
   realTime_.giveTo(*manager_);
 }
 
-// Collectors come last: what they collect has to be there.
+// Collectors come last, because what they collect has to exist.
 void Host::createComponents(std::span<const ComponentClass> classes) {
   std::vector<std::string> problems;
   Collectors::checkFiles(
@@ -155,7 +155,8 @@ void Host::createManager() {
   }
 }
 
-// Nothing would ever connect such an interface: say so now, before a task silently does nothing.
+// Nothing would ever connect such an interface, so this says so before a task silently does
+// nothing.
 void Host::checkRequired() const {
   std::vector<std::string> problems;
   for (std::size_t i = 0; i < components_.size(); ++i) {
@@ -190,7 +191,8 @@ void Host::configure() {
   if (!problems.empty()) throw DocumentError(problems);
 }
 
-// Before a component runs: it could take what is on its way for what its system does not have.
+// This comes before a component runs, which else could take a connection on its way for a missing
+// one.
 void Host::announceConnections() {
   for (const ConnectionEntry& connection : deployment_.connections()) {
     if (connection.from.process != process_.name) continue;
@@ -273,7 +275,7 @@ std::vector<Trouble> Host::connectionTroubles() const {
   const std::map<std::string, std::string> whyLost = manager_->whyLost();
   for (const auto& channel : manager_->channels()) {
     const std::string subject = "connection '" + channel->name() + "'";
-    // A delayed connection has both of its ends in this process: tell of it once.
+    // A delayed connection has both of its ends in this process: report it once.
     if (!found.empty() && found.back().subject == subject) continue;
     switch (channel->status.load(std::memory_order_acquire)) {
       case ChannelStatus::Lost:

@@ -1,5 +1,5 @@
 #pragma once
-// Runs one process of a deployment.
+// This runs one process of a deployment.
 
 #include <suture/component/factory/component_class.h>
 #include <suture/deploy/collectors.h>
@@ -21,29 +21,30 @@
 
 namespace suture {
 
-/// Something that is wrong at present, while everything else keeps running.
+/// Is something that is wrong at present, while everything else keeps running.
 struct Trouble {
   std::string subject;  ///< "connection 'left:Teleop/Slave -> right:PSM1/Arm'"
   std::string text;     ///< "is lost: the other process does not answer. Start it again"
-  bool failure = true;  ///< false: the process does all it is there for
-  bool loss = false;    ///< of another process, or due to that
+  bool failure = true;  ///< false: the process does all that it is for
+  bool loss = false;    ///< true: another process is lost, or this is due to that
 };
 
-/// The components, the manager and the connections of one process. Used by one thread, which is
-/// none of the tasks'.
+/// Used by one thread, which is no task's. Has the components, the manager and the connections of
+/// one process.
 class Host {
  public:
   /// Creates the components of `process` from `classes` and from the libraries that it names, and
-  /// its manager. Throws DocumentError: library that cannot be loaded, unknown class, wrong
-  /// parameters, a component that refuses its parameters, a required interface that no connection
-  /// begins at, frames, a restart, a black box or a scheduling that cannot be, a global manager
-  /// that does not answer within `patience`. `deployment` outlives the host.
+  /// its manager. `deployment` outlives the host. Throws DocumentError for a library that cannot be
+  /// loaded, an unknown class, wrong or refused parameters, a required interface that no connection
+  /// begins at, frames, a restart, a black box or a scheduling that cannot be, and a global manager
+  /// that does not answer within `patience`.
   Host(const Deployment& deployment, std::string_view process,
        std::span<const ComponentClass> classes, Duration patience = Manager::kDefaultPatience);
   Host(const Host&) = delete;
   Host& operator=(const Host&) = delete;
 
-  /// Before start(): news() tells the standard messages of the components too. Throws SetupError.
+  /// Before start(): makes news() tell the standard messages of the components too. Throws
+  /// SetupError.
   void listenToMessages();
 
   /// Configures and starts the components, then makes every connection that begins in this process,
@@ -51,16 +52,16 @@ class Host {
   /// component or the connection.
   void start();
 
-  /// Any thread: a start() that waits for another process throws now.
+  /// Any thread. Makes a start() that waits for another process throw now.
   void giveUp() { manager_->giveUp(); }
 
   const Manager& manager() const { return *manager_; }
 
-  /// Connections whose far end is gone, components that are faulted for good, a global manager that
-  /// does not answer. What mends is there no more at the next call.
+  /// Returns connections whose far end is gone, components that are faulted for good, and a global
+  /// manager that does not answer. What has recovered is missing at the next call.
   std::vector<Trouble> troubles() const;
-  /// What else has happened since the last call, a line each: what the machine does not grant,
-  /// restarts after faults, files of the black box, messages.
+  /// Returns what else has happened since the last call, a line each: what the machine does not
+  /// grant, restarts after faults, files of the black box, messages.
   std::vector<std::string> news();
 
  private:

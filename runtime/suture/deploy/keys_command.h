@@ -1,5 +1,5 @@
 #pragma once
-// `suture keys`: the certificates of a deployment.
+// `suture keys` makes the certificates of a deployment.
 
 #include <filesystem>
 #include <string>
@@ -11,20 +11,19 @@ class App;
 
 namespace suture {
 
-/// What is asked for on the command line.
+/// Is what is asked for on the command line.
 struct KeysRequest {
-  std::string deployment;              ///< a file, of whose processes each gets keys
+  std::string deployment;              ///< a file; each of its processes gets keys
   std::vector<std::string> processes;  ///< further ones
   std::string out;
 };
 
-/// Adds "[--deployment FILE] [--process NAME]... --out DIR" to `keys`; what was given lands in
-/// `request`, which outlives it.
+/// Adds "[--deployment FILE] [--process NAME]... --out DIR" to `keys`; the values go to `request`,
+/// which outlives it.
 void addKeysOptions(CLI::App& keys, KeysRequest& request);
 
-/// Makes keys (suture/net/tls/key_maker.h) for the processes of the request and, with a CA
-/// that is new, for the global manager. Returns the files it has made. Throws DocumentError or
-/// SetupError.
+/// Makes keys (suture/net/tls/key_maker.h) for the processes of the request and, if the CA is new,
+/// for the global manager. Returns the files that it has made. Throws DocumentError or SetupError.
 std::vector<std::filesystem::path> makeKeys(const KeysRequest& request);
 
 }  // namespace suture

@@ -7,7 +7,7 @@
 namespace suture {
 namespace {
 
-// Compares hashes, since a shared library has tables of its own.
+// Compares hashes, since a shared library has its own tables.
 bool areMessages(const InterfaceInfo& info) {
   const std::string_view messages = interfaceInfo<Messages>().hash;
   for (const InterfaceInfo* one = &info;; one = &one->base()) {

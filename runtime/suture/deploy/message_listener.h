@@ -1,5 +1,5 @@
 #pragma once
-// Hears what the components of a process say to people.
+// This hears what the components of a process say to people.
 
 #include <suture/component/device.h>
 #include <suture/standard/messages.suture.h>
@@ -14,19 +14,19 @@ namespace suture {
 
 class Manager;
 
-/// A device that listens to the standard messages of components, also of contracts that derive from
-/// them. Belongs to the thread of the manager.
+/// Belongs to the thread of the manager. It is a device that listens to the standard messages of
+/// components, also of contracts that derive from them.
 class MessageListener final : public Device {
  public:
   static constexpr const char* kName = "(messages)";
 
-  /// `components` have their names.
+  /// `components` have their names already.
   explicit MessageListener(std::span<const std::unique_ptr<Component>> components);
 
-  /// After `manager` has been given this and has started.
+  /// Call it after `manager` has been given this and has started.
   void connect(Manager& manager) const;
-  /// What has been said since the last call, a line each: "PSM/Crtk warning: out of reach (code
-  /// 3)".
+  /// Returns what has been said since the last call, a line each: "PSM/Crtk warning: out of reach
+  /// (code 3)".
   std::vector<std::string> heard();
 
  private:

@@ -10,7 +10,7 @@
 namespace suture {
 namespace {
 
-/// True if locked memory has a limit: as much as the limit is beyond what is locked already.
+/// Returns true if the process may not lock as much more memory as its limit.
 bool isLimited() {
   rlimit limit{};
   getrlimit(RLIMIT_MEMLOCK, &limit);
@@ -22,8 +22,8 @@ bool isLimited() {
   return false;
 }
 
-/// Returns why the kernel refuses, or "" if all memory is locked. Under a limit all would be well
-/// until the process needs more, which the kernel then refuses: so it is not locked at all.
+/// Locks all memory and returns "", or returns why the kernel refuses. Under a limit it locks none,
+/// because the kernel would refuse memory later, when the process needs more.
 std::string lockAll() {
   const bool locked = mlockall(MCL_CURRENT | MCL_FUTURE) == 0;
   const int error = errno;

@@ -16,21 +16,21 @@
 namespace suture {
 
 /// Used by one thread, before anything of the process runs. What is not granted is a warning, and
-/// the process runs without it; or an error, if its file says that real time is required.
+/// the process runs without it, or an error, if its file says that real time is required.
 class RealTime {
  public:
   /// Asks the machine for what `process` says, and locks the memory of this process, present and
-  /// future, if it says so. Both arguments outlive this. Throws DocumentError: something is
+  /// future, if it says so. Both arguments outlive this. Throws DocumentError if something is
   /// required that is not granted.
   RealTime(const JsonDocument& document, const ProcessEntry& process);
 
-  /// `components`: in the order of the process. Throws DocumentError: one without a thread of its
-  /// own is to be scheduled.
+  /// `components` are in the order of the process. Throws DocumentError if one without its own
+  /// thread must be scheduled.
   void giveTo(std::span<const std::unique_ptr<Component>> components) const;
-  /// Before it is started.
+  /// Call it before the manager is started.
   void giveTo(Manager& manager) const;
 
-  /// Each once, as "file:line: warning: ...".
+  /// Returns each warning once, as "file:line: warning: ...".
   std::vector<std::string> news();
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
 
-// A pipe that has room takes so much at once without blocking.
+// A pipe that has room takes this much at once without blocking.
 constexpr std::size_t kAtOnce = PIPE_BUF;
 
 bool takesMore(int descriptor, Duration patience) {
@@ -57,7 +57,7 @@ void ReportWriter::flush(Duration patience) {
       waiting_.erase(0, static_cast<std::size_t>(written));
     } else if (errno == EAGAIN) {
       return;
-    } else if (errno != EINTR) {  // nobody reads any more
+    } else if (errno != EINTR) {  // no one reads any more
       descriptor_ = -1;
       waiting_.clear();
     }

@@ -1,5 +1,5 @@
 #pragma once
-// A process's messages to whoever started it: one JSON object a line, or text.
+// This sends a process's messages to the one who started it: one JSON object a line, or text.
 
 #include <suture/base/time.h>
 #include <suture/observe/report.h>
@@ -8,9 +8,9 @@
 
 namespace suture {
 
-/// {"kind": "started"}, {"kind": "report", ...}, {"kind": "failure", "text": ..., "loss": ...}; or
-/// the same for people. Writes to a file descriptor, which it does not own; -1: says nothing. A
-/// reader that has gone away is not an error. One that is slow is never waited for: what it has not
+/// Writes {"kind": "started"}, {"kind": "report", ...}, {"kind": "failure", "text": ..., "loss":
+/// ...}, or the same for people, to a file descriptor, which it does not own; -1: writes nothing. A
+/// reader that has gone away is not an error. It never waits for a slow reader: what that has not
 /// taken waits here, and reports are left out meanwhile.
 class ReportWriter {
  public:
@@ -18,12 +18,12 @@ class ReportWriter {
 
   ReportWriter(int descriptor, Form form) : descriptor_(descriptor), form_(form) {}
 
-  /// All connections are made.
+  /// Says that all connections are made.
   void started();
   void report(const Report& report);
-  /// `loss`: of another process, or due to that.
+  /// `loss` says that another process is lost, or that the failure is due to that.
   void failure(const std::string& text, bool loss = false);
-  /// Goes on with what waits here, for at most `patience`. To be called now and then.
+  /// Goes on with what waits here, for at most `patience`. Call it from time to time.
   void flush(Duration patience = Duration{0});
 
  private:
@@ -31,7 +31,7 @@ class ReportWriter {
 
   int descriptor_;
   const Form form_;
-  std::string waiting_;  // of what has been told; begins where the reader has stopped
+  std::string waiting_;  // messages from where the reader has stopped
 };
 
 }  // namespace suture

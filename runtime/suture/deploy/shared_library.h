@@ -1,5 +1,5 @@
 #pragma once
-// A shared library of components, loaded while this exists.
+// This is a shared library of components, loaded while this exists.
 
 #include <suture/component/factory/component_library.h>
 
@@ -12,7 +12,7 @@ namespace suture {
 /// Set-up code only. Outlives every component that its classes have created.
 class SharedLibrary {
  public:
-  /// Throws SetupError: there is no such file, it cannot be loaded, it has no entry point, or it
+  /// Throws SetupError if there is no such file, it cannot be loaded, it has no entry point, or it
   /// was built with another release of Suture.
   explicit SharedLibrary(const std::filesystem::path& file);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Being told to end, without signal handlers.
+// This learns, without signal handlers, that the process must end.
 
 #include <kj/io.h>
 #include <suture/base/time.h>
@@ -10,23 +10,24 @@
 
 namespace suture {
 
-/// Blocks SIGINT and SIGTERM in the calling thread and those it starts from now on, so that they
-/// can be waited for; ignores SIGPIPE. Before any thread is started.
+/// Before any thread is started: blocks SIGINT and SIGTERM in the calling thread and those that it
+/// starts, so that they can be waited for; ignores SIGPIPE.
 class SignalWait {
  public:
   SignalWait();
 
-  /// True as soon as the process is told to end; false at `deadline`.
+  /// Returns true as soon as the process is told to end; false at `deadline`.
   bool endBefore(Time deadline) const;
-  /// Can be read as soon as the process is told to end, and takes the signal by that.
+  /// Returns a descriptor that can be read as soon as the process is told to end; reading it takes
+  /// the signal.
   kj::AutoCloseFd descriptor() const;
 
  private:
   sigset_t signals_;
 };
 
-/// While it lives, calls `act` in a thread of its own as soon as the process is told to end: for
-/// work that does not ask, such as waiting for other processes to appear.
+/// While it lives, calls `act` in another thread as soon as the process is told to end, for work
+/// that cannot ask, such as waiting for other processes to appear.
 class OnToldToEnd {
  public:
   OnToldToEnd(const SignalWait& signals, std::function<void()> act);

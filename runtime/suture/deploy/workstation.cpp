@@ -24,12 +24,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// How soon a failure is noticed.
+// Says how soon a failure is noticed.
 constexpr Duration kWatchInterval = 50ms;
-// The processes of a system that is shut down end one after the other: what this one lost of others
-// so shortly before its own turn was no accident.
+// The processes of a system that is shut down end one after the other, so what this one lost of
+// others this shortly before its own end was no accident.
 constexpr Duration kShutdown = 500ms;
-// How long a slow reader is waited for at the end.
+// Limits the wait for a slow reader at the end.
 constexpr Duration kLastWords = 500ms;
 
 struct Options {
@@ -71,7 +71,7 @@ void declare(CLI::App& app, Options& options) {
                "Tell on standard error what components say: their status, warning and error");
 }
 
-/// Runs one host to its end and tells what happens.
+/// Runs one host to its end and reports what happens.
 class Run {
  public:
   Run(Host& host, const SignalWait& signals, const Options& options)
@@ -111,7 +111,7 @@ class Run {
     Time seen;
   };
 
-  // While this process ends, what others take away is no news.
+  // While this process ends, losses due to other processes are no news.
   void watch(bool ending = false) {
     for (const std::string& line : host_.news()) tell(line);
     const std::vector<Trouble> present = host_.troubles();
@@ -166,7 +166,8 @@ std::string processOf(const Deployment& deployment, const Options& options) {
       "there are several processes: " + listNames(names) + "; say which one with --process")});
 }
 
-/// False if the process has been told to end meanwhile: what has been started is to be stopped.
+/// Returns false if the process has been told to end meanwhile: the caller must stop what has been
+/// started.
 bool start(Host& host, const SignalWait& signals) {
   std::atomic<bool> toEnd{false};
   const OnToldToEnd told(signals, [&] {

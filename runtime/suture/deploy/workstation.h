@@ -1,6 +1,6 @@
 #pragma once
-// A whole program that runs any process of any deployment: main() lists the component classes it
-// offers.
+// This is a whole program that runs any process of any deployment; main() lists the component
+// classes that it offers.
 
 #include <suture/component/factory/component_class.h>
 
@@ -8,11 +8,11 @@
 
 namespace suture {
 
-/// Options: --deployment FILE, --process NAME, --seconds N, --report-interval S, --report-fd N or
-/// "-", --report-form json|text, --messages (--help explains them). Runs until the time is over or
-/// SIGINT or SIGTERM comes. Exit status 0: it ran, and lost no connection and no component before
-/// its end, or was told to end while it started; 1: it did not, and standard error says why. Call
-/// it before any thread is started.
+/// Call it before any thread is started. Options: --deployment FILE, --process NAME, --seconds N,
+/// --report-interval S, --report-fd N or "-", --report-form json|text, --messages (--help explains
+/// them). Runs until the time is over or SIGINT or SIGTERM comes. Exit status 0: it ran, and lost
+/// no connection and no component before its end, or was told to end while it started; 1: it did
+/// not, and standard error says why.
 int workstationMain(int argc, const char* const* argv, std::span<const ComponentClass> classes);
 
 }  // namespace suture

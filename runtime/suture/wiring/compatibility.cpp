@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Takes only what is text, since a peer may have written anything.
+// Takes only text, since a peer may have written anything.
 std::string textOf(const Json& json, const char* key) {
   const auto found = json.is_object() ? json.find(key) : json.end();
   return found != json.end() && found->is_string() ? found->get<std::string>() : "";
@@ -35,10 +35,12 @@ const Json* findIn(const Json& list, const IsSame& isSame) {
   return found == list.end() ? nullptr : &*found;
 }
 
-/// How a command is called on the wire: the id of the interface that declares it, and its ordinal.
+/// Says how a command is called on the wire: the id of the interface that declares it, and its
+/// ordinal.
 using Method = std::pair<std::string, long>;
 
-/// The commands of a contract. Takes time in proportion to it, however long the peer made it.
+/// Returns the commands of a contract, in time proportional to its length, however long the peer
+/// made it.
 std::vector<Method> methodsOf(const Json& contract) {
   std::map<std::string, std::string> ids;
   for (const Json& node : listOf(contract, "wire")) {
@@ -74,7 +76,7 @@ class Comparison {
  private:
   void broken(std::string text) { found_.breaks.push_back(std::move(text)); }
 
-  // Skips a type that one end alone has: it is in nothing that both know.
+  // Skips a type that only one end has, because it is in nothing that both know.
   void compareNodes() {
     for (const Json& node : listOf(here_, "wire")) {
       const std::string id = textOf(node, "id");

@@ -1,5 +1,5 @@
 #pragma once
-// Two ends that were built from the same contract at different times.
+// These are two ends that were built from the same contract at different times.
 
 #include <cstdint>
 #include <string>
@@ -8,19 +8,20 @@
 
 namespace suture {
 
-/// What two ends that speak over a wire make of each other's contracts.
+/// Says how well two ends that speak over a wire understand each other's contracts.
 struct Compatibility {
   /// False: one of them says nothing of the wire, so nothing is known.
   bool comparable = true;
-  /// The numbers of the commands here that are not there.
+  /// Has the numbers of the commands here that are not there.
   std::vector<std::uint16_t> lacking;
-  /// What the one would misread of the other, a line each: "'x' of struct Pose: Float64 unit "m"
-  /// here, Float32 there". None: they understand each other; what one has alone, the other ignores.
+  /// Has what one would misread of the other, a line each: "'x' of struct Pose: Float64 unit "m"
+  /// here, Float32 there". If it is empty they understand each other; each ignores what only the
+  /// other has.
   std::vector<std::string> breaks;
 };
 
-/// Compares what two self-descriptions (JSON) say of the wire: as `suturec diff` does with locks.
-/// Not for two ends that share memory.
+/// Compares what two self-descriptions (JSON) say of the wire, as `suturec diff` does with locks.
+/// It is not for two ends that share memory.
 Compatibility compatibility(std::string_view here, std::string_view there);
 
 }  // namespace suture

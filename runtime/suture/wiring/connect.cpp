@@ -18,7 +18,7 @@ namespace {
 
 using Lacking = std::optional<std::vector<std::uint16_t>>;
 
-/// The provided contract or the first of its bases of which `lackingOf(one)` says anything.
+/// Returns the provided contract or the first of its bases for which `lackingOf(one)` has a value.
 template <class LackingOf>
 std::optional<Match> firstMatch(const InterfaceInfo& provided, const LackingOf& lackingOf) {
   for (const InterfaceInfo* one = &provided;; one = &one->base()) {
@@ -37,7 +37,7 @@ Lacking lackingOfCompatible(const InterfaceInfo& required, const InterfaceInfo& 
   return found.breaks.empty() ? Lacking(std::move(found.lacking)) : std::nullopt;
 }
 
-/// The first few, a line each: two unrelated contracts differ in more than a hundred places.
+/// Shows the first few, a line each: two unrelated contracts differ in more than a hundred places.
 std::string textOf(const std::vector<std::string>& reasons) {
   constexpr std::size_t kShown = 3;
   std::string text = reasons.empty() ? "" : ":";

@@ -1,5 +1,5 @@
 #pragma once
-// Connecting two interfaces of one process.
+// This connects two interfaces of one process.
 
 #include <suture/component/channel/channel.h>
 #include <suture/component/provided.h>
@@ -12,12 +12,12 @@
 
 namespace suture {
 
-/// A contract of which only its description is here, as far as the functions below need it. Keeps
-/// pointers to all three.
+/// Returns a contract of which only the description is here, as far as the functions below need it.
+/// It keeps pointers to all three.
 InterfaceInfo describedInfo(const std::string& name, const std::string& hash,
                             const std::string& description);
 
-/// What a required contract and a provided one have in common.
+/// Says what a required contract and a provided one have in common.
 struct Match {
   const InterfaceInfo* contract;       ///< the provided one, or the base of it that is required
   std::vector<std::uint16_t> lacking;  ///< the numbers of the required commands that it lacks
@@ -28,23 +28,23 @@ struct Match {
 Match requireSameContract(const InterfaceInfo& required, const InterfaceInfo& provided,
                           const std::string& connection);
 
-/// The same for two ends of which each has its own memory: they may also have been built from the
-/// contract at different times, if what both know means the same.
+/// Does the same for two ends of which each has its own memory: they may also have been built from
+/// the contract at different times, if what both know means the same.
 Match requireCompatibleContract(const InterfaceInfo& required, const InterfaceInfo& provided,
                                 const std::string& connection);
 
-/// What the two say differently, a line each, for people.
+/// Returns what the two say differently, a line each, for people.
 std::vector<std::string> contractDifferences(const InterfaceInfo& required,
                                              const InterfaceInfo& provided);
 
-/// A channel of this process whose provider end is `provided`'s, for somebody else to carry on to
-/// `required`. Throws as connectLocally() does.
+/// Returns a channel of this process whose provider end is `provided`'s; other code carries it on
+/// to `required`. Throws as connectLocally() does.
 std::shared_ptr<Channel> offerLocally(const RequiredBase& required, ProvidedBase& provided,
                                       Channel::Terms terms, Channel::Ends ends);
 
-/// The `local` lane: one channel that both ends share. Takes effect at each end's next cycle.
-/// `watch`: what the connection is to keep to, if anything. Throws SetupError if the contracts or
-/// the frames differ.
+/// Makes a connection by the `local` lane: one channel that both ends share. It takes effect at
+/// each end's next cycle. `watch` has what the connection is to keep to, if anything. Throws
+/// SetupError if the contracts or the frames differ.
 std::shared_ptr<Channel> connectLocally(RequiredBase& required, ProvidedBase& provided,
                                         const std::string& connection,
                                         std::shared_ptr<ConnectionWatch> watch = nullptr);

@@ -9,10 +9,10 @@ namespace {
 
 using Leaves = std::map<std::string, std::string>;
 
-// These are for people, or the rest tells them in words of the header.
+// These are for people, or other entries say the same in words of the header.
 constexpr std::string_view kLeftOut[] = {"doc", "hash", "core", "ordinal", "wire"};
 
-// Elements of a list are known by their name where they have one, so that an inserted one is one
+// Identifies elements of a list by their name if they have one, so that an inserted one is one
 // difference.
 std::string keyOf(const nlohmann::json& element, std::size_t index) {
   if (element.is_object() && element.contains("name") && element["name"].is_string()) {
@@ -21,7 +21,7 @@ std::string keyOf(const nlohmann::json& element, std::size_t index) {
   return std::to_string(index);
 }
 
-// A peer may send any depth; no description has as much.
+// A peer may send any depth; no real description is as deep.
 constexpr int kMostLevels = 32;
 
 void flatten(const nlohmann::json& json, const std::string& path, Leaves& leaves, int level = 0) {

@@ -1,5 +1,5 @@
 #pragma once
-// Why two contracts do not fit, field by field.
+// This says field by field why two contracts do not fit.
 
 #include <string>
 #include <string_view>
@@ -7,8 +7,9 @@
 
 namespace suture {
 
-/// Compares two self-descriptions (JSON). One line a difference: "commands.servo_cp.kind: 'write'
-/// here, 'read' there". Documentation does not count. Empty: they say the same.
+/// Compares two self-descriptions (JSON). Returns one line for each difference:
+/// "commands.servo_cp.kind: 'write' here, 'read' there"; none if they say the same. Ignores
+/// documentation.
 std::vector<std::string> differences(std::string_view here, std::string_view there);
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-// The components of one process, by name.
+// This has the components of one process, by name.
 
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
@@ -21,14 +21,14 @@ class Directory {
 
   const std::string& process() const { return process_; }
 
-  /// `prepare` makes the component ready to be found by other threads; it is not called if the
-  /// name or the component is refused, and if it throws the component is not added. It uses nothing
-  /// of this directory.
+  /// `prepare` makes the component ready to be found by other threads. It is not called if the name
+  /// or the component is refused, and if it throws the component is not added. It must not use this
+  /// directory.
   void add(const std::string& name, Component& component, const std::function<void()>& prepare);
   std::vector<Component*> components() const;
 
   Component& component(const std::string& name) const { return find(name, name); }
-  /// nullptr: there is none of that name.
+  /// Returns nullptr if there is none of that name.
   const Component* findComponent(const std::string& name) const;
   ProvidedBase& provided(const Endpoint& endpoint) const;
   RequiredBase& required(const Endpoint& endpoint) const;

@@ -1,12 +1,12 @@
 #pragma once
-// How an interface of a component is named in a deployment: "process:component/interface".
+// A deployment names an interface of a component like this: "process:component/interface".
 
 #include <string>
 #include <string_view>
 
 namespace suture {
 
-/// One end of a connection.
+/// Is one end of a connection.
 struct Endpoint {
   std::string process;  ///< "": the process that reads the name
   std::string component;

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a required interface and a provided one mean poses in the same coordinate frames.
+// This checks if a required interface and a provided one mean poses in the same coordinate frames.
 
 #include <suture/base/frames.h>
 
@@ -7,11 +7,11 @@
 
 namespace suture {
 
-/// "expects reference frame 'PSM2_base' and is offered 'PSM1_base'"; "" if they fit: what one of
-/// the two does not declare is not compared.
+/// Returns "expects reference frame 'PSM2_base' and is offered 'PSM1_base'", or "" if they fit. It
+/// does not compare what one of the two does not declare.
 std::string frameDifference(const Frames& required, const Frames& provided);
 
-/// Throws SetupError with that.
+/// Throws SetupError with that difference.
 void requireSameFrames(const Frames& required, const Frames& provided,
                        const std::string& connection);
 

@@ -8,8 +8,8 @@
 namespace suture {
 namespace {
 
-// Raise this whenever a channel or a state table comes to lie in memory in another way, or slots in
-// frames.
+// Raise this whenever the layout in memory of a channel or a state table changes, or that of slots
+// in frames.
 constexpr int kForm = 5;
 
 /// Removes documentation, which has no bytes.
@@ -24,7 +24,7 @@ bool hasSteadyClock(const nlohmann::json& json) {
   return json.is_structured() && std::any_of(json.begin(), json.end(), hasSteadyClock);
 }
 
-/// Tells what of a slot travels: code that an earlier suturec has written sends all of it.
+/// Says which parts of a slot travel: code that an earlier suturec has written sends all of it.
 nlohmann::json placesOf(BoundedLevels levels) {
   auto places = nlohmann::json::array();
   for (const BoundedLevel& one : levels) {
@@ -33,7 +33,8 @@ nlohmann::json placesOf(BoundedLevels levels) {
   return places;
 }
 
-/// FNV-1a, 64 bits: nobody gains by a collision, for what lies in the memory is not believed.
+/// Returns FNV-1a, 64 bits. A collision is no use to an attacker, because what lies in the memory
+/// is not trusted.
 std::string digest(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char byte : text) {
@@ -45,7 +46,7 @@ std::string digest(const std::string& text) {
 }  // namespace
 
 std::string memoryLayout(const InterfaceInfo& info) {
-  // This is the program's own description, so it is nested no deeper than it knows.
+  // This is the program's own description, so its depth is limited.
   auto description = nlohmann::json::parse(info.description);
   removeTexts(description);
   nlohmann::json layout = {kForm, sizeof(void*), info.hash, std::move(description)};

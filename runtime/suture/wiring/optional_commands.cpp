@@ -10,13 +10,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A text member; "" if the description, which a peer wrote, has none.
+/// Returns a text member; "" if the description, which a peer wrote, has none.
 std::string memberText(const Json& contract, const char* key) {
   const auto found = contract.find(key);
   return found != contract.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-/// The hash of what is not optional.
+/// Returns the hash of what is not optional.
 std::string coreOf(const Json& contract) {
   const std::string core = memberText(contract, "core");
   return core.empty() ? memberText(contract, "hash") : core;

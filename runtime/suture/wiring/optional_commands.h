@@ -1,5 +1,5 @@
 #pragma once
-// Two ends whose contracts differ in optional commands.
+// These are two ends whose contracts differ in optional commands.
 
 #include <cstdint>
 #include <optional>
@@ -8,8 +8,9 @@
 
 namespace suture {
 
-/// The numbers of the commands here that are not there, if the two self-descriptions (JSON) differ
-/// in nothing but optional commands behind those that they share. None if they differ in more.
+/// Returns the numbers of the commands here that are not there, if the two self-descriptions (JSON)
+/// differ only in optional commands behind those that they share. Returns none if they differ in
+/// more.
 std::optional<std::vector<std::uint16_t>> lackingOptional(std::string_view here,
                                                           std::string_view there);
 

@@ -207,13 +207,13 @@ ConnectionContract Deployment::readContract(const json& connection, const std::s
           .silence = readDuration(given->value("silence", "0s"), where + "/silence")};
 }
 
-// A number and its unit, as the schema has checked.
+// Reads a number and its unit, which the schema has checked.
 Duration Deployment::readDuration(const std::string& text, const std::string& pointer,
                                   Duration longest) {
   static const std::map<std::string, double> kUnits{
       {"ns", 1}, {"us", 1e3}, {"ms", 1e6}, {"s", 1e9}};
   char* unit = nullptr;
-  const double count = std::strtod(text.c_str(), &unit);  // too many digits: infinite
+  const double count = std::strtod(text.c_str(), &unit);  // infinite if there are too many digits
   const double nanoseconds = count * kUnits.at(unit);
   if (nanoseconds > static_cast<double>(longest.count())) {
     report(pointer, "a time of " + text + " is longer than " +

@@ -1,5 +1,6 @@
 #pragma once
-// A system as data: which process runs which components, and how their interfaces are connected.
+// This is a system as data: which process runs which components, and how their interfaces are
+// connected.
 
 #include <suture/base/frames.h>
 #include <suture/component/task/task.h>
@@ -26,16 +27,16 @@ struct ComponentEntry {
   std::optional<RestartBudget> restart;
   std::optional<rt::Scheduling> scheduling;  ///< of its thread; without, as its class says
   std::map<std::string, Frames> frames;      ///< by the names of its interfaces
-  std::string pointer;                       ///< where it stands in the document
+  std::string pointer;                       ///< its place in the document
 };
 
-/// What a process keeps of its components (record/black_box.h).
+/// Says what a process keeps of its components (record/black_box.h).
 struct BlackBoxEntry {
   std::filesystem::path folder;
   Duration last{}, period{};
   unsigned rows = 0;                    ///< 0: what each component asks for
   std::vector<std::string> components;  ///< their names; empty: all
-  std::string pointer;                  ///< where it stands in the document
+  std::string pointer;                  ///< its place in the document
 };
 
 struct ProcessEntry {
@@ -45,17 +46,17 @@ struct ProcessEntry {
   std::optional<rt::Scheduling> scheduling;  ///< of the threads that carry connections
   bool lockMemory = false;
   bool realTimeRequired = false;  ///< what the machine does not grant is an error
-  std::string pointer;            ///< where it stands in the document
+  std::string pointer;            ///< its place in the document
 };
 
 struct ConnectionEntry {
   Endpoint from;           ///< a required interface; its process is always named
   Endpoint to;             ///< a provided interface; its process is always named
-  ConnectOptions options;  ///< but for the patience
+  ConnectOptions options;  ///< except the patience
   std::string pointer;
 };
 
-/// A checked deployment file (schemas/deployment.schema.json). A value; set-up code only.
+/// Set-up code only. Holds a checked deployment file (schemas/deployment.schema.json) as a value.
 class Deployment {
  public:
   /// Throws DocumentError with every problem of the file: of its syntax, of its schema, or of its
@@ -63,19 +64,20 @@ class Deployment {
   explicit Deployment(JsonDocument document);
 
   const JsonDocument& document() const { return document_; }
-  /// What the system is, for people; "" if the file does not say.
+  /// Returns what the system is, for people; "" if the file does not say.
   std::string title() const { return document_.value().value("title", ""); }
-  /// Address of the global manager, or of several, separated by commas; "" if the file names none.
+  /// Returns the address of the global manager, or of several, separated by commas; "" if the file
+  /// names none.
   const std::string& manager() const { return manager_; }
-  /// The folder of keys and the policy file; "" if the file names none.
+  /// Return the folder of keys and the policy file; "" if the file names none.
   std::filesystem::path keys() const { return besideIt(document_.value().value("keys", "")); }
   std::filesystem::path policy() const { return besideIt(document_.value().value("policy", "")); }
   const std::vector<ProcessEntry>& processes() const { return processes_; }
   const std::vector<ConnectionEntry>& connections() const { return connections_; }
 
-  /// The process of that name. Throws DocumentError with what exists.
+  /// Returns the process of that name. Throws DocumentError with what exists.
   const ProcessEntry& process(std::string_view name) const;
-  /// `path` as a deployment means it: from the folder of its file.
+  /// Returns `path` relative to the folder of the file, as a deployment means it.
   std::filesystem::path besideIt(const std::string& path) const;
 
  private:
@@ -96,7 +98,8 @@ class Deployment {
   ConnectionContract readContract(const nlohmann::json& connection, const std::string& pointer);
   Duration readDuration(const std::string& text, const std::string& pointer,
                         Duration longest = std::chrono::seconds(60));
-  /// The duration at `key` of `object`, which must not be zero; `otherwise` if there is none.
+  /// Returns the duration at `key` of `object`, which must not be zero; `otherwise` if there is
+  /// none.
   Duration readLength(const nlohmann::json& object, const char* key, const char* otherwise,
                       const std::string& pointer);
   void checkNames();
@@ -112,7 +115,7 @@ class Deployment {
   std::string manager_;
   std::vector<ProcessEntry> processes_;
   std::vector<ConnectionEntry> connections_;
-  std::vector<std::string> problems_;  // while it is being checked
+  std::vector<std::string> problems_;  // those found so far, while it is being checked
 };
 
 }  // namespace suture

@@ -42,8 +42,8 @@ std::size_t columnAt(std::string_view text, std::size_t offset) {
   return newline == std::string_view::npos ? offset + 1 : offset - newline;
 }
 
-// nlohmann's text begins with the exception's name and, of a syntax error, the position of the
-// token's end.
+// Removes the prefix of nlohmann's text: the exception's name and, for a syntax error, the position
+// of the token's end.
 std::string withoutPrefix(const std::string& text) {
   const std::size_t column = text.find("column ");
   const std::size_t end = text.find(column == std::string::npos ? "] " : ": ",

@@ -1,6 +1,6 @@
 #pragma once
-// Reads a JSON text into a JsonDocument: the events of nlohmann's parser, and a count of the
-// characters it has taken.
+// This reads a JSON text into a JsonDocument, from the events of nlohmann's parser and a count of
+// the characters that it has taken.
 
 #include <suture/deploy/document/json_document.h>
 
@@ -10,7 +10,7 @@
 
 namespace suture {
 
-/// One parse. The public members without comment are what nlohmann::json::sax_parse calls.
+/// Is one parse. nlohmann::json::sax_parse calls the public members without a comment.
 class DocumentBuilder {
  public:
   DocumentBuilder(JsonDocument& document, std::string_view text)

@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-/// False if none of `interfaces` has that name; else it is in `names`.
+/// Declares the frames, or returns false and fills `names` if none of `interfaces` has that name.
 template <class Interface>
 bool declare(const std::vector<Interface*>& interfaces, const std::string& name,
              const Frames& frames, std::vector<std::string>& names) {

@@ -1,5 +1,5 @@
 #pragma once
-// The coordinate frames that a deployment declares for interfaces of its components.
+// A deployment declares these coordinate frames for interfaces of its components.
 
 #include <suture/component/component.h>
 #include <suture/deploy/document/deployment.h>
@@ -9,9 +9,9 @@
 
 namespace suture {
 
-/// Tells each interface of `components`, which are in the order of `process`, what its frames are.
-/// Before anything is connected. Throws DocumentError: no interface of that name, or its component
-/// has declared other frames.
+/// Before anything is connected: gives each interface of `components`, which are in the order of
+/// `process`, its frames. Throws DocumentError if no interface has that name, or its component has
+/// declared other frames.
 void declareFrames(const JsonDocument& document, const ProcessEntry& process,
                    std::span<const std::unique_ptr<Component>> components);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A JSON text that remembers where each of its values stands.
+// This is a JSON text that remembers the place of each of its values.
 
 #include <suture/component/factory/json_reader.h>
 
@@ -13,8 +13,8 @@
 
 namespace suture {
 
-/// What is wrong with a document: every problem, each as "file:line: error: what was asked, found
-/// and to do".
+/// Says what is wrong with a document: every problem, each as "file:line: error: what was asked,
+/// found and to do".
 class DocumentError : public std::runtime_error {
  public:
   explicit DocumentError(std::vector<std::string> problems);
@@ -29,20 +29,20 @@ class DocumentError : public std::runtime_error {
 class JsonDocument {
  public:
   /// Throws DocumentError if the file cannot be read or is not JSON. A key that appears twice in an
-  /// object is an error too: one of the two would silently not count.
+  /// object is an error too, because one of the two would silently be ignored.
   static JsonDocument read(const std::filesystem::path& file);
-  /// The same for a text; `name` stands for the file in messages.
+  /// Does the same for a text; `name` stands for the file in messages.
   static JsonDocument parse(std::string_view text, std::string name);
 
   const nlohmann::json& value() const { return value_; }
   const std::string& name() const { return name_; }
 
-  /// Line, from 1, of the value at `pointer` (of its key, if it has one), or of the closest one
-  /// around it.
+  /// Returns the line, from 1, of the value at `pointer` (of its key, if it has one), or of the
+  /// closest one around it.
   int lineOf(std::string pointer) const;
-  /// "file:line: error: text"
+  /// Returns "file:line: error: text".
   std::string locate(const std::string& pointer, std::string_view text) const;
-  /// "file:line: warning: text"
+  /// Returns "file:line: warning: text".
   std::string warn(const std::string& pointer, std::string_view text) const;
 
  private:
@@ -57,7 +57,7 @@ class JsonDocument {
   std::map<std::string, int> lines_;
 };
 
-/// `pointer` with one more step; escapes '~' and '/' in the key.
+/// Returns `pointer` with one more step; escapes '~' and '/' in the key.
 std::string childPointer(const std::string& pointer, std::string_view key);
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-// A policy as data: schemas/policy.schema.json.
+// This is a policy as data: schemas/policy.schema.json.
 
 #include <suture/deploy/document/json_document.h>
 #include <suture/names/policy.h>
@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// What a policy file says. Throws DocumentError with every problem of the file. Set-up code only.
+/// Set-up code only. Reads a policy file. Throws DocumentError with every problem of the file.
 Policy readPolicy(const std::filesystem::path& file);
 Policy readPolicy(const JsonDocument& document);
 

@@ -15,14 +15,14 @@ namespace {
 using nlohmann::json;
 using Adapter = valijson::adapters::NlohmannJsonAdapter;
 
-/// Where valijson found something wrong: the value, and the part of the schema that it breaks.
+/// Says where valijson found something wrong: the value, and the part of the schema that it breaks.
 struct Place {
   const json* value;
   const json* schema;
   std::string pointer;
 };
 
-// The schema of a key: one of its own, or that of all keys.
+// Returns the schema of a key: its own, or that of all keys.
 const json* schemaOf(const std::string& key, const json& schema) {
   const auto properties = schema.find("properties");
   return properties == schema.end() ? &schema.at("additionalProperties") : &properties->at(key);
@@ -92,7 +92,7 @@ void report(const std::string& description, const Place& place,
   }
 }
 
-// True for what valijson adds about each level around the place where something is wrong.
+// Returns true for what valijson adds about each level around the place where something is wrong.
 bool isConsequence(const std::string& description) {
   return description.starts_with("Failed to validate ");
 }
@@ -106,7 +106,7 @@ std::vector<JsonProblem> checkSchema(const json& value, const json& schema) {
   valijson::Validator().validate(compiled, Adapter(value), &results);
 
   std::vector<JsonProblem> problems;
-  std::vector<std::string> last;  // the same key of the same place is told once
+  std::vector<std::string> last;  // the same key of the same place is reported once
   for (const auto& error : results) {
     std::vector<std::string> key = error.context;
     key.push_back(error.description.substr(0, error.description.find('\'')));
