@@ -26,7 +26,7 @@ void ClientSide::takePart(Kind kind, std::span<std::byte> payload) {
   if (kind == Kind::Row) payloads_->openRowPart(payload, channel_->clockShift(), *channel_->state);
 }
 
-// An answer to a call that is no longer known comes too late for anybody.
+// An answer to a call that is no longer known comes too late, so it is dropped.
 bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
   const auto command = carrier_.commandOf(header.call);
   if (!command) return true;
@@ -43,7 +43,7 @@ bool ClientSide::takeReply(const Header& header, std::span<std::byte> payload) {
   return true;
 }
 
-// An event that is lost alone must not silence a connection.
+// The loss of one event must not end a connection.
 bool ClientSide::takeEvent(const Header& header, std::span<std::byte> payload) {
   const std::size_t number = placeOf(channel_->info.wireEvents, header.number);
   if (number >= channel_->info.events.size()) return false;

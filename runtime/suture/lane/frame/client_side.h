@@ -1,5 +1,5 @@
 #pragma once
-// The client's side of a frame connection: the provider's end of a channel.
+// This is the client's side of a frame connection: the provider's end of a channel.
 
 #include <suture/lane/carrier/client_carrier.h>
 #include <suture/lane/frame/connection.h>
@@ -8,8 +8,8 @@
 
 namespace suture::frame {
 
-/// Sends what the client has put into its channel, and puts there what the provider's side sends.
-/// Belongs to the lane thread.
+/// Belongs to the lane thread. Sends what the client has put into its channel, and puts there what
+/// the provider's side sends.
 class ClientSide final : public Connection, private ClientCarrier::Wire {
  public:
   /// `channel`'s state table is a mirror that this writes; its provider doorbell is the lane

@@ -1,5 +1,5 @@
 #pragma once
-// The client's end of a connection over frames.
+// This is the client's end of a connection over frames.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -11,8 +11,8 @@
 
 namespace suture {
 
-/// Looks whether the connection's socket carries nothing any more, beside what every end does.
-/// Belongs to the control thread.
+/// Belongs to the control thread. Beside what every end does, it checks if the connection's socket
+/// is broken.
 class FrameEnd final : public rpc::ClientEnd, private rpc::Pump {
  public:
   FrameEnd(rpc::ControlThread& control, std::shared_ptr<Channel> channel,

@@ -20,7 +20,7 @@ namespace {
 // No contract of ours has more.
 constexpr unsigned kMostCommands = 4096;
 
-/// The socket of a session, and what both ends call it.
+/// Is the socket of a session, and its number at both ends.
 struct SessionLink {
   SessionLink(LaneSocket socket, LaneThread& thread)
       : number(socket.number), link(std::make_shared<Link>(kj::mv(socket.bytes), number)) {
@@ -61,7 +61,7 @@ std::vector<std::uint16_t> numbersOf(capnp::List<wire::FrameRequest::Method>::Re
 
 class FrameAttempt final : public LaneAttempt {
  public:
-  /// `mayBeSlots`: slots mean the same in both processes, if they lie in memory alike.
+  /// `mayBeSlots` says that slots mean the same in both processes, if they lie in memory alike.
   FrameAttempt(FrameLane& lane, rpc::ControlThread& control, const InterfaceInfo& contract,
                std::shared_ptr<SessionLink> link, bool mayBeSlots)
       : lane_(lane),
@@ -97,7 +97,7 @@ class FrameAttempt final : public LaneAttempt {
 class FrameClient final : public LaneClient {
  public:
   FrameClient(FrameLane& lane, ClientSession& session) : lane_(lane), session_(session) {}
-  // The thread looks whether somebody still needs the link.
+  // The thread then checks if the link is still needed.
   ~FrameClient() noexcept(false) {
     link_ = nullptr;
     lane_.thread().doorbell()->ring();
@@ -165,7 +165,7 @@ class FrameServer final : public LaneServer {
                         numbersOf(request.getCommands(), connection.contract));
   }
 
-  // Connections on the one before have it for as long as they stand.
+  // Connections on the socket before keep it for as long as they live.
   void opened(LaneSocket socket) override {
     link_ = std::make_shared<SessionLink>(kj::mv(socket), lane_.thread());
   }

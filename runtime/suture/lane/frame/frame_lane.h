@@ -1,5 +1,5 @@
 #pragma once
-// The lane of own frames: one socket a session for all of its connections.
+// This is the lane of Suture's own frames: one socket of a session for all of its connections.
 
 #include <suture/lane/frame/framed_connection.h>
 #include <suture/lane/frame/lane_thread.h>
@@ -11,7 +11,7 @@ namespace suture::frame {
 class FrameLane final : public LaneKind {
  public:
   /// Throws SetupError if the kernel refuses what the thread needs. With Form::Encoded, values
-  /// travel so between equal builds too: what figures of different ones ask for.
+  /// travel encoded between equal builds too, to measure what different builds cost.
   explicit FrameLane(const char* name = "frame", Form form = Form::Slots)
       : name_(name), form_(form) {}
 

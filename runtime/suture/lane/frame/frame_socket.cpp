@@ -11,8 +11,8 @@ namespace suture::frame {
 namespace {
 
 #ifdef SUTURE_THREAD_SANITIZER
-// ThreadSanitizer loses sight of a socket that is handed over: where both ends are in one process,
-// it has to be told that what was done before a send was done before its receipt.
+// ThreadSanitizer loses sight of a socket that is handed over. If both ends are in one process,
+// this tells it that what was done before a send was done before its receipt.
 void* placeOf(std::uint32_t epoch) {
   static char places[4096];
   return &places[epoch % sizeof(places)];

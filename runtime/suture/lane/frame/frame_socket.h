@@ -1,5 +1,5 @@
 #pragma once
-// A connected socket that carries frames.
+// This is a connected socket that carries frames.
 
 #include <suture/lane/frame/bytes/frame_reader.h>
 #include <suture/lane/frame/bytes/frame_writer.h>
@@ -11,39 +11,41 @@
 
 namespace suture::frame {
 
-/// Sends and receives frames. Never blocks. Belongs to the lane thread.
+/// Belongs to the lane thread. Sends and receives frames; never blocks.
 class FrameSocket {
  public:
   FrameSocket(rpc::ByteStream bytes, std::uint32_t epoch);
 
   int descriptor() const { return bytes_.socket(); }
 
-  /// True if one more frame may be sent.
+  /// Returns true if one more frame may be sent.
   bool hasRoom() const { return writer_.hasRoom(); }
-  /// Memory for the payload, all zero; finish() ends the frame. Only if hasRoom().
+  /// Call it only if hasRoom(). Returns memory for the payload; finish() ends the frame.
   std::byte* begin(const Header& header, std::size_t size) { return writer_.begin(header, size); }
   void finish() { writer_.finish(); }
 
-  /// The socket tells that something has arrived: receive() looks.
+  /// Call it when the socket says that something has arrived, so that receive() reads it.
   void arrived() { empty_ = false; }
   bool mayHaveMore() const { return !empty_ && !broken(); }
-  /// Fetches some of it; false: there is nothing. Ends what next() returned.
+  /// Fetches some of it, and invalidates what next() returned. Returns false if there is nothing.
   bool receive();
-  /// The next frame of what receive() has fetched, nullptr: none. Valid until the next call.
+  /// Returns the next frame of what receive() has fetched, or nullptr; it is valid until the next
+  /// call.
   const Header* next();
   std::span<std::byte> payload() { return reader_.payload(); }
 
   /// Sends what the socket takes.
   void flush();
-  /// There is more to send than the socket took: it tells when it takes more.
+  /// Returns true if there is more to send than the socket took; the socket tells when it takes
+  /// more.
   bool isFull() const { return !writer_.unsent().empty(); }
 
-  /// The socket is of no more use to either end.
+  /// Makes the socket useless to both ends.
   void cut() { bytes_.cut(); }
-  /// Nothing is sent or received any more; `why` in words.
+  /// Ends sending and receiving; `why` says the reason in words.
   void breakOff(std::string why) { why_ = std::move(why); }
   bool broken() const { return !why_.empty(); }
-  /// Why nothing comes or goes any more, in words; "" if it does.
+  /// Returns why nothing comes or goes any more, in words; "" if it does.
   const std::string& why() const { return why_; }
 
  private:

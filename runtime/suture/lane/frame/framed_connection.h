@@ -1,5 +1,5 @@
 #pragma once
-// The two ends of a connection that travels as frames, whatever carries their bytes.
+// These are the two ends of a connection that travels as frames, whatever carries their bytes.
 
 #include <suture/lane/frame/lane_thread.h>
 #include <suture/lane/frame/link.h>
@@ -11,22 +11,22 @@
 
 namespace suture::frame {
 
-/// Both ends agree on the lane, the number and the form; the rest carries their frames in this
-/// process.
+/// Says how frames travel: both ends agree on the lane, the number and the form; the rest carries
+/// their frames in this process.
 struct FramedOn {
   const char* lane;  ///< its name
   LaneThread& thread;
-  std::shared_ptr<Link> link;  ///< an empty one lives as long as somebody holds it
+  std::shared_ptr<Link> link;  ///< an empty one lives only as long as it is held
   std::uint32_t number;        ///< of the connection on the link
   Form form = Form::Slots;
 };
 
-/// The control thread makes the client's end.
+/// The control thread. Makes the client's end.
 OpenedEnd openFramed(OutgoingConnection connection, const FramedOn& on,
                      rpc::ControlThread& control);
 
-/// The provider's end. `commands`: by the number that the client gives a command, its number here;
-/// empty if the two have the same numbers. The control thread.
+/// The control thread. Makes the provider's end. `commands` has, by the number that the client
+/// gives a command, its number here; it is empty if the two have the same numbers.
 AcceptedEnd acceptFramed(const IncomingConnection& connection, const FramedOn& on,
                          rpc::ControlThread& control, std::vector<std::uint16_t> commands = {});
 

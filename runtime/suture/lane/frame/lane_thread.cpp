@@ -13,7 +13,7 @@
 namespace suture::frame {
 namespace {
 
-// One look brings at most so many; the rest comes with the next.
+// Limits what one look brings; the rest comes with the next.
 constexpr int kArrivals = 64;
 
 kj::AutoCloseFd opened(int descriptor, const char* what) {
@@ -97,8 +97,8 @@ void LaneThread::turnAll() {
   std::erase_if(carried_, [this](const Carried& one) { return isDone(one); });
 }
 
-// Somebody who holds an empty link is about to let a connection join. Take a link out of the poll
-// before its end: to close the socket is not enough while another descriptor of it is open.
+// A thread that holds an empty link is about to let a connection join. Take a link out of the poll
+// before its end: closing the socket is not enough while another descriptor of it is open.
 bool LaneThread::isDone(const Carried& carried) {
   const bool unused = carried.link.use_count() == 1 && carried.link->endIfEmpty();
   if (!unused && !carried.link->broken()) return false;

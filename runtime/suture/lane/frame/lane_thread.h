@@ -1,5 +1,5 @@
 #pragma once
-// The one thread of a process that carries its frame links.
+// This is the one thread of a process that carries its frame links.
 
 #include <kj/io.h>
 #include <suture/lane/frame/link.h>
@@ -13,9 +13,9 @@
 
 namespace suture::frame {
 
-/// Sleeps until a task rings or a socket has something, then takes and gives everything that can
-/// be. In steady state it neither allocates nor locks; TLS does. A slow handshake or a slow peer on
-/// another link delays nobody here. All signals are blocked in it.
+/// Sleeps until a task rings or a socket has something, then takes and gives everything that it
+/// can. In steady state it neither allocates nor locks; TLS does. A slow handshake or a slow peer
+/// on one link does not delay the others. All signals are blocked in it.
 class LaneThread : private VirtualTime::Sockets {
  public:
   /// The thread begins with the first link. Throws SetupError if the kernel refuses.
@@ -24,14 +24,14 @@ class LaneThread : private VirtualTime::Sockets {
   LaneThread(const LaneThread&) = delete;
   LaneThread& operator=(const LaneThread&) = delete;
 
-  /// Any thread: carries it until it breaks, or is empty and nobody else holds it.
+  /// Any thread. Carries the link until it breaks, or is empty and no one else holds it.
   void add(std::shared_ptr<Link> link);
 
-  /// The thread that made it: lets go of all links, and rings nobody any more.
+  /// The thread that made it. Drops all links, and rings no thread any more.
   void stop();
 
-  /// Any thread rings it when a channel has something, or a link another connection or owner, and
-  /// may when this object is gone.
+  /// Any thread rings it when a channel has something, or a link another connection or owner, also
+  /// after this object is gone.
   std::shared_ptr<rt::Doorbell> doorbell() { return {bell_, &bell_->doorbell}; }
 
  private:
@@ -58,9 +58,9 @@ class LaneThread : private VirtualTime::Sockets {
   const std::shared_ptr<Bell> bell_ = makeBell();
   kj::AutoCloseFd poll_;
   std::atomic<bool> stopping_{false}, anyAdded_{false};
-  std::mutex mutex_;  // links are made rarely, and no control loop waits here
+  std::mutex mutex_;  // no control loop waits for it, because links are made rarely
   std::vector<std::shared_ptr<Link>> added_;
-  std::vector<Carried> carried_;  // the thread's
+  std::vector<Carried> carried_;  // only the thread uses it
   rt::Thread thread_;
 };
 

@@ -53,8 +53,8 @@ void Link::turn() {
   });
 }
 
-// A connection joins before its peer sends, so it is there at the latest behind a receipt. There
-// are only so many fills, so that a peer that sends without end leaves the others their turns.
+// A connection joins before its peer sends, so it is here at the latest after a receipt. The number
+// of fills is bounded, so that a peer that sends without end leaves the others their turns.
 void Link::receive() {
   constexpr int kMostFills = 8;
   int fills = 0;

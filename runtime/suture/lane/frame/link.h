@@ -1,5 +1,5 @@
 #pragma once
-// One socket between two processes, and the connections that share it.
+// This is one socket between two processes, with the connections that share it.
 
 #include <suture/lane/frame/connection.h>
 #include <suture/lane/frame/frame_socket.h>
@@ -13,37 +13,37 @@
 
 namespace suture::frame {
 
-/// Belongs to the lane thread, but for what is said to be any thread's. All that its connections
+/// Belongs to the lane thread, except where a comment says any thread. All that its connections
 /// have to send leaves in one send, and arrives in one receipt; it breaks for all of them.
 class Link {
  public:
-  /// `epoch`: in every frame, the same at the other end.
+  /// `epoch` is in every frame, and the same at the other end.
   Link(rpc::ByteStream bytes, std::uint32_t epoch) : socket_(std::move(bytes), epoch) {}
   ~Link() { end(); }
   Link(const Link&) = delete;
   Link& operator=(const Link&) = delete;
 
-  /// Any thread: the next turn() takes it along. Its number is no other's. The provider's side
-  /// joins before the client's, and sends nothing before it has heard that one.
+  /// Any thread. The next turn() carries the connection, whose number must be unique. The
+  /// provider's side joins before the client's, and sends nothing before it has heard that one.
   void join(std::shared_ptr<Connection> connection);
-  /// Any thread: it carries nothing any more.
+  /// Any thread. Returns true if it carries nothing any more.
   bool broken() const { return broken_.load(std::memory_order_acquire); }
-  /// Breaks it if it has no connection, as behind the last one; false: it has one.
+  /// Breaks it if it has no connection, as after the last one. Returns false if it has one.
   bool endIfEmpty();
 
   int descriptor() const { return socket_.descriptor(); }
-  /// The socket tells that something has arrived.
+  /// Call it when the socket says that something has arrived.
   void arrived() { socket_.arrived(); }
   /// Takes what has come from either side of each connection, and gives it to the other.
   void turn();
-  /// More has arrived than one turn takes, or is to be sent than one sends: nobody tells that
-  /// again.
+  /// Returns true if more has arrived than one turn takes, or must be sent than one sends, which
+  /// the socket does not tell again.
   bool hasMore() const {
     return socket_.mayHaveMore() || (unsent_ && !socket_.isFull() && !socket_.broken());
   }
-  /// The socket has not taken all, and tells when it takes more.
+  /// Returns true if the socket has not taken all; it tells when it takes more.
   bool isFull() const { return socket_.isFull(); }
-  /// Ends the socket, so that the other end is told.
+  /// Ends the socket, so that the other end notices.
   void end() { socket_.cut(); }
 
  private:
@@ -57,10 +57,10 @@ class Link {
   FrameSocket socket_;
   Surplus surplus_;
   std::vector<std::shared_ptr<Connection>> connections_;  // by number
-  std::size_t first_ = 0;                                 // to send, in turns
+  std::size_t first_ = 0;                                 // the first to send, by turns
   bool unsent_ = false;  // a connection has more than its turn took
   std::atomic<bool> broken_{false}, anyJoined_{false};
-  std::mutex mutex_;  // connections join rarely, and no control loop waits here
+  std::mutex mutex_;  // no control loop waits for it, because connections join rarely
   std::vector<std::shared_ptr<Connection>> joined_;
 };
 

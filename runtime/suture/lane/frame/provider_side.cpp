@@ -25,7 +25,7 @@ bool ProviderSide::take(const Header& header, std::span<std::byte> payload) {
   }
 }
 
-// A command that is not known here uses its credit until the client is told so.
+// A command that is unknown here uses its credit until the client is told.
 bool ProviderSide::takeCommand(const Header& header, std::span<std::byte> payload) {
   if (header.number >= carrier_.commands()) return false;
   const std::uint16_t number = carrier_.commandAt(header.number);

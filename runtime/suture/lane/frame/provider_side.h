@@ -1,5 +1,5 @@
 #pragma once
-// The provider's side of a frame connection: the client's end of a channel.
+// This is the provider's side of a frame connection: the client's end of a channel.
 
 #include <suture/lane/carrier/provider_carrier.h>
 #include <suture/lane/frame/connection.h>
@@ -11,19 +11,21 @@
 
 namespace suture::frame {
 
-/// Puts the commands that arrive into the provider's channel, and sends what the provider answers,
-/// emits and publishes. Belongs to the lane thread.
+/// Belongs to the lane thread. Puts the commands that arrive into the provider's channel, and sends
+/// what the provider answers, emits and publishes.
 class ProviderSide final : public Connection, private ProviderCarrier::Wire {
  public:
   /// Stands for a command that the contract does not have.
   static constexpr std::uint16_t kUnknown = ProviderCarrier::kUnknown;
 
-  /// `channel`'s client doorbell is the lane thread's. `commands`: by the number that the client
-  /// gives a command, its number here, or kUnknown; empty if the two have the same numbers.
+  /// `channel`'s client doorbell is the lane thread's. `commands` has, by the number that the
+  /// client gives a command, its number here, or kUnknown; it is empty if the two have the same
+  /// numbers.
   ProviderSide(std::shared_ptr<Channel> channel, std::unique_ptr<Payloads> payloads,
                std::uint32_t number, std::vector<std::uint16_t> commands = {});
 
-  /// Before it is carried: only what reads is taken, a command is refused (Errc::NotPermitted).
+  /// Before it is carried: accepts only reads from now on; a command is refused
+  /// (Errc::NotPermitted).
   void setReadOnly() { carrier_.setReadOnly(); }
 
  private:
@@ -46,12 +48,13 @@ class ProviderSide final : public Connection, private ProviderCarrier::Wire {
   bool sendRow(rt::ColumnSet columns, std::uint64_t& last) override;
   void sendRefusals();
 
-  bool heard_ = false;  // the client's side: from then on it is there
+  bool heard_ = false;  // the client's side has been heard, so it exists
   struct RefusedCall {
     std::uint32_t call;
     Errc error;
   };
-  std::array<RefusedCall, Channel::kMaxCalls> refusedCalls_;  // the client not yet told
+  std::array<RefusedCall, Channel::kMaxCalls> refusedCalls_;  // those that the client does not know
+                                                              // of yet
   std::size_t refusedCallCount_ = 0;
   RowCopy row_;
   ProviderCarrier carrier_;

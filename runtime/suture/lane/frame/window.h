@@ -1,5 +1,5 @@
 #pragma once
-// How much one connection may have under way.
+// This bounds how much one connection may have under way.
 
 #include <suture/lane/frame/bytes/frame.h>
 
@@ -7,24 +7,24 @@
 
 namespace suture::frame {
 
-/// At most kFrames that the other end has not taken: a peer that is stopped finds no more than
-/// those when it goes on. Counts frames but for Acknowledge, beyond 2^32 from zero again.
+/// At most kFrames are under way that the other end has not taken, so a peer that was stopped finds
+/// no more than those when it goes on. It counts all frames except Acknowledge, modulo 2^32.
 class Window {
  public:
-  /// What comes at 1 kHz in a second: a longer round trip would leave gaps between the frames.
+  /// Equals one second at 1 kHz: a longer round trip would leave gaps between the frames.
   static constexpr std::uint32_t kFrames = 1024;
-  /// So many that have been taken are acknowledged together.
+  /// Frames are acknowledged together when this many have been taken.
   static constexpr std::uint32_t kAcknowledged = 16;
 
-  /// True if one more frame may be sent.
+  /// Returns true if one more frame may be sent.
   bool isOpen() const { return sent_ - acknowledged_ < kFrames; }
-  /// A frame is sent, which tells what has been taken.
+  /// Notes a frame that is sent, and says in it how many have been taken.
   void sends(Header& header) {
     header.acknowledged = told_ = taken_;
     if (header.kind != Kind::Acknowledge) ++sent_;
   }
-  /// A frame has arrived; false if the other end cannot have sent it: it says that more were taken
-  /// than were sent, or fewer than before, or there is one too many.
+  /// Notes a frame that has arrived. Returns false if the other end cannot have sent it: it says
+  /// that more were taken than were sent, or fewer than before, or there is one too many.
   bool takes(const Header& header) {
     if (header.acknowledged - acknowledged_ > sent_ - acknowledged_) return false;
     acknowledged_ = header.acknowledged;
@@ -35,8 +35,9 @@ class Window {
   bool owesAcknowledgement() const { return taken_ - told_ >= kAcknowledged; }
 
  private:
-  std::uint32_t sent_ = 0, acknowledged_ = 0;  // ours, and of these taken by the other end
-  std::uint32_t taken_ = 0, told_ = 0;         // theirs, and of these acknowledged
+  std::uint32_t sent_ = 0, acknowledged_ = 0;  // ours, and how many of these the other end has
+                                               // taken
+  std::uint32_t taken_ = 0, told_ = 0;         // theirs, and how many of these are acknowledged
 };
 
 }  // namespace suture::frame

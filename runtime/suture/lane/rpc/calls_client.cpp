@@ -11,7 +11,7 @@
 namespace suture::rpc {
 namespace {
 
-// What is larger would hold up the small ones of other connections for too long.
+// A larger message would hold up the small ones of other connections for too long.
 constexpr std::size_t kMostShared = std::size_t{256} << 10;
 
 bool isLarge(const InterfaceInfo& contract) {

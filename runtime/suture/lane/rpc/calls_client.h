@@ -1,5 +1,5 @@
 #pragma once
-// The lane of calls in the client's process.
+// This is the lane of calls in the client's process.
 
 #include <suture/lane/lane_kind.h>
 #include <suture/lane/opened_once.h>

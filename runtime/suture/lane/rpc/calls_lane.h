@@ -1,6 +1,6 @@
 #pragma once
-// The lane of Cap'n Proto calls: one socket a session for its connections with small messages, and
-// one for each with large ones, which would hold up the others.
+// This is the lane of Cap'n Proto calls: a session has one socket for all of its connections with
+// small messages, and one for each connection with large ones, which would hold up the others.
 
 #include <suture/lane/lane_kind.h>
 

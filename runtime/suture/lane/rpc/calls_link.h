@@ -1,5 +1,5 @@
 #pragma once
-// The client's process has a socket for calls so.
+// This is a socket for calls in the client's process.
 
 #include <suture/calls.capnp.h>
 #include <suture/framing/link.h>
@@ -9,7 +9,7 @@
 
 namespace suture::rpc {
 
-/// Shared by the connections whose calls it carries. Belongs to the control thread.
+/// Belongs to the control thread. It is shared by the connections whose calls it carries.
 class CallsLink {
  public:
   CallsLink(ControlThread& control, LaneSocket socket);
@@ -18,8 +18,7 @@ class CallsLink {
   /// It carries nothing any more. The control thread's pumps run when that has happened.
   bool broken() const { return broken_; }
   std::shared_ptr<const LinkCounters> counters() const { return link_.counters(); }
-  /// Returns the capability of a connection's contract; `counts` is told what becomes of its
-  /// commands.
+  /// Returns the capability of a connection's contract; `counts` gets the outcomes of its commands.
   capnp::Capability::Client contract(std::uint32_t connection, wire::CommandCounts::Client counts);
   /// Tells the kernel how long to wait for an answer to what was sent.
   void bear(Duration silence) const;

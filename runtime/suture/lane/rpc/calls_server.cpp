@@ -12,7 +12,7 @@ using Type = kj::Exception::Type;
 
 }  // namespace
 
-/// What a client reaches of a socket.
+/// Is what a client reaches through a socket.
 class CallsServer::Bootstrap final : public wire::Calls::Server {
  public:
   explicit Bootstrap(std::shared_ptr<Contracts> contracts) : contracts_(std::move(contracts)) {}
@@ -70,7 +70,7 @@ kj::Promise<AcceptedEnd> CallsServer::accept(IncomingConnection connection,
   return AcceptedEnd{kj::mv(port), std::move(channel)};
 }
 
-// A session has at most so many connections, and each needs one socket at most.
+// A session has at most this many connections, and each needs one socket at most.
 void CallsServer::opened(LaneSocket socket) {
   constexpr std::size_t kMostSockets = 1024;
   if (sockets_.size() == kMostSockets) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The lane of calls in the provider's process.
+// This is the lane of calls in the provider's process.
 
 #include <suture/calls.capnp.h>
 #include <suture/framing/link.h>
@@ -11,7 +11,7 @@
 
 namespace suture::rpc {
 
-/// The provider's channel of a connection by calls.
+/// Returns the provider's channel of a connection by calls.
 std::shared_ptr<Channel> callsChannel(ControlThread& control, const IncomingConnection& connection);
 
 /// Serves it; the calls that are counted come by the link that has `counters`.
@@ -28,7 +28,7 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
   void opened(LaneSocket socket) override;
 
  private:
-  /// A connection of one socket, until its client asks for the contract.
+  /// Is a connection of one socket, until its client asks for the contract.
   struct Offered {
     std::shared_ptr<Channel> channel;
     kj::Own<ServantPort> port;
@@ -44,7 +44,7 @@ class CallsServer final : public LaneServer, private kj::TaskSet::ErrorHandler {
 
   ServerSession& session_;
   std::map<std::uint32_t, Socket> sockets_;  // by number
-  std::uint32_t latest_ = 0;                 // connection
+  std::uint32_t latest_ = 0;                 // the latest connection
   kj::TaskSet tasks_;                        // last: cancelled first
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// CountsReceiver hears what has become of a client's commands.
+// This gets the outcomes of a client's commands.
 
 #include <suture/calls.capnp.h>
 #include <suture/lane/rpc/proxy_port.h>
@@ -7,7 +7,7 @@
 
 namespace suture::rpc {
 
-/// Passes it to `port`. Belongs to the control thread.
+/// Belongs to the control thread. Passes them to `port`.
 class CountsReceiver final : public wire::CommandCounts::Server {
  public:
   explicit CountsReceiver(kj::Own<ProxyPort> port) : port_(kj::mv(port)) {}

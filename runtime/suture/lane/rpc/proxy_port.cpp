@@ -27,8 +27,8 @@ void ProxyPort::open(capnp::Capability::Client provider, std::shared_ptr<const C
   pump();
 }
 
-// The capability stays: an answer that has arrived already may be on its way through it. The link
-// holds what holds this.
+// Keeps the capability, because an answer that has arrived already may be on its way through it.
+// Drops the link, which holds what holds this.
 void ProxyPort::ending() {
   control_.remove(*this);
   releaseAcknowledgement();
@@ -47,7 +47,7 @@ void ProxyPort::tally(const Tally& tally) {
   if (!isClosed()) client_.arrived();
 }
 
-// A row of another process is judged where the client reads it.
+// A row of another process is checked where the client reads it.
 void ProxyPort::publish(capnp::AnyPointer::Reader in) {
   if (isClosed()) return;
   const RowCodec& row = info().codec().row;
@@ -155,7 +155,7 @@ void ProxyPort::send(const rt::CommandRecord& record) {
   carrier_.commandSent();
 }
 
-// Only a subscription ends here: the link is breaking, and whoever watches it closes this.
+// Only a subscription ends here: the link is breaking, and what watches it closes this.
 void ProxyPort::taskFailed(kj::Exception&&) {}
 
 }  // namespace suture::rpc

@@ -1,6 +1,6 @@
 #pragma once
-// The client's side of an rpc connection: the provider's end of a channel, emptied into remote
-// calls.
+// This is the client's side of an rpc connection: the provider's end of a channel, emptied into
+// remote calls.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -19,25 +19,25 @@
 
 namespace suture::rpc {
 
-/// Sends each command of a client as a call, whose return gives its credit back. Belongs to the
-/// control thread; shared by the connection and by the capabilities that receive events.
+/// Belongs to the control thread; shared by the connection and by the capabilities that receive
+/// events. Sends each command of a client as a call, whose return gives its credit back.
 class ProxyPort final : public ClientEnd,
                         private ClientCarrier::Wire,
                         private Pump,
                         private kj::TaskSet::ErrorHandler {
  public:
-  /// With so many newest-wins commands under way, the next wait in their cells, where newer ones
-  /// replace them.
+  /// Once this many newest-wins commands are under way, the next wait in their cells, where newer
+  /// ones replace them.
   static constexpr unsigned kWindow = 16;
 
-  /// `channel`'s provider doorbell is the control thread's, its state table a mirror that this
+  /// `channel`'s provider doorbell is the control thread's; its state table is a mirror that this
   /// writes.
   ProxyPort(ControlThread& control, std::shared_ptr<Channel> channel,
             std::shared_ptr<const LinkCounters> counters);
   ~ProxyPort() noexcept(false);
 
-  /// Begins: subscribes and sends what waits. `provider` must be of the contract's interface.
-  /// `link` is what the calls travel on, and is held until the connection is over.
+  /// Subscribes and sends what waits. `provider` must be of the contract's interface. `link` is
+  /// what the calls travel on, and is held until the connection is over.
   void open(capnp::Capability::Client provider, std::shared_ptr<const CallsLink> link = nullptr);
   const InterfaceInfo& info() const { return channel_->info; }
 
@@ -52,8 +52,8 @@ class ProxyPort final : public ClientEnd,
 
  private:
   Duration shift() const { return channel_->clockShift(); }
-  /// The newest event is answered with the next command, or when another event arrives: a message
-  /// of its own would cost both processes a wake-up, and the provider does not wait for it before
+  /// Answers the newest event with the next command, or when another event arrives. A message only
+  /// for that would cost both processes a wake-up, and the provider does not wait for it before
   /// ServantPort::kWindow of them.
   kj::Promise<void> acknowledge();
   void releaseAcknowledgement();
@@ -72,7 +72,7 @@ class ProxyPort final : public ClientEnd,
   std::shared_ptr<const CallsLink> link_;  // null: the provider is here, or the connection is over
   kj::Maybe<capnp::Capability::Client> provider_;
   unsigned latestInFlight_ = 0;
-  std::vector<std::uint64_t> payload_;  // of the event that comes
+  std::vector<std::uint64_t> payload_;  // of the event that arrives
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> acknowledgement_;
   ClientCarrier carrier_;
   TurnRing client_{control_, [this] { carrier_.ringClient(); }};

@@ -1,5 +1,5 @@
 #pragma once
-// The capability that receives events and rows in the client's process.
+// This capability receives events and rows in the client's process.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -8,7 +8,7 @@
 
 namespace suture::rpc {
 
-/// Passes them to `port`, as what `subscription` has asked for. Belongs to the control thread.
+/// Belongs to the control thread. Passes them to `port`, as what `subscription` has asked for.
 class Receiver final : public capnp::Capability::Server {
  public:
   Receiver(kj::Own<ProxyPort> port, std::uint32_t subscription)

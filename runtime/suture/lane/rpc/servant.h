@@ -1,5 +1,5 @@
 #pragma once
-// The capability of a provided interface: what stands in its process for any client, ours or a
+// This is the capability of a provided interface: it serves any client in its process, ours or a
 // plain one of Cap'n Proto.
 
 #include <suture/loop/kj_comparisons.h>  // first
@@ -9,8 +9,8 @@
 
 namespace suture::rpc {
 
-/// Passes calls of the contract, and of those that it derives from, to `port`. Belongs to the
-/// control thread.
+/// Belongs to the control thread. Passes calls of the contract, and of those that it derives from,
+/// to `port`.
 class Servant final : public capnp::Capability::Server {
  public:
   explicit Servant(kj::Own<ServantPort> port) : port_(kj::mv(port)) {}

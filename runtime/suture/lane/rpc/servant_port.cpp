@@ -11,7 +11,8 @@
 namespace suture::rpc {
 namespace {
 
-// A notice for each turn of a task would make each round trip a tenth slower.
+// Bounds the notices, because one for each cycle of a task would make each round trip a tenth
+// slower.
 constexpr Duration kTallyPause = std::chrono::milliseconds(5);
 
 }  // namespace
@@ -57,7 +58,7 @@ kj::Promise<void> ServantPort::await(std::uint16_t command, AnyCall call) {
   const Refusal refusal = post(command, call.getParams(), pending->number);
   if (refusal.error != Errc{}) return turnedAway(refusal);
   carrier_.lend(command);
-  taken_[command].emplace_back();  // it does not wait for its credit
+  taken_[command].emplace_back();  // null, because it does not wait for its credit
   auto pair = kj::newPromiseAndFulfiller<void>();
   pending->done = kj::mv(pair.fulfiller);
   pending->call = call;
@@ -161,7 +162,7 @@ void ServantPort::answer(PendingCall& pending, const ReplyRecord& reply) {
 }
 
 // The provider noted what is invalid before it answered. If it answered two calls of one command
-// so, both tell what the later had.
+// with Errc::Invalid, both get what the later one had.
 kj::Exception ServantPort::failureOf(const PendingCall& call, Errc error) const {
   if (error != Errc::Invalid) return remoteError(error);
   const FieldPath last = channel_->lastInvalid.read();
@@ -210,8 +211,8 @@ void ServantPort::eventTaken() {
   carrier_.giveEvents();
 }
 
-// An event or row that exceeds a message, or that the subscriber refuses, is lost alone, since a
-// damaged one must not silence a connection that is told of as connected. A subscriber that is gone
+// Loses only an event or row that exceeds a message, or that the subscriber refuses, because a
+// damaged one must not silence a connection that counts as connected. A subscriber that is gone
 // ends its subscription, but not a later one.
 bool ServantPort::isGone(const kj::Exception& failure, std::uint32_t subscription) {
   const bool gone = failure.getType() == kj::Exception::Type::DISCONNECTED;
@@ -278,7 +279,7 @@ void ServantPort::failAll(Errc error) {
   }
 }
 
-// The subscriber does not answer any more: whoever ends the connection will hear of it elsewhere.
+// The subscriber does not answer any more; what ends the connection learns of that elsewhere.
 void ServantPort::taskFailed(kj::Exception&&) { subscriber_ = nullptr; }
 
 }  // namespace suture::rpc

@@ -1,5 +1,6 @@
 #pragma once
-// The provider's side of an rpc connection: the client's end of a channel, fed by remote calls.
+// This is the provider's side of an rpc connection: the client's end of a channel, fed by remote
+// calls.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -21,12 +22,12 @@
 
 namespace suture::rpc {
 
-/// A call of any method, as Cap'n Proto hands it to a capability.
+/// Is a call of any method, as Cap'n Proto gives it to a capability.
 using AnyCall = capnp::CallContext<capnp::AnyPointer, capnp::AnyPointer>;
 
-/// A call returns when its credit goes back, if it uses one, or when its answer is there; events
-/// and rows are calls too, with at most kWindow of each unacknowledged, so that a slow client holds
-/// up nobody. Belongs to the control thread; shared by the Servant and the connection.
+/// Belongs to the control thread; shared by the Servant and the connection. A call returns when its
+/// credit goes back, if it uses one, or when its answer is there. Events and rows are calls too,
+/// with at most kWindow of each unacknowledged, so that a slow client delays no other.
 class ServantPort final : public ProviderEnd,
                           private ProviderCarrier::Wire,
                           private Pump,
@@ -34,22 +35,23 @@ class ServantPort final : public ProviderEnd,
  public:
   static constexpr unsigned kWindow = 4;
 
-  /// `channel` has been, or is about to be, attached to the provider; its client doorbell is the
-  /// control thread's.
+  /// `channel` has been, or will be, attached to the provider; its client doorbell is the control
+  /// thread's.
   ServantPort(ControlThread& control, std::shared_ptr<Channel> channel,
               std::shared_ptr<const LinkCounters> counters);
   ~ServantPort() noexcept(false);
 
-  /// From now on only what reads is taken: a command is refused (Errc::NotPermitted).
+  /// Accepts only reads from now on: a command is refused (Errc::NotPermitted).
   void setReadOnly() { carrier_.setReadOnly(); }
-  /// From now on `counts` is told what becomes of the commands, unless the connection is over.
+  /// Sends `counts` the outcomes of the commands from now on, unless the connection is over.
   void tellCounts(wire::CommandCounts::Client counts);
   const InterfaceInfo& info() const { return channel_->info; }
-  /// A call of command `command`. A void or write command returns when the provider has taken it,
-  /// or executed it if the sender asked for an answer; all others when the provider has answered.
+  /// Handles a call of command `command`. A void or write command returns when the provider has
+  /// taken it, or executed it if the sender asked for an answer; all others when the provider has
+  /// answered.
   kj::Promise<void> command(std::uint16_t command, AnyCall call);
 
-  /// Replaces the subscription, unless the connection is over; events that it did not have join it
+  /// Replaces the subscription, unless the connection is over. Events that it did not have join it
   /// in any case.
   void subscribe(Subscriber subscriber, Interest interest);
 
@@ -96,17 +98,17 @@ class ServantPort final : public ProviderEnd,
 
   std::vector<std::deque<Taken>> taken_;  // by command: calls that use a credit, oldest first;
                                           // null: one that does not wait for it
-  std::vector<PendingCall> calls_;        // as many as the channel has memory for the answers of
+  std::vector<PendingCall> calls_;        // as many as the channel has memory for answers
   std::uint32_t callsOpened_ = 0;
 
   kj::Maybe<Subscriber> subscriber_;
-  std::uint32_t subscriptions_ = 0;  // so far
-  bool answering_ = false;           // subscribe(): nothing is sent before its answer
+  std::uint32_t subscriptions_ = 0;  // how many so far
+  bool answering_ = false;           // in subscribe(), which sends nothing before its answer
   kj::Maybe<wire::CommandCounts::Client> counts_;
   bool tallyInFlight_ = false;
   unsigned eventsInFlight_ = 0;
   unsigned rowsInFlight_ = 0;
-  RowSlots row_;  // that is being sent
+  RowSlots row_;  // the row that is being sent
   ProviderCarrier carrier_;
   TurnRing provider_{control_, [this] { carrier_.ringProvider(); }};
   kj::TaskSet sending_;  // last: cancelled first

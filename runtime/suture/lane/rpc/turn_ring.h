@@ -1,14 +1,13 @@
 #pragma once
-// Wakes a task for what arrives together.
+// This wakes a task for what arrives together.
 
 #include <kj/function.h>
 #include <suture/loop/control_thread.h>
 
 namespace suture::rpc {
 
-/// Rings for the first of what one turn of the event loop brings, so that nothing waits for what
-/// comes behind it, then for every kTogether of it, and behind the last. Belongs to the control
-/// thread.
+/// Belongs to the control thread. Rings for the first of what one turn of the event loop brings, so
+/// that the first waits for nothing behind it, then for every kTogether, and after the last.
 class TurnRing final : private EventPort::Output {
  public:
   static constexpr unsigned kTogether = 64;
@@ -19,7 +18,7 @@ class TurnRing final : private EventPort::Output {
   TurnRing(const TurnRing&) = delete;
   TurnRing& operator=(const TurnRing&) = delete;
 
-  /// Something has come.
+  /// Call it when something has come.
   void arrived() {
     if (come_ == 0) control_.port().flushBeforeSleep(*this);
     if (come_++ % kTogether == 0) ring_();

@@ -1,5 +1,5 @@
 #pragma once
-// The checksum of frames: CRC-32C (Castagnoli), as in iSCSI (RFC 3720) and ext4.
+// This is the checksum of frames: CRC-32C (Castagnoli), as in iSCSI (RFC 3720) and ext4.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace suture::frame {
 
-/// Any thread. As fast as the processor's instructions allow.
+/// Any thread. It is as fast as the processor's instructions allow.
 std::uint32_t crc32c(std::span<const std::byte> bytes);
 
 }  // namespace suture::frame

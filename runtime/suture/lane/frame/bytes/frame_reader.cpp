@@ -9,7 +9,7 @@ namespace suture::frame {
 FrameReader::FrameReader(std::uint32_t epoch)
     : epoch_(epoch), storage_(2 * kMostFrame / sizeof(std::uint64_t)) {}
 
-// A whole frame always fits behind what has been taken out.
+// Makes sure that a whole frame fits behind what has been taken out.
 std::span<std::byte> FrameReader::space() {
   begin_ += std::exchange(taken_, 0);
   if (begin_ == end_) {

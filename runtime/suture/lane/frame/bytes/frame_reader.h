@@ -1,5 +1,5 @@
 #pragma once
-// From bytes as they arrive to whole, undamaged frames.
+// This turns bytes as they arrive into whole, undamaged frames.
 
 #include <suture/lane/frame/bytes/frame.h>
 
@@ -10,21 +10,22 @@
 
 namespace suture::frame {
 
-/// One thread. Believes nothing: a frame is handed out only if its size, checksum, epoch, place in
-/// the order and kind are right, and after a wrong one there are no more. No allocation after
-/// construction.
+/// One thread; no allocation after construction. It trusts nothing: it hands out a frame only if
+/// its size, checksum, epoch, place in the order and kind are right, and after a wrong one it hands
+/// out no more.
 class FrameReader {
  public:
   explicit FrameReader(std::uint32_t epoch);
 
-  /// Where the next bytes go; never empty. Ends what next() returned.
+  /// Returns where the next bytes go; never empty. Invalidates what next() returned.
   std::span<std::byte> space();
-  /// `count` bytes have been written at the start of space().
+  /// Call it when `count` bytes have been written at the start of space().
   void arrived(std::size_t count) { end_ += count; }
 
-  /// The next whole frame; nullptr: there is none yet, or a fault. Valid until the next call.
+  /// Returns the next whole frame; nullptr: there is none yet, or a fault. It is valid until the
+  /// next call.
   const Header* next();
-  /// The payload of the frame that next() returned, at a word; whoever takes it may change it.
+  /// Returns the payload of the frame that next() returned, at a word; the caller may change it.
   std::span<std::byte> payload();
   Fault fault() const { return fault_; }
 
@@ -36,9 +37,9 @@ class FrameReader {
   const Header* broken(Fault fault);
 
   const std::uint32_t epoch_;
-  std::vector<std::uint64_t> storage_;  // words: frames lie at words
+  std::vector<std::uint64_t> storage_;  // words, because frames lie at words
   std::size_t begin_ = 0, end_ = 0;     // bytes
-  std::size_t taken_ = 0;               // of the frame that next() returned
+  std::size_t taken_ = 0;               // bytes of the frame that next() returned
   std::uint32_t sequence_ = 0;
   Fault fault_ = Fault::None;
 };

@@ -25,7 +25,7 @@ std::byte* FrameWriter::begin(Header header, std::size_t size) {
   std::memcpy(bytes_.get() + open_, &header, sizeof(header));
   std::byte* const payload = bytes_.get() + open_ + sizeof(Header);
   end_ = open_ + sizeof(Header) + wordBytes(size);
-  std::memset(payload + size, 0, wordBytes(size) - size);  // what lay there is nobody's business
+  std::memset(payload + size, 0, wordBytes(size) - size);  // the peer must not see what lay there
   return payload;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Frames on their way to the socket.
+// This holds frames on their way to the socket.
 
 #include <suture/lane/frame/bytes/frame.h>
 
@@ -10,26 +10,27 @@
 
 namespace suture::frame {
 
-/// Collects frames until they are sent: many leave in one send. No allocation after construction as
-/// long as hasRoom() is asked. One thread.
+/// One thread. Collects frames until they are sent, so that many leave in one send. No allocation
+/// after construction if hasRoom() is asked before begin().
 class FrameWriter {
  public:
   explicit FrameWriter(std::uint32_t epoch);
 
-  /// True if the largest frame, and an Acknowledge behind it, have room.
+  /// Returns true if the largest frame, and an Acknowledge behind it, have room.
   bool hasRoom() const;
-  /// Memory for the payload of a new frame with `size` bytes of it, to be filled by whoever asks;
-  /// finish() ends it.
+  /// Returns memory for the payload of a new frame with `size` bytes of it, which the caller fills;
+  /// finish() ends the frame.
   std::byte* begin(Header header, std::size_t size);
   void finish();
 
-  /// What has been finished and not yet been sent.
+  /// Returns what has been finished and not yet been sent.
   std::span<const std::byte> unsent() const { return {bytes_.get() + sent_, end_ - sent_}; }
   void sent(std::size_t count);
 
  private:
   const std::uint32_t epoch_;
-  const std::unique_ptr<std::byte[]> bytes_;  // as they are: only what is in a frame is sent
+  const std::unique_ptr<std::byte[]> bytes_;  // uninitialised, because only what is in a frame is
+                                              // sent
   std::size_t sent_ = 0, open_ = 0, end_ = 0;
   std::uint32_t sequence_ = 0;
 };

@@ -12,20 +12,21 @@
 
 namespace suture::frame {
 
-/// Joins the pieces of one connection. One thread. Room is made as they come, and kept: only a
+/// One thread. Joins the pieces of one connection. Memory grows as they come, and is kept: only a
 /// value that is larger than all before it allocates.
 class Pieces {
  public:
-  /// `own`: bytes of the largest payload that this process's contract has; `limit`: no payload is
-  /// larger.
+  /// `own` is the size of the largest payload that this process's contract has; `limit` bounds all
+  /// payloads.
   Pieces(std::size_t own, std::size_t limit) : own_(own), limit_(limit) {}
 
-  /// A Piece has arrived; false if there can be no such, or `surplus` has nothing left for it.
+  /// Takes a Piece. Returns false if it cannot be right, or `surplus` has nothing left for it.
   bool add(const Header& header, std::span<const std::byte> piece, Surplus& surplus);
-  /// Returns all that has come of the payload; it is valid until the next call, and lies at a word.
+  /// Returns what has come of the payload; it is valid until the next call, and lies at a word.
   std::span<std::byte> gathered() { return {bytes(), gathered_}; }
-  /// Turns the payload of a frame of another kind into all of it, if pieces came before it: valid
-  /// until the next call, at a word. False if it is not the end of them.
+  /// Replaces the payload of a frame of another kind by the whole payload, if pieces came before
+  /// it; it is valid until the next call, at a word. Returns false if the frame is not the end of
+  /// them.
   bool complete(const Header& header, std::span<std::byte>& payload, Surplus& surplus);
   /// Returns how much of the link's surplus this has taken.
   std::size_t surplus() const { return surplusOf(storage_.size()); }

@@ -1,17 +1,17 @@
 #pragma once
-// This bounds what a link's connections take beyond their contracts.
+// This bounds the memory that a link's connections take beyond their contracts.
 
 #include <cstddef>
 
 namespace suture::frame {
 
-/// A newer peer's values may be larger than a contract says here, but not without end: this is what
-/// all connections of a link may take for that. One thread.
+/// One thread. A newer peer's values may be larger than a contract says here, but not without end:
+/// all connections of a link together may take this much for that.
 class Surplus {
  public:
   static constexpr std::size_t kMost = std::size_t{64} << 20;
 
-  /// False if there is not so much left.
+  /// Returns false if less is left.
   bool take(std::size_t bytes) {
     if (bytes > left_) return false;
     left_ -= bytes;

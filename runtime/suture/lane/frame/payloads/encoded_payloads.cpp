@@ -6,17 +6,16 @@
 namespace suture::frame {
 namespace {
 
-// A newer peer's values may be larger than this process knows, but not than a message of the
+// A newer peer's values may be larger than this process knows, but not larger than a message of the
 // control plane.
 constexpr std::size_t kLimit = std::size_t{16} << 20;
 
-// A message has pointers and sizes beside its values: those of most contracts fit into this.
+// A message has pointers and sizes beside its values; those of most contracts fit into this.
 constexpr std::size_t kHeadWords = 64;
 
 std::size_t words(std::size_t bytes) { return wordBytes(bytes) / sizeof(capnp::word); }
 
-/// Calls `read` with the root of a message of one segment, and ends without a word where it is
-/// malformed.
+/// Calls `read` with the root of a message of one segment, and returns silently if it is malformed.
 template <class Read>
 void readMessage(std::span<const std::byte> payload, const Read& read) {
   static constexpr capnp::word kNothing{};

@@ -1,5 +1,5 @@
 #pragma once
-// Values as Cap'n Proto messages, between processes whose builds differ.
+// These are values as Cap'n Proto messages, between processes whose builds differ.
 
 #include <suture/lane/carrier/row_slots.h>
 #include <suture/lane/frame/payloads/payloads.h>
@@ -12,8 +12,8 @@
 
 namespace suture::frame {
 
-/// Allocates only when a message is larger than all before. A message that is malformed has no
-/// value; what its sender does not know reads as its default.
+/// Allocates only when a message is larger than all before. A malformed message has no value; what
+/// its sender does not know reads as its default.
 class EncodedPayloads final : public Payloads {
  public:
   explicit EncodedPayloads(const InterfaceInfo& contract);
@@ -33,7 +33,7 @@ class EncodedPayloads final : public Payloads {
   std::span<const std::byte> packed(const Encode& encode);
 
   const InterfaceInfo& contract_;
-  RowSlots row_;                                        // that is being sent
+  RowSlots row_;                                        // of the row that is being sent
   std::vector<capnp::word> scratch_;                    // of the message that is being sent; zero
   std::optional<capnp::MallocMessageBuilder> message_;  // in scratch_
   std::vector<std::uint64_t> slot_;                     // of the value that arrives

@@ -26,7 +26,7 @@ bool RowCopy::go() {
   return true;
 }
 
-/// Returns whether that was all of the column. What is unused of it stays as it is.
+/// Returns true if that was all of the column. Leaves what is unused of it unchanged.
 bool RowCopy::copyPart(std::size_t& most) {
   std::byte* const slot = slots_[column_];
   const std::size_t size = table_.columnSize(column_);
@@ -45,7 +45,7 @@ bool RowCopy::copyPart(std::size_t& most) {
   }
 }
 
-/// The provider has gone round all rows meanwhile: the newest one is copied at once.
+/// Copies the newest row at once, because the provider has gone round all rows meanwhile.
 void RowCopy::copyNewest() {
   row_ = table_.readRow(slots_);
   row_.keep(columns_);

@@ -25,7 +25,7 @@ bool RowReader::begin(std::span<const std::byte> payload) {
   return true;
 }
 
-// Goes on with the column that arrives; true: all have.
+// Goes on with the column that arrives; returns true if all have.
 bool RowReader::advance(std::span<const std::byte> payload) {
   for (; column_ < columns_.size(); ++column_) {
     if (!row_.hasValue(static_cast<unsigned>(column_))) continue;
@@ -57,7 +57,7 @@ bool RowReader::takeUsed(Column& column, std::span<const std::byte> come) {
   return done;
 }
 
-// A column whose stamps have to be turned is stored when it is there whole.
+// A column whose stamps must be shifted is stored when it is complete.
 void RowReader::part(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror) {
   if (!begun_ && !begin(payload)) return;
   const std::size_t before = column_;

@@ -12,22 +12,23 @@
 
 namespace suture::frame {
 
-/// Reads a row of slots: its RowColumns, then what is used of each value, up to whole words.
-/// Belongs to the lane thread.
+/// Belongs to the lane thread. Reads a row of slots: its RowColumns, then what is used of each
+/// value, up to whole words.
 class RowReader {
  public:
   explicit RowReader(const InterfaceInfo& contract);
 
-  /// So much has come of a row: what can be is stored in `mirror` already.
+  /// Takes the part that has come of a row, and stores what it can in `mirror` already.
   void part(std::span<std::byte> payload, Duration shift, rt::StateTable& mirror);
-  /// The row is there, and may be changed. None if it makes no sense.
+  /// Reads a complete row, which it may change. Returns none if it makes no sense.
   std::optional<ArrivedRow> whole(std::span<std::byte> payload, Duration shift);
 
  private:
   struct Column {
     const CommandInfo* read;
     std::size_t begin = 0;                // in the payload
-    std::unique_ptr<std::byte[]> slot{};  // of a value that does not travel whole, once it has
+    std::unique_ptr<std::byte[]> slot{};  // of a value that does not travel whole, once one has
+                                          // come
   };
 
   bool begin(std::span<const std::byte> payload);
@@ -39,11 +40,11 @@ class RowReader {
   std::vector<rt::StateTable::Value> values_;  // by column
   rt::RowColumns row_;
   bool begun_ = false;
-  std::size_t column_ = 0;            // that arrives
+  std::size_t column_ = 0;            // the one that arrives
   std::size_t place_ = 0;             // where it begins in the payload
-  std::size_t come_ = 0;              // of its slot, bytes
-  std::size_t taken_ = 0;             // of the payload for it, bytes
-  std::optional<UsedReader> reader_;  // of one that does not travel whole
+  std::size_t come_ = 0;              // bytes of its slot
+  std::size_t taken_ = 0;             // bytes of the payload for it
+  std::optional<UsedReader> reader_;  // of a column that does not travel whole
 };
 
 }  // namespace suture::frame

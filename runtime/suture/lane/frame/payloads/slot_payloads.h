@@ -1,5 +1,5 @@
 #pragma once
-// This sends slots as they lie in memory, without what is unused of them, between processes of one
+// This sends slots as they lie in memory, without their unused parts, between processes of one
 // memoryLayout().
 
 #include <suture/lane/carrier/row_slots.h>
@@ -32,15 +32,15 @@ class SlotPayloads final : public Payloads {
   struct Form {
     std::uint32_t size;
     StampShift shift;      ///< null: it has no stamps
-    BoundedLevels levels;  ///< of which only the used part travels
+    BoundedLevels levels;  ///< only the used part of each travels
   };
   Form formOf(ValueName name) const;
 
   const InterfaceInfo& contract_;
   std::vector<BoundedLevels> levels_;  // by column
-  RowSlots row_;                       // that is being sent, behind its RowColumns
+  RowSlots row_;                       // the row that is being sent, behind its RowColumns
   RowReader arriving_;
-  // They have values of which not all travels, once there has been one.
+  // These hold values of which a part travels, once there has been one.
   std::vector<std::byte> packed_, opened_;
   const std::size_t own_;
 };
