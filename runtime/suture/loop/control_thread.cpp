@@ -65,7 +65,7 @@ ControlThread::~ControlThread() noexcept {
 }
 
 void ControlThread::post(kj::Function<void()> work) {
-  // Ring under the lock, so that the destructor's own post comes after every other one has let go.
+  // Ring under the lock, so that the destructor's own post comes after every other post has left.
   std::lock_guard lock(mutex_);
   posted_.push_back(kj::mv(work));
   anyPosted_.store(true, std::memory_order_release);

@@ -1,5 +1,5 @@
 #pragma once
-// The one thread of a process that runs KJ and Cap'n Proto.
+// This is the one thread of a process that runs KJ and Cap'n Proto.
 
 #include <kj/async.h>
 #include <kj/function.h>
@@ -18,17 +18,17 @@
 
 namespace suture::rpc {
 
-/// Something that moves data between task threads and the network whenever a task has rung.
+/// Moves data between task threads and the network whenever a task has rung.
 class Pump {
  public:
   virtual ~Pump() noexcept(false) = default;
-  /// Control thread: takes everything that waits. Must not block.
+  /// The control thread. Takes everything that waits. Must not block.
   virtual void pump() = 0;
 };
 
-/// Owns an event loop and its thread. Whatever is made on it must be destroyed on it (or by its
-/// tasks) before the object ends. All signals are blocked in it. Construction throws SetupError if
-/// the kernel refuses.
+/// Owns an event loop and its thread. Objects that are made on it must be destroyed on it (or by
+/// its tasks) before it ends. All signals are blocked in it. Construction throws SetupError if the
+/// kernel refuses.
 class ControlThread {
  public:
   ControlThread();
@@ -37,13 +37,13 @@ class ControlThread {
   ControlThread(const ControlThread&) = delete;
   ControlThread& operator=(const ControlThread&) = delete;
 
-  /// Any thread: runs `work` on the control thread soon, in the order of posting. Work that has not
-  /// started when the object ends is destroyed without running.
+  /// Any thread. Runs `work` on the control thread soon, in the order of posting. Work that has not
+  /// started when this object ends is destroyed without running.
   void post(kj::Function<void()> work);
 
-  /// Any other thread: runs `work` there and waits for its result, or for that of the promise it
-  /// returns; at most for `deadline`, then the promise is cancelled. Throws ControlFailure. `work`
-  /// must own what it uses.
+  /// Any other thread. Runs `work` there and waits for its result, or for that of the promise that
+  /// it returns, at most for `deadline`; then the promise is cancelled. Throws ControlFailure.
+  /// `work` must own what it uses.
   template <class Work>
   auto run(Duration deadline, Work work) {
     using Value = kj::_::UnwrapPromise<decltype(kj::evalLater(work))>;
@@ -59,15 +59,14 @@ class ControlThread {
 
   /// Any thread rings it when a pump has something to take.
   rt::Doorbell& doorbell() { return bell_->doorbell; }
-  /// The same, for those who may ring it when this object is gone.
+  /// Returns the same doorbell for those who may ring it after this object is gone.
   std::shared_ptr<rt::Doorbell> sharedDoorbell() { return {bell_, &bell_->doorbell}; }
 
-  /// The rest is for the control thread only.
+  /// The rest is only for the control thread.
   bool isCurrent() const { return thread_.isCurrent(); }
   EventPort& port() { return *loop_; }
   kj::Timer& timer() { return loop_->getTimer(); }
-  /// Keeps a promise running until it ends or the thread does. A failure is reported on standard
-  /// error.
+  /// Keeps a promise running until it ends or the thread does. Reports a failure on standard error.
   void spawn(kj::Promise<void> task) { loop_->tasks.add(kj::mv(task)); }
   void add(Pump& pump);
   /// May be called from within a pump.
@@ -79,7 +78,7 @@ class ControlThread {
     rt::Doorbell doorbell{eventDescriptor.get()};
   };
 
-  /// Attends to the doorbell whenever KJ has nothing to do.
+  /// Handles the doorbell whenever KJ has nothing to do.
   struct Loop final : EventPort, kj::TaskSet::ErrorHandler {
     explicit Loop(ControlThread& owner);
     void runUntilStopped();

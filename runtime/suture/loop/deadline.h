@@ -1,5 +1,5 @@
 #pragma once
-// A promise that ends in time.
+// This makes a promise end in time.
 
 #include <kj/timer.h>
 #include <suture/base/time.h>

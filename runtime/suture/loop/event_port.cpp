@@ -10,7 +10,7 @@
 namespace suture::rpc {
 namespace {
 
-// Work that never ends must keep neither written messages nor sockets waiting.
+// Work that never ends must not keep written messages or sockets waiting.
 constexpr unsigned kMaxBusyTurns = 4;
 
 kj::TimePoint toKj(Time time) {
@@ -104,7 +104,7 @@ bool EventPort::look() {
   return loop_.isRunnable();
 }
 
-// Takes the edges here alone: KJ's own epoll has them as well, for look().
+// Takes only the edges of this epoll: KJ's own epoll has them as well, for look().
 bool EventPort::mayFind() {
   epoll_event events[16];
   return epoll_wait(arrivals_, events, std::size(events), 0) != 0;

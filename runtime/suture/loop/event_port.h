@@ -1,5 +1,5 @@
 #pragma once
-// KJ's event loop, with a say in what happens before it sleeps.
+// This is KJ's event loop, which also acts before it sleeps.
 
 #include <kj/async-unix.h>
 #include <kj/async.h>
@@ -12,14 +12,14 @@
 
 namespace suture::rpc {
 
-/// The event loop of one thread, and what wakes it. When KJ's queue is empty, this first brings in
-/// what other threads have handed over and lets that run, then sends what all of it has written:
-/// one send a link and turn, however many messages, and no sleep while there is something to do.
-/// Belongs to the thread that makes it. Its sleep and its timer follow the stepped clock that the
-/// process has when it is made.
+/// Belongs to the thread that makes it. Is the event loop of one thread, and what wakes it. When
+/// KJ's queue is empty, it first brings in what other threads have handed over and lets that run,
+/// then sends what all of it has written: one send for each link and turn, however many messages,
+/// and no sleep while there is something to do. Its sleep and its timer follow the stepped clock
+/// that the process has when it is made.
 class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
  public:
-  /// Output that is collected until the loop has nothing else to do.
+  /// Is output that is collected until the loop has nothing else to do.
   class Output {
    public:
     virtual void flush() = 0;
@@ -28,7 +28,7 @@ class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
     ~Output() = default;
   };
 
-  /// Hides KJ's own, which only the thread of the loop can ask whether anything has happened.
+  /// Hides KJ's own, which only the thread of the loop can ask if anything has happened.
   class FdObserver : public kj::UnixEventPort::FdObserver {
    public:
     FdObserver(EventPort& port, int descriptor, kj::uint asked);
@@ -44,15 +44,15 @@ class EventPort : public kj::UnixEventPort, private VirtualTime::Sockets {
   /// `bell`, if there is one, also ends the sleep. Its eventfd must be observed here.
   explicit EventPort(rt::Doorbell* bell = nullptr);
 
-  /// Hides KJ's own, which knows the kernel's clock only.
+  /// Hides KJ's own, which knows only the kernel's clock.
   kj::Timer& getTimer();
 
-  /// What a promise's wait() asks for.
+  /// Returns what a promise's wait() needs.
   kj::WaitScope& scope() { return scope_; }
 
-  /// `output` is flushed once before the loop sleeps, or after a few turns if it does not.
+  /// Flushes `output` once before the loop sleeps, or after a few turns if it does not sleep.
   void flushBeforeSleep(Output& output);
-  /// For an output that ends: it is not flushed any more.
+  /// Stops flushing `output`, which ends.
   void forget(Output& output);
 
   bool wait() final;

@@ -1,6 +1,6 @@
 #pragma once
-// Exceptions for promises. What they say may reach a peer, so it is only what we wrote: no source
-// path, no failed expression.
+// These make exceptions for promises. What they say may reach a peer, so it is only our text: no
+// source path, no failed expression.
 
 #include <kj/exception.h>
 
@@ -8,15 +8,15 @@
 
 namespace suture::rpc {
 
-/// A rejection with a text for people.
+/// Returns a rejection with a text for people.
 kj::Exception failure(kj::Exception::Type type, const std::string& text);
 
-/// Says that the peer is gone, or must go.
+/// Returns a rejection that says that the peer is gone, or must go.
 inline kj::Exception disconnected(const std::string& text) {
   return failure(kj::Exception::Type::DISCONNECTED, text);
 }
 
-/// What went wrong, without the library's prefixes ("remote exception: ").
+/// Returns what went wrong, without the library's prefixes ("remote exception: ").
 std::string describe(const kj::Exception& exception);
 
 }  // namespace suture::rpc

@@ -1,5 +1,5 @@
 #pragma once
-// To be included before any header of capnp: lets compilers that follow today's C++20 read them.
+// Include this before any header of capnp: it lets compilers that follow today's C++20 read them.
 //
 // KJ 0.9.2 leaves ("text" == StringPtr) to the reversed candidates of C++20. The standard took
 // those back where a class declares operator!= as well (P2468), which KJ's does; capnp/blob.h then

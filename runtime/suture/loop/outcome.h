@@ -1,5 +1,5 @@
 #pragma once
-// The result of work done on the control thread, for the thread that waits for it.
+// This is the result of work done on the control thread, for the thread that waits for it.
 
 #include <kj/async.h>
 #include <suture/base/time.h>
@@ -15,7 +15,7 @@
 
 namespace suture::rpc {
 
-/// Thrown by ControlThread::run() when there is no result.
+/// Is thrown by ControlThread::run() when there is no result.
 class ControlFailure : public std::runtime_error {
  public:
   enum class Kind { Failed, TimedOut, Stopped };
@@ -26,7 +26,7 @@ class ControlFailure : public std::runtime_error {
   Kind kind_;
 };
 
-/// A value or a failure, set once by any thread, for one thread that waits.
+/// Holds a value or a failure, set once by any thread, for one thread that waits.
 template <class T>
 class Outcome {
  public:
@@ -70,8 +70,8 @@ class Outcome {
   std::string text_;
 };
 
-/// The obligation to settle an outcome: if it is destroyed first, the waiter learns that the thread
-/// stopped.
+/// Is the obligation to settle an outcome: if it is destroyed first, the waiter learns that the
+/// thread stopped.
 template <class T>
 class Settles {
  public:
@@ -81,7 +81,7 @@ class Settles {
     if (outcome_) outcome_->fail(ControlFailure::Kind::Stopped, "the control thread has stopped");
   }
 
-  /// Settles with what `promise` ends in.
+  /// Settles with the result of `promise`.
   kj::Promise<void> follow(kj::Promise<T> promise) {
     auto outcome = outcome_;
     auto failed = [outcome](kj::Exception&& e) {

@@ -1,5 +1,5 @@
 #pragma once
-// Tells when a full socket takes bytes again.
+// This tells when a full socket takes bytes again.
 
 #include <fcntl.h>
 #include <kj/io.h>
@@ -7,17 +7,17 @@
 
 namespace suture::rpc {
 
-/// A second registration of a socket with the event port, through a duplicate descriptor (one
+/// Registers a socket with the event port a second time, through a duplicate descriptor: one
 /// registration cannot change what it observes, and observing writability all the time costs a
-/// wake-up for every read of the peer). The duplicate keeps the connection open: destroy this with,
-/// not after, the socket.
+/// wake-up for every read of the peer. The duplicate keeps the connection open, so destroy this
+/// with the socket, not after it.
 class WriteObserver {
  public:
   WriteObserver(EventPort& port, int socket)
       : duplicate_(fcntl(socket, F_DUPFD_CLOEXEC, 0)),
         observer_(port, duplicate_, EventPort::FdObserver::OBSERVE_WRITE) {}
 
-  /// To be called only when a send has just said that the socket is full.
+  /// Call it only when a send has just said that the socket is full.
   kj::Promise<void> whenWritable() { return observer_.whenBecomesWritable(); }
 
  private:
