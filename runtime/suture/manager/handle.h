@@ -1,5 +1,5 @@
 #pragma once
-// A required interface for a thread that is none of the tasks': of a GUI, of a logger.
+// This is a required interface for a thread that is no task's: of a GUI, of a logger.
 
 #include <suture/component/device.h>
 #include <suture/component/required.h>
@@ -9,21 +9,21 @@
 
 namespace suture {
 
-/// The part of a Handle that does not depend on the contract.
+/// Has the part of a Handle that does not depend on the contract.
 class HandleBase {
  public:
   HandleBase(const HandleBase&) = delete;
   HandleBase& operator=(const HandleBase&) = delete;
 
-  /// Runs the handlers of the events that have arrived, in the calling thread. Errc::WrongThread if
-  /// that is not the handle's.
+  /// Runs the handlers of the events that have arrived, in the calling thread. Answers
+  /// Errc::WrongThread if that is not the handle's.
   Result<void> processEvents() { return device_.processEvents(); }
-  /// The same, after sleeping until something arrives or until `deadline`. True if something
-  /// arrived.
+  /// Sleeps until something arrives or until `deadline`, and does the same. Returns true if
+  /// something arrived.
   bool waitForEvents(Time deadline) { return device_.waitForEvents(deadline); }
 
  protected:
-  /// `name`: "Gui/Arm". Throws SetupError.
+  /// `name` is like "Gui/Arm". Throws SetupError.
   explicit HandleBase(std::string_view name) : name_(Endpoint::parse(name)) {}
   ~HandleBase() = default;
 
@@ -37,14 +37,14 @@ class HandleBase {
   friend class Manager;
 
   const Endpoint name_;
-  Manager* manager_ = nullptr;  // null once it is gone
+  Manager* manager_ = nullptr;  // null once the manager is gone
   Device device_;
 };
 
-/// A connection of its own to a provided interface, with all that a Required offers: commands,
-/// which ring the provider at once and keep their order within a handle, reads, calls, events.
 /// Belongs to the first thread that uses it; others get Errc::WrongThread. Give each thread its
-/// own.
+/// own. It is a separate connection to a provided interface, with all that a Required offers:
+/// commands, which ring the provider at once and keep their order within a handle, reads, calls,
+/// events.
 ///   suture::Handle<Arm> arm(manager, "Gui/Arm", "PSM/Arm");    where the manager is used
 ///   arm.on().operating_state([&](const OperatingState& state) { ... });
 ///   arm.enable.start().within(20ms);                           in the GUI's thread
@@ -54,8 +54,8 @@ class HandleBase {
 template <class Contract>
 class Handle final : public HandleBase, public Required<Contract> {
  public:
-  /// Connects as Manager::connect() does: works or throws a SetupError that says why not. `name` is
-  /// what others see of it, "Gui/Arm"; none of this process's connections has it yet.
+  /// Connects as Manager::connect() does, or throws a SetupError that says why not. `name` is what
+  /// others see of it, "Gui/Arm"; no connection of this process may have it yet.
   Handle(Manager& manager, std::string_view name, std::string_view provided,
          const ConnectOptions& options = {})
       : HandleBase(name), Required<Contract>(device(), endpoint().interface) {

@@ -1,5 +1,5 @@
 #pragma once
-// The provided interface "component" that a manager gives each of its components.
+// A manager gives each of its components this provided interface "component".
 
 #include <suture/component/component.h>
 #include <suture/rt/doorbell.h>
@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// Tells a component's changes of state as events, and takes requests to suspend and resume it.
+/// Reports a component's changes of state as events, and takes requests to suspend and resume it.
 /// Its commands run in the component's thread, as those of any provided interface.
 class LifecycleInterface final : public Lifecycle, public StateListener {
  public:

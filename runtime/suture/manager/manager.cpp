@@ -18,7 +18,8 @@
 namespace suture {
 namespace {
 
-// A change of a component's state is rung; whether a lost provider is back is asked this often.
+// A change of a component's state rings; this is how often awaitStart() checks if a lost provider
+// is back.
 constexpr Duration kLookAgain = std::chrono::milliseconds(10);
 
 Task* taskOf(Component& component) {
@@ -32,7 +33,7 @@ std::shared_ptr<ConnectionWatch> watchOf(ConnectionContract contract,
   return std::make_shared<ConnectionWatch>(contract);
 }
 
-// Refuses a silence that is too short for the ten heartbeats that come in it.
+// Refuses a silence that is too short for the ten heartbeats that must fit into it.
 void requireSilenceThatCanBeTold(const ConnectionContract& contract,
                                  const std::string& connection) {
   constexpr Duration kShortest = ConnectionContract::kShortestSilence;
@@ -43,7 +44,7 @@ void requireSilenceThatCanBeTold(const ConnectionContract& contract,
       "Allow at least " + std::to_string(kShortest / std::chrono::milliseconds(1)) + " ms");
 }
 
-// Compares hashes, since a shared library has tables of its own.
+// Compares hashes, since a shared library has its own tables.
 bool collects(const Component& component) {
   const std::string_view collecting = interfaceInfo<Collecting>().hash;
   const auto& all = component.provided();
@@ -74,7 +75,7 @@ Manager::Manager(std::string process, const std::string& address, const Security
       [this](const Component& component) { return taskServing(component); }, patience, security);
 }
 
-// Any thread: the doorbell of what serves an interface for remote clients, which is its task or an
+// Any thread. Returns the doorbell of what serves an interface for remote clients: its task or an
 // executor.
 std::shared_ptr<rt::Doorbell> Manager::serverOf(ProvidedBase& provided) {
   if (provided.owner().ownsThread()) return provided.owner().sharedDoorbell();
@@ -84,7 +85,7 @@ std::shared_ptr<rt::Doorbell> Manager::serverOf(ProvidedBase& provided) {
   return executor_->sharedDoorbell();
 }
 
-// Any thread: the task that serves a component for remote clients, if there is one already.
+// Any thread. Returns the task that serves a component for remote clients, if there is one already.
 const Task* Manager::taskServing(const Component& component) {
   if (component.ownsThread()) return static_cast<const Task*>(&component);
   const std::lock_guard lock(executorMutex_);
@@ -221,8 +222,8 @@ void Manager::giveUp() {
 void Manager::stop() {
   // Once stopped, components may be gone before the manager is.
   if (std::exchange(started_, false)) stopComponents();
-  // The executor rings the doorbells of the network and of delays, and those ring each other's; and
-  // the network may yet ask for an executor. So all stop before any of them goes.
+  // The executor rings the doorbells of the network and of delays, which ring each other's, and the
+  // network may still ask for an executor. So all stop before any of them is destroyed.
   if (network_ != nullptr) network_->leave();
   if (executor_ != nullptr) executor_->stop();
   delays_.reset();
@@ -230,7 +231,8 @@ void Manager::stop() {
   network_.reset();
 }
 
-// Stops tasks before the devices that they use, and collectors last: they keep what others do.
+// Stops tasks before the devices that they use, and collectors last, because they record the
+// others.
 void Manager::stopComponents() {
   const std::vector<Component*> all = directory_.components();
   const auto stopTasks = [&](bool collectors) {

@@ -1,5 +1,5 @@
 #pragma once
-// The local manager: the components of one process and their connections.
+// This is the local manager: the components of one process and their connections.
 
 #include <suture/component/component.h>
 #include <suture/net/refusals.h>
@@ -26,9 +26,9 @@ class Network;
 class Task;
 struct Security;
 
-/// Adds components, connects their interfaces and leads them through their lives. Used by one
-/// thread, which is none of the tasks'. Does not own the components; they outlive it or stop()
-/// comes first.
+/// Used by one thread, which is no task's. Adds components, connects their interfaces and leads
+/// them through their lives. It does not own the components; they must outlive it, or stop() comes
+/// first.
 ///
 ///   suture::Manager manager{"console", "unix:/tmp/suture.sock"};
 ///   manager.add("Teleop", teleop);
@@ -38,14 +38,14 @@ class Manager {
  public:
   static constexpr Duration kDefaultPatience = ConnectOptions::kDefaultPatience;
 
-  /// A process on its own.
+  /// Makes a process on its own.
   explicit Manager(std::string process);
-  /// A process that is known at the global manager at `address` ("unix:/path", "tls://host:port" or
-  /// "tcp://host:port"), or at several ("tls://10.0.0.1:7700,tls://10.0.0.2:7700"), of which one
-  /// that lives is enough. Throws SetupError if nobody answers there within `patience`, or if the
-  /// name is taken.
+  /// Makes a process that is known at the global manager at `address` ("unix:/path",
+  /// "tls://host:port" or "tcp://host:port"), or at several
+  /// ("tls://10.0.0.1:7700,tls://10.0.0.2:7700"), of which one must be alive. Throws SetupError if
+  /// none answers there within `patience`, or if the name is taken.
   Manager(std::string process, const std::string& address, Duration patience = kDefaultPatience);
-  /// The same with keys, which tls:// needs, or with a policy (suture/names/security.h).
+  /// Does the same with keys, which tls:// needs, or with a policy (suture/names/security.h).
   Manager(std::string process, const std::string& address, const Security& security,
           Duration patience = kDefaultPatience);
   ~Manager();
@@ -54,47 +54,47 @@ class Manager {
 
   const std::string& process() const { return directory_.process(); }
 
-  /// `name` is unique in this process. Gives the component its provided interface "component"
+  /// `name` must be unique in this process. Gives the component its provided interface "component"
   /// (suture/standard/lifecycle.h). Throws SetupError.
   void add(const std::string& name, Component& component);
 
-  /// Before start() and the first connection: schedules so the threads that carry connections and
-  /// serve devices. Throws SetupError if the kernel refuses.
+  /// Before start() and the first connection: sets the scheduling of the threads that carry
+  /// connections and serve devices. Throws SetupError if the kernel refuses.
   void scheduleService(const rt::Scheduling& scheduling);
 
-  /// Before start() and the first connection, in both processes: one more way for connections to
-  /// travel, by which go those that ask for it by its name (suture/lane/lane_kind.h). Throws
-  /// SetupError without a global manager, or if there is such a name.
+  /// Before start() and the first connection, in both processes: adds a lane
+  /// (suture/lane/lane_kind.h), which carries the connections that ask for it by its name. Throws
+  /// SetupError without a global manager, or if that name exists.
   void addLane(std::unique_ptr<LaneKind> lane);
 
-  /// Configures the components that have not been. One whose onConfigure() throws is parked.
+  /// Configures the components that are not configured. One whose onConfigure() throws is parked.
   void configure();
   /// Configures, starts all components that do not run, and makes the provided interfaces known.
-  /// Throws SetupError if a thread cannot have the scheduling it asks for.
+  /// Throws SetupError if a thread cannot have the scheduling that it asks for.
   void start();
   /// Waits until every component runs and every required interface that is not optional can reach
   /// its provider. Throws SetupError that names each that does not, and why, after `patience`, or
   /// as soon as a component has faulted.
   void awaitStart(Duration patience = kDefaultPatience) const;
-  /// Waits until that component is suspended or running again. `component`: its name. Throws
-  /// SetupError if there is none, if it is not running or not suspended, or if it has not got there
-  /// within `patience`: its run() does not return, or nobody calls trigger().
+  /// Waits until that component is suspended or running again. `component` is its name. Throws
+  /// SetupError if there is none, if it is not running or not suspended, or if it does not get
+  /// there within `patience`: its run() does not return, or no thread calls trigger().
   void suspend(const std::string& component, Duration patience = kDefaultPatience);
   void resume(const std::string& component, Duration patience = kDefaultPatience);
-  /// Any thread: a connect() that waits for another process throws now, and so do later ones. For
-  /// a process that is told to end while it starts.
+  /// Any thread. Makes a connect() that waits for another process throw now, and later ones too,
+  /// for a process that must end while it starts.
   void giveUp();
-  /// Ends all connections and components; those that provide Collecting (suture/standard) end last,
-  /// and keep what the others did to their end. Also done by the destructor.
+  /// Ends all connections and components. Those that provide Collecting (suture/standard) end last,
+  /// so that they record what the others did to their end. The destructor does this too.
   void stop();
 
-  /// Connects a required interface of this process ("Teleop/Slave") to a provided one ("PSM/Arm",
-  /// or "psm-host:PSM/Arm" of another process). Before or after start(). Works or throws a
-  /// SetupError that says why not.
+  /// Before or after start(): connects a required interface of this process ("Teleop/Slave") to a
+  /// provided one ("PSM/Arm", or "psm-host:PSM/Arm" of another process), or throws a SetupError
+  /// that says why not.
   void connect(std::string_view required, std::string_view provided,
                const ConnectOptions& options = {});
-  /// The same between the interfaces of two components that have been added here. Does not compile
-  /// if the provider's contract neither is nor derives from the client's.
+  /// Does the same between the interfaces of two components that have been added here. It does not
+  /// compile if the provider's contract neither is nor derives from the client's.
   ///   manager.connect(teleop.slave, psm.arm);
   template <class Client, class Contract>
   requires std::is_base_of_v<Client, Contract>
@@ -104,29 +104,30 @@ class Manager {
             options);
   }
   /// Takes down the connection of a required interface of this process ("Teleop/Slave"), which may
-  /// then be connected anew, while tasks run. Takes effect between two cycles of the client: calls
-  /// under way end with Errc::OutcomeUnknown, and commands that the provider has not executed yet
-  /// are dropped. Throws SetupError if it is not connected.
+  /// then be connected anew, while tasks run. It takes effect between two cycles of the client:
+  /// calls under way end with Errc::OutcomeUnknown, and commands that the provider has not executed
+  /// yet are dropped. Throws SetupError if it is not connected.
   void disconnect(std::string_view required);
-  /// Lets commands of a connection that awaits its operator through again. Throws SetupError if it
-  /// is not connected, still lost, or awaits nobody.
+  /// Admits commands of a connection that awaits its operator again. Throws SetupError if it is not
+  /// connected, still lost, or awaits no operator.
   void resumeConnection(std::string_view required);
 
   const Directory& directory() const { return directory_; }
-  /// The address of the global manager while it does not answer, else ""; of several, those that do
-  /// not, separated by commas. Connections live on without it, and it is asked again until it
-  /// answers; only new ones have to wait, if no other answers.
+  /// Returns the address of the global manager while it does not answer, else ""; of several, those
+  /// that do not, separated by commas. Connections live on without it, and it is asked again until
+  /// it answers; only new connections have to wait, if no other manager answers.
   std::string missingGlobalManager() const;
-  /// Every connection that has an end in this process, as it is now: one that has been lost and
-  /// made anew is a channel of its own.
+  /// Returns every connection that has an end in this process, as it is now: one that has been lost
+  /// and made anew has another channel.
   std::vector<std::shared_ptr<Channel>> channels() const;
-  /// Why the provider in another process was lost last, in words, by the name of the connection:
-  /// whether it closed the connection, fell silent or hung. Kept when it is back.
+  /// Returns, by the name of the connection, why the provider in another process was lost last: it
+  /// closed the connection, fell silent or hung. The reason stays when it is back.
   std::map<std::string, std::string> whyLost() const;
-  /// Tells this start of the process from all others; 0 without a global manager.
+  /// Returns a number that distinguishes this start of the process from all others; 0 without a
+  /// global manager.
   std::uint64_t incarnation() const;
-  /// Counts the peers and the requests of peers that this process has turned away, and has the
-  /// latest in words. It has told of each on standard error.
+  /// Counts the peers and the requests of peers that this process has refused, and has the latest
+  /// in words. Each was reported on standard error.
   rpc::Refusals::Summary refusals() const;
 
  private:
@@ -153,7 +154,7 @@ class Manager {
 
   Directory directory_;
   bool started_ = false;
-  // Rung when a component's state has changed; also by components that outlive this.
+  // Is rung when a component's state has changed, also by components that outlive this.
   const std::shared_ptr<rt::Doorbell> changed_ = std::make_shared<rt::Doorbell>();
   std::mutex executorMutex_;  // never taken by a task thread
   rt::Scheduling service_;

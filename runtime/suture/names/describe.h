@@ -1,12 +1,13 @@
 #pragma once
-// What a process offers and needs, for the global manager and for tools.
+// This describes what a process offers and needs, for the global manager and for tools.
 
 #include <suture/names/records.h>
 #include <suture/wiring/directory.h>
 
 namespace suture {
 
-/// The thread that adds components, or any after that. Describes all that were added so far.
+/// The thread that adds components, or any after that. Describes all components that were added so
+/// far.
 std::vector<ComponentRecord> describeComponents(const Directory& directory);
 
 }  // namespace suture

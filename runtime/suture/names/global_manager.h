@@ -1,5 +1,5 @@
 #pragma once
-// The process that knows names, or any process that plays its part.
+// This is the process that knows names, or any process that does the same.
 
 #include <suture/names/security.h>
 
@@ -13,24 +13,25 @@ class ControlThread;
 }
 
 /// Serves names at an address for as long as it lives. It hands out addresses; data never passes
-/// through it. Made and destroyed by any thread but the control thread, which outlives it.
+/// through it. Any thread except the control thread, which outlives it, makes and destroys it.
 class GlobalManager {
  public:
-  /// Throws SetupError: not an address, in use, no permission, no keys for tls://. `security`: its
-  /// keys are those of tls::kManagerName; whom its policy admits may ask and register.
+  /// Throws SetupError if the address is invalid, in use or not permitted, or lacks keys for
+  /// tls://. The keys of `security` are those of tls::kManagerName; peers that its policy admits
+  /// may ask and register.
   GlobalManager(rpc::ControlThread& control, const std::string& address,
                 const Security& security = {});
   ~GlobalManager();
   GlobalManager(const GlobalManager&) = delete;
   GlobalManager& operator=(const GlobalManager&) = delete;
 
-  /// Where it really listens.
+  /// Returns where it really listens.
   const std::string& address() const { return address_; }
 
-  /// The address of a user's manager: in $XDG_RUNTIME_DIR/suture, or in /tmp/suture-<uid>.
+  /// Returns the address of a user's manager: in $XDG_RUNTIME_DIR/suture, or in /tmp/suture-<uid>.
   static std::string defaultAddress();
-  /// Makes the directory of a "unix:" address, for its owner only, if it is not there. Throws
-  /// SetupError if it is somebody else's.
+  /// Makes the directory of a "unix:" address, only for its owner, if it is not there. Throws
+  /// SetupError if another user owns it.
   static void makeDirectory(const std::string& address);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Lists all processes, as a client of the global manager.
+// This lists all processes, as a client of the global manager.
 
 #include <kj/async.h>
 #include <suture/names/records.h>
@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// The control thread asks for all processes that the manager knows, page after page.
+/// The control thread. Returns all processes that the manager knows, page after page.
 kj::Promise<std::vector<ProcessRecord>> listAll(wire::Session::Client session);
 
 }  // namespace suture

@@ -55,7 +55,7 @@ kj::Promise<void> ManagerLease::open() {
   });
 }
 
-// Rejects only if the manager refuses, which somebody has to be told; else it tries again.
+// Rejects only if the manager refuses, which the caller must report; else it tries again.
 kj::Promise<void> ManagerLease::enrol(ProcessRecord process) {
   process_ = std::move(process);
   auto enrolled = isOpen() ? enrolNow() : kj::Promise<void>(gone());
@@ -93,8 +93,8 @@ kj::Promise<void> ManagerLease::keep() {
       .then([this] { return keep(); });
 }
 
-// Ends when the manager says nothing, since it is stopped or a cable was pulled; or when it has not
-// heard of this process for as long, and may have given its name to another.
+// Ends when the manager does not answer, since it is stopped or a cable was pulled, or when it has
+// not heard of this process for as long, and may have given its name to another.
 kj::Promise<void> ManagerLease::renew() {
   auto held = KJ_REQUIRE_NONNULL(lease_).renewRequest().send().then(
       [](auto&& results) { return results.getHeld(); },
@@ -130,7 +130,7 @@ void ManagerLease::update(std::vector<ComponentRecord> components) {
     auto request = lease->updateRequest();
     toWire(process_.components,
            request.initComponents(static_cast<unsigned>(process_.components.size())));
-    // If the link breaks, coming back tells the manager everything again.
+    // If the link breaks, the next enrolment tells the manager everything again.
     control_.spawn(request.send().ignoreResult().catch_([program = program_](kj::Exception&& e) {
       if (e.getType() != Type::FAILED) return;
       std::fprintf(stderr, "%s: %s\n", program.c_str(), plain(rpc::describe(e)).c_str());

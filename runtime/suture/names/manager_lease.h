@@ -1,5 +1,5 @@
 #pragma once
-// A process's place at one of the global managers.
+// This is a process's registration at one of the global managers.
 
 #include <suture/framing/link.h>
 #include <suture/loop/control_thread.h>
@@ -14,33 +14,33 @@
 
 namespace suture {
 
-/// Talks to a global manager and, once enrolled, keeps the process known there: it renews its
-/// lease, and comes back to a manager that was gone or silent, or to its successor, as often as
-/// needed. Belongs to the control thread; outlives its promises.
+/// Belongs to the control thread; outlives its promises. Talks to a global manager and, once
+/// enrolled, keeps the process known there: it renews its lease, and comes back to a manager that
+/// was gone or silent, or to its successor, as often as needed.
 class ManagerLease {
  public:
   ManagerLease(rpc::ControlThread& control, const rpc::Address& manager, std::string program,
                rpc::Trust trust);
 
   const rpc::Address& address() const { return manager_; }
-  /// Once open: where peers of the network of the manager reach this machine; port 0.
+  /// Once open: returns where peers of the network of the manager reach this machine, with port 0.
   const rpc::Address& here() const { return here_; }
 
-  /// Reaches the manager. Rejects with what was found and what to do, as DISCONNECTED where trying
+  /// Reaches the manager. Rejects with what was found and what to do, as DISCONNECTED if trying
   /// again may help.
   kj::Promise<void> open();
-  /// True while the manager answers.
+  /// Returns true while the manager answers.
   bool isOpen() const { return session_ != nullptr; }
   /// Registers the process: now if it is open, else as soon as it is. Rejects if the manager
   /// refuses now.
   kj::Promise<void> enrol(ProcessRecord process);
-  /// Tells what the process offers and needs now.
+  /// Tells the manager what the process offers and needs now.
   void update(std::vector<ComponentRecord> components);
-  /// Any thread: the manager answers and knows this process.
+  /// Any thread. Returns true if the manager answers and knows this process.
   bool enrolled() const { return enrolled_.load(std::memory_order_relaxed); }
 
-  /// Where a process is, waiting for it at most `wait`. Rejects with what the manager knows; as
-  /// DISCONNECTED if it is not open, or no longer.
+  /// Resolves to where a process is, and waits for it at most `wait`. Rejects with what the manager
+  /// knows, as DISCONNECTED if it is not open, or no longer.
   kj::Promise<ProcessRecord> resolve(const std::string& process, Duration wait);
   kj::Promise<std::vector<ProcessRecord>> list();
 

@@ -9,7 +9,7 @@ namespace {
 
 using Type = kj::Exception::Type;
 
-// The pause between two attempts while no manager answers.
+// Is the pause between two attempts while no manager answers.
 constexpr Duration kPause = std::chrono::milliseconds(50);
 
 const char* keysFor(const rpc::Address& address) {
@@ -18,14 +18,14 @@ const char* keysFor(const rpc::Address& address) {
 
 }  // namespace
 
-/// The failures of several attempts, in their order.
+/// Holds the failures of several attempts, in their order.
 struct ManagerLink::Failures {
   explicit Failures(std::size_t attempts) : all(attempts) {}
 
   bool complete() const {
     return std::all_of(all.begin(), all.end(), [](const auto& one) { return one.has_value(); });
   }
-  /// Once complete. The first of that type, if any is.
+  /// Once complete: returns the first of that type, or null.
   const kj::Exception* first(Type type) const {
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const auto& one) { return one->getType() == type; });
@@ -49,7 +49,7 @@ ManagerLease& ManagerLink::nearest() const {
   return open == leases_.end() ? *leases_.front() : **open;
 }
 
-// Awaits the slow ones too: a process whose name is taken at one of them is to hear of it.
+// Awaits the slow ones too, because a process whose name is taken at one of them must be told.
 kj::Promise<void> ManagerLink::open(Duration patience) {
   const Time deadline = now() + patience;
   auto failures = std::make_shared<Failures>(leases_.size());
@@ -88,7 +88,7 @@ kj::Promise<void> ManagerLink::enrol(const ProcessRecord& process) {
   });
 }
 
-// Goes one by one, so that of two processes of one name the same is refused everywhere.
+// Registers at one after the other, so that of two processes with one name all refuse the same.
 kj::Promise<void> ManagerLink::enrolFrom(Leases::const_iterator first,
                                          const ProcessRecord& process) {
   if (first == leases_.end()) return kj::READY_NOW;
@@ -113,7 +113,8 @@ kj::Promise<ProcessRecord> ManagerLink::resolve(const std::string& process, Dura
       });
 }
 
-// Resolves to the first that is found; else rejects with what a manager says that could be asked.
+// Resolves to the first that is found; else rejects with the answer of a manager that could be
+// asked.
 kj::Promise<ProcessRecord> ManagerLink::askAll(const std::string& process, Duration wait) {
   auto failures = std::make_shared<Failures>(leases_.size());
   kj::Promise<ProcessRecord> first = kj::NEVER_DONE;

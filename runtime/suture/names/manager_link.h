@@ -1,5 +1,5 @@
 #pragma once
-// A process's connection to those who know names: the global manager, or each of several.
+// This connects a process to what knows names: the global manager, or each of several.
 
 #include <suture/names/manager_lease.h>
 
@@ -9,38 +9,39 @@
 
 namespace suture {
 
-/// Registers a process at every global manager that is listed, and asks all of them, so that it
-/// does not matter which of them live; there is nothing to hand over when one dies. Belongs to the
-/// control thread; outlives its promises.
+/// Belongs to the control thread; outlives its promises. Registers a process at every global
+/// manager that is listed, and asks all of them, so that it does not matter which of them live, and
+/// nothing has to be handed over when one dies.
 class ManagerLink {
  public:
-  /// `managers`: at least one, in the order in which names are asked for.
+  /// `managers` has at least one, in the order in which they are asked for names.
   ManagerLink(rpc::ControlThread& control, const std::vector<rpc::Address>& managers,
               const std::string& program, const rpc::Trust& trust = {});
 
-  /// Resolves as soon as one manager answers and the others have answered or failed, trying again
+  /// Resolves as soon as one manager answers and the others have answered or failed; tries again
   /// for `patience`. Rejects with what was found and what to do.
   kj::Promise<void> open(Duration patience);
   /// Registers this process at each manager that answers, and at the others when they do. Rejects
   /// if one says that the name is taken.
   kj::Promise<void> enrol(const ProcessRecord& process);
-  /// Tells what the process offers and needs now.
+  /// Tells the managers what the process offers and needs now.
   void update(const std::vector<ComponentRecord>& components);
 
-  /// Where a process is: what the first manager says that knows it. Waits for the process, and for
-  /// a manager that answers, at most `wait`. Rejects with what the managers know.
+  /// Resolves to where a process is, as the first manager says that knows it. Waits for the
+  /// process, and for a manager that answers, at most `wait`. Rejects with what the managers know.
   kj::Promise<ProcessRecord> resolve(const std::string& process, Duration wait);
-  /// What the first manager knows that answers.
+  /// Resolves to what the first manager knows that answers.
   kj::Promise<std::vector<ProcessRecord>> list();
 
-  /// The address of the first manager that answers.
+  /// Returns the address of the first manager that answers.
   const rpc::Address& address() const { return nearest().address(); }
-  /// Once open: where peers of the network of that manager reach this machine; port 0.
+  /// Once open: returns where peers of the network of that manager reach this machine, with port 0.
   const rpc::Address& here() const { return nearest().here(); }
-  /// A stream to a process that the managers know, no less safe than the links to them: what they
-  /// were told by others does not lead out of TLS.
+  /// Resolves to a stream to a process that the managers know. It is no less safe than the links to
+  /// them: an address that they got from others does not lead out of TLS.
   kj::Promise<rpc::ByteStream> reach(const ProcessRecord& process, Duration deadline);
-  /// Any thread: the addresses of the managers that do not answer or do not know this process.
+  /// Any thread. Returns the addresses of the managers that do not answer or do not know this
+  /// process.
   std::string missing() const;
 
  private:

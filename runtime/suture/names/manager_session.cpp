@@ -10,7 +10,7 @@ using Kind = wire::Refusal::Kind;
 
 constexpr std::uint32_t kLongestWaitMilliseconds = 60'000;
 
-/// Knows who asks at a link, tells what that peer is refused, and counts what the registry holds
+/// Knows who asks at a link, reports what that peer is refused, and counts what the registry holds
 /// for it.
 struct Asker {
   rpc::PeerIdentity identity;
@@ -23,7 +23,7 @@ struct Asker {
   }
 };
 
-/// Holds a name for as long as its client holds it, and says that it lives.
+/// Holds a name for as long as its client holds it, and says that the client lives.
 class LeaseServer final : public wire::Lease::Server {
  public:
   LeaseServer(kj::Own<NameService> names, Asker asker, std::string name, std::uint64_t generation)
@@ -153,7 +153,7 @@ class GlobalManagerServer final : public wire::GlobalManager::Server {
  private:
   kj::Own<NameService> names_;
   const std::shared_ptr<rpc::Caller> caller_;
-  const Asker asker_;  // of all sessions on the link: they share what it may hold
+  const Asker asker_;  // shared by all sessions on the link, and so is what it may hold
 };
 
 }  // namespace
@@ -172,7 +172,7 @@ void NameService::announce(const std::string& name) {
   forgetAnswered();
 }
 
-// Forgets those who have been answered, whose time is up, or who are gone.
+// Drops those that have been answered, whose time is up, or that are gone.
 void NameService::forgetAnswered() {
   kj::Vector<Waiting> others;
   for (Waiting& one : waiting_) {

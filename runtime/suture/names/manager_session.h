@@ -1,5 +1,5 @@
 #pragma once
-// The global manager as its clients see it: capabilities over one registry.
+// This is the global manager as its clients see it: capabilities over one registry.
 
 #include <kj/async.h>
 #include <kj/refcount.h>
@@ -14,21 +14,22 @@
 
 namespace suture {
 
-/// The registry and those who wait for a name. Belongs to the control thread; shared by all
-/// sessions.
+/// Belongs to the control thread; shared by all sessions. Has the registry and the requests that
+/// wait for a name.
 class NameService final : public kj::Refcounted {
  public:
-  /// How many may wait for names at a time; who comes then is refused at once.
+  /// Limits how many may wait for names at a time; a further one is refused at once.
   static constexpr std::size_t kMostWaiting = 4096;
 
   explicit NameService(kj::Timer& timer) : timer_(timer), aging_(age().eagerlyEvaluate(nullptr)) {}
 
   Registry& registry() { return registry_; }
-  /// Wakes who waits for `name`.
+  /// Wakes the requests that wait for `name`.
   void announce(const std::string& name);
-  /// True if one more may wait.
+  /// Returns true if one more may wait.
   bool hasRoom();
-  /// Resolves when `name` is known, or after the wait, which is bounded. Only if there is room.
+  /// Call it only if there is room. Resolves when `name` is known, or after the wait, which is
+  /// bounded.
   kj::Promise<void> whenKnown(const std::string& name, std::uint32_t waitMilliseconds);
 
  private:
@@ -46,8 +47,8 @@ class NameService final : public kj::Refcounted {
   kj::Promise<void> aging_;  // last: cancelled first
 };
 
-/// The bootstrap capability of the global manager on the link of `caller`: hands a session to who
-/// speaks its version. What it refuses is added to `refusals`.
+/// Returns the bootstrap capability of the global manager on the link of `caller`: it gives a
+/// session to a client that speaks its version. Adds what it refuses to `refusals`.
 wire::GlobalManager::Client makeGlobalManager(kj::Own<NameService> names, rpc::Refusals& refusals,
                                               std::shared_ptr<rpc::Caller> caller);
 

@@ -22,7 +22,7 @@ rpc::Address socketAt(const fs::path& path) {
   return address;
 }
 
-/// The process that a socket named `name` belongs to; 0 if that is none of ours.
+/// Returns the process that a socket named `name` belongs to; 0 if that is none of ours.
 pid_t ownerOf(std::string_view name, std::string_view process) {
   if (!name.starts_with(process) || !name.ends_with(kEnd)) return 0;
   name.remove_prefix(process.size());

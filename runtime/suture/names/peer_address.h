@@ -1,5 +1,5 @@
 #pragma once
-// Where a process listens for its peers.
+// This decides where a process listens for its peers.
 
 #include <suture/names/manager_link.h>
 #include <suture/net/address.h>
@@ -8,9 +8,9 @@
 
 namespace suture {
 
-/// Next to the manager: a socket in the same directory, or a free port at the address by which this
-/// machine reaches it. Removes what dead processes of this name have left in that directory, since
-/// a process that was killed cannot.
+/// Returns an address next to the manager's: a socket in the same directory, or a free port at the
+/// address by which this machine reaches it. Removes what dead processes of this name have left in
+/// that directory, since a process that was killed cannot.
 rpc::Address peerAddress(const ManagerLink& link, const std::string& process);
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-// Decides which peers may use which interface of a process.
+// This decides which peers may use which interface of a process.
 
 #include <suture/net/peer_identity.h>
 #include <suture/wiring/endpoint.h>
@@ -11,14 +11,14 @@
 
 namespace suture {
 
-/// What a peer may do with an interface.
+/// Says what a peer may do with an interface.
 enum class Access : std::uint8_t {
   None,
   Read,  ///< reads, qualified reads, state and events; a command is refused: Errc::NotPermitted
   Full,
 };
 
-/// What those who have it may do. The patterns are "component/interface" or
+/// Says what the peers of this role may do. The patterns are "component/interface" or
 /// "process:component/interface"; '*' stands for any characters.
 struct Role {
   std::vector<std::string> full, read;
@@ -34,20 +34,20 @@ struct Rule {
   Role role;
 };
 
-/// A process's policy. Constant once made; any thread.
+/// Any thread. Is a process's policy, constant once made.
 class Policy {
  public:
-  /// Whoever gets a link may do everything: processes of the same user or with a certificate of the
-  /// same CA, and on plain TCP all who reach the address.
+  /// Lets every peer that gets a link do everything: processes of the same user or with a
+  /// certificate of the same CA, and on plain TCP all that reach the address.
   Policy() = default;
-  /// The first rule for a peer counts; without one it may do nothing.
+  /// The first rule for a peer counts; without a rule it may do nothing.
   explicit Policy(std::vector<Rule> rules) : rules_(std::move(rules)) {}
 
-  /// True if the peer may do anything at all.
+  /// Returns true if the peer may do anything at all.
   bool admits(const rpc::PeerIdentity& peer) const;
-  /// `provided`: with its process.
+  /// `provided` includes its process.
   Access access(const rpc::PeerIdentity& peer, const Endpoint& provided) const;
-  /// The users that rules name by number.
+  /// Returns the users that rules name by number.
   std::vector<uid_t> users() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What the global manager knows of a process, as plain values.
+// The global manager knows this of a process, as plain values.
 
 #include <suture/base/frames.h>
 #include <suture/manager.capnp.h>
@@ -33,13 +33,13 @@ struct ProcessRecord {
   bool silent = false;           ///< given by the manager: it has not renewed its lease in time
 };
 
-/// Why something did not happen, for a program and for a person.
+/// Says why something did not happen, for a program and for a person.
 struct Refusal {
   wire::Refusal::Kind kind;
   std::string text;  ///< what was asked, what was found, what to do
 };
 
-/// Returns about how much memory a record takes.
+/// Return about how much memory a record takes.
 std::size_t bytesOf(const std::vector<ComponentRecord>& components);
 std::size_t bytesOf(const ProcessRecord& process);
 
@@ -53,7 +53,7 @@ std::vector<ComponentRecord> fromWire(capnp::List<wire::ComponentRecord>::Reader
 ProcessRecord fromWire(wire::ProcessRecord::Reader in);
 Frames fromWire(wire::Frames::Reader in);
 Refusal fromWire(wire::Refusal::Reader in);
-/// A refusal as what ends a promise.
+/// Returns a refusal as an exception that ends a promise.
 kj::Exception refused(wire::Refusal::Reader in);
 
 }  // namespace suture

@@ -9,7 +9,8 @@ using Kind = wire::Refusal::Kind;
 constexpr std::size_t kMaxProcesses = 4096;
 constexpr std::size_t kMaxName = 100;
 
-/// A name that cannot be mistaken for part of "process:component/interface", nor for a path.
+/// Returns true for a name that cannot be mistaken for part of "process:component/interface", nor
+/// for a path.
 bool isName(const std::string& name) {
   return !name.empty() && name.size() <= kMaxName &&
          name.find_first_of(":/ \t\n") == std::string::npos;

@@ -1,5 +1,5 @@
 #pragma once
-// The names that a global manager knows.
+// These are the names that a global manager knows.
 
 #include <suture/names/records.h>
 
@@ -13,14 +13,14 @@
 
 namespace suture {
 
-/// Counts what a registry holds for one link. The registry keeps it; whoever adds for the link
-/// shares it.
+/// Counts what a registry holds for one link. The registry keeps it, and shares it with those that
+/// add names for the link.
 struct Holding {
   std::size_t names = 0, bytes = 0;
 };
 
-/// Processes by name. Plain data of one thread. What one record, one link, and all of them may hold
-/// is bounded, so that nobody can fill the process that knows names.
+/// Used by one thread. Has processes by name. What one record, one link, and all of them may hold
+/// is bounded, so that no peer can fill the process that knows names.
 class Registry {
  public:
   static constexpr std::size_t kMostBytesOfARecord = 1u << 20;
@@ -29,32 +29,32 @@ class Registry {
   static constexpr std::size_t kMostBytes = 64u << 20;
   static constexpr std::size_t kBytesOfAPage = 1u << 20;
 
-  /// Returns the generation under which the process is now known, or a refusal: the name is taken
-  /// by one that is not silent, or is no name, or a limit is reached.
+  /// Returns the generation under which the process is now known, or a refusal: a process that is
+  /// not silent has the name, or it is no name, or a limit is reached.
   tl::expected<std::uint64_t, Refusal> add(ProcessRecord process, std::shared_ptr<Holding> holding);
-  /// Replaces the components of a process, or refuses to: a limit is reached. Ignored if the name
-  /// has gone to a later generation.
+  /// Replaces the components of a process, or refuses to, because a limit is reached. Does nothing
+  /// if the name has gone to a later generation.
   tl::expected<void, Refusal> update(const std::string& name, std::uint64_t generation,
                                      std::vector<ComponentRecord> components);
-  /// The process lives. False: the name has gone to a later generation.
+  /// Notes that the process lives. Returns false if the name has gone to a later generation.
   bool renew(const std::string& name, std::uint64_t generation);
-  /// To be called as often as leases are to be renewed: who has not renewed for too many calls is
-  /// silent. A manager that was stopped has not called it, and so holds nobody to be silent.
+  /// Call it as often as leases must be renewed: a process that has not renewed for too many calls
+  /// is silent. A manager that was stopped has not called it, and so takes no process for silent.
   void age();
-  /// Frees the name. Ignored if it has gone to a later generation.
+  /// Frees the name. Does nothing if it has gone to a later generation.
   void remove(const std::string& name, std::uint64_t generation);
 
-  /// Null if there is no such process, or it is silent.
+  /// Returns null if there is no such process, or it is silent.
   const ProcessRecord* find(const std::string& name) const;
-  /// Processes in the order of their names, the silent ones too.
+  /// Has processes in the order of their names, the silent ones too.
   struct Page {
     std::vector<ProcessRecord> processes;
-    bool more = false;  ///< behind the last of them
+    bool more = false;  ///< there are more behind the last of them
   };
   /// Returns those behind the name `after`, until they take `bytes`; at least one, if there is any.
   Page list(const std::string& after = "", std::size_t bytes = kBytesOfAPage) const;
-  /// Why `name` cannot be found: it is silent, or what there is, and which comes closest.
-  /// `waitedMilliseconds` are told if not 0.
+  /// Says why `name` cannot be found: it is silent, or what there is, and which comes closest. It
+  /// mentions `waitedMilliseconds` if not 0.
   Refusal unknown(const std::string& name, std::uint32_t waitedMilliseconds) const;
 
  private:
@@ -62,7 +62,7 @@ class Registry {
     ProcessRecord process;
     std::size_t bytes = 0;
     std::shared_ptr<Holding> holding;
-    unsigned missed = 0;  ///< renewals, since the latest or since it was added
+    unsigned missed = 0;  ///< renewals that were missed since the latest, or since it was added
   };
 
   using Processes = std::map<std::string, Entry>;
@@ -71,8 +71,8 @@ class Registry {
   void erase(Processes::iterator entry);
   std::optional<Refusal> whyNot(const ProcessRecord& process, std::size_t bytes,
                                 const Holding& holding) const;
-  /// Tells which limit a record of `bytes` would go beyond in the place of what `name` has now; ""
-  /// if it goes beyond none.
+  /// Returns which limit a record of `bytes` would exceed in place of what `name` has now; "" if it
+  /// exceeds none.
   std::string whyTooMuch(const std::string& name, std::size_t bytes, const Holding& holding) const;
 
   Processes processes_;

@@ -1,5 +1,5 @@
 #pragma once
-// How a process proves who it is, and what it lets its peers do.
+// This says how a process proves who it is, and what it lets its peers do.
 
 #include <suture/names/policy.h>
 #include <suture/net/trust.h>
@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// Without anything: no tls:// addresses, and the policy of Policy().
+/// Has no keys, so no tls:// addresses, and the policy of Policy(), unless they are set.
 struct Security {
   std::shared_ptr<const tls::Keys> keys{};
   Policy policy{};

@@ -1,4 +1,4 @@
-// suture-manager: the global manager as a process of its own.
+// suture-manager is the global manager as its own process.
 
 #include <suture/base/errors.h>
 #include <suture/loop/control_thread.h>
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// Blocks the signals that end the program, in this thread and those it starts.
+/// Blocks the signals that end the program, in this thread and those that it starts.
 sigset_t blockEndSignals() {
   sigset_t signals;
   sigemptyset(&signals);
