@@ -43,7 +43,7 @@ void complete(ConnectionReport& whole, const ConnectionReport& other) {
 
 std::vector<ConnectionReport> mergeConnections(const std::vector<Report>& reports) {
   std::vector<ConnectionReport> merged;
-  std::vector<std::uint64_t> processes;  // that the merged ones are of
+  std::vector<std::uint64_t> processes;  // those that the merged reports are of
   for (const Report& report : reports) {
     for (const ConnectionReport& one : report.connections) {
       std::size_t i = 0;

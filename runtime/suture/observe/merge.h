@@ -1,5 +1,5 @@
 #pragma once
-// Makes one picture of what several processes report.
+// This makes one picture of what several processes report.
 
 #include <suture/observe/report.h>
 
@@ -7,8 +7,8 @@
 
 namespace suture {
 
-/// One report a connection, in the order of first appearance: what its two processes know of it,
-/// each about its own end. ConnectionEnd::Both once both ends are known.
+/// Returns one report for each connection, in the order of first appearance: what its two processes
+/// know of it, each about its own end. Its end is ConnectionEnd::Both once both ends are known.
 std::vector<ConnectionReport> mergeConnections(const std::vector<Report>& reports);
 
 }  // namespace suture

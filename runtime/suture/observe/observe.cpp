@@ -24,7 +24,7 @@ std::optional<ContractReport> contractOf(const Channel& channel) {
       .awaitsOperator = channel.terms.watch->awaitsOperator.load(std::memory_order_relaxed)};
 }
 
-// A connection within a process is one channel for as long as it stands.
+// A connection within a process has one channel for as long as it exists.
 Sums sumsOf(const std::shared_ptr<Channel>& channel) {
   if (channel->terms.ledger != nullptr) return channel->terms.ledger->sums();
   Ledger ledger(channel->ends.components);

@@ -1,13 +1,13 @@
 #pragma once
-// Takes a process's numbers.
+// This reads a process's numbers.
 
 #include <suture/manager/manager.h>
 #include <suture/observe/report.h>
 
 namespace suture {
 
-/// All connections, tasks and devices of the manager's process now. The manager's thread; disturbs
-/// no task. `began`: when the process began to be observed.
+/// The manager's thread; disturbs no task. Reports all connections, tasks and devices of the
+/// manager's process now. `began` says when the observation of the process began.
 Report observe(const Manager& manager, Time began);
 
 }  // namespace suture

@@ -22,7 +22,7 @@ namespace {
 
 using nlohmann::json;
 
-// One list of fields for both directions: Visit is called with each field's key and value.
+// Lists the fields once for both directions: calls Visit with each field's key and value.
 template <class Distributed, class Visit>
 void eachField(Distributed& value, const Visit& visit) requires
     std::is_same_v<std::remove_const_t<Distributed>, Distribution> {

@@ -1,6 +1,6 @@
 #pragma once
-// What a process does, as numbers: its connections, tasks and devices at one moment, counted from
-// their start.
+// This is what a process does, as numbers: its connections, tasks and devices at one moment,
+// counted from their start.
 
 #include <suture/base/time.h>
 #include <suture/component/channel/channel.h>
@@ -17,17 +17,17 @@
 
 namespace suture {
 
-/// How durations are distributed.
+/// Says how durations are distributed.
 struct Distribution {
   std::uint64_t count = 0;
   Duration p50{}, p99{}, max{};
 };
 
-/// How a connection's contract (docs/safety.md) has been kept.
+/// Says how a connection's contract (docs/safety.md) has been kept.
 struct ContractReport {
   std::uint64_t staleReads = 0;  ///< reads of values older than max_age
   std::uint64_t losses = 0;      ///< how often the provider was lost or faulted
-  bool awaitsOperator = false;   ///< commands are refused until somebody resumes the connection
+  bool awaitsOperator = false;   ///< commands are refused until an operator resumes the connection
 };
 
 /// Each end counts what it sees; the other's counters are in the report of the other's process
@@ -39,16 +39,16 @@ struct ContractReport {
 struct ConnectionReport : Tally {
   std::string name;  ///< "left:Teleop/Slave -> right:PSM1/Arm": the same at both ends
   std::string lane;
-  std::string laneReason;  ///< why it is not a faster one that had been hoped for
-  /// What this process adds to the stamps of the other, and how wrong that may be, either way: so
-  /// much can be wrong with an age. Zero where both have one clock.
+  std::string laneReason;  ///< why it is not a faster one that was hoped for
+  /// Is what this process adds to the stamps of the other, and how wrong that, and so an age, may
+  /// be, either way. It is zero if both have one clock.
   Duration clockShift{0}, clockError{0};
   ConnectionEnd end = ConnectionEnd::Both;
   ChannelStatus status = ChannelStatus::Connected;
   std::string whyLost;  ///< the last time, at the client's end: "silent: ..."; "" if it never was
   std::uint64_t bytesSent = 0, bytesReceived = 0;  ///< on the wire; 0 within a process
 
-  /// Known at the client's end; none at the provider's, and of a connection without a contract.
+  /// Is known at the client's end; none at the provider's, and for a connection without a contract.
   std::optional<ContractReport> contract;
 
   std::uint64_t sent = 0;  ///< commands that the client's calls handed over; at the provider's end
@@ -56,7 +56,7 @@ struct ConnectionReport : Tally {
   std::uint64_t full = 0;  ///< refused: too many waited
   std::uint64_t tooLarge = 0;  ///< refused: beyond a declared capacity
   std::uint64_t invalid = 0;   ///< refused: the contract does not admit such values
-  /// Which part of a value it was that this end refused last: "servo_cp.goal.pose"; "": none was.
+  /// Names the part of a value that this end refused last: "servo_cp.goal.pose"; "": none was.
   std::string lastInvalid;
   std::uint64_t lost = 0;      ///< they did not reach the provider in time, and it says so
   std::uint64_t unknown = 0;   ///< at the client's end: a lost provider may have executed them
@@ -64,21 +64,21 @@ struct ConnectionReport : Tally {
   Tally heard;                 ///< the part of its tally that a client's end has been told
   std::uint64_t otherIncarnation = 0;  ///< of the process at the other end, as Report has its own
   std::uint64_t eventsDelivered = 0;
-  /// Messages either way that the lane lost, brought twice, or brought after newer ones (which are
-  /// among the lost, too), as the client's end knows; none has had an effect.
+  /// Count messages either way that the lane lost, brought twice, or brought after newer ones
+  /// (which are among the lost, too), as the client's end knows. None has had an effect.
   std::uint64_t messagesLost = 0, messagesDuplicated = 0, messagesOvertaken = 0;
 
   Distribution readAge;     ///< of values when the client read them
   Distribution commandAge;  ///< of commands when the provider executed them
 
-  /// At the ends that are seen: commands that were neither executed, nor late, nor gave way to a
-  /// newer one of the same kind.
+  /// Counts, at the ends that are seen, commands that were neither executed, nor late, nor replaced
+  /// by a newer one of the same kind.
   std::uint64_t dropped() const {
     return full + tooLarge + invalid + superseded + refused + cancelled;
   }
 };
 
-/// A window of a task's cycles, as TaskWindow has it; all zero before the first.
+/// Is a window of a task's cycles, as TaskWindow has it; all zero before the first.
 struct WindowReport {
   Duration length{};
   std::uint64_t cycles = 0, skipped = 0;
@@ -94,7 +94,7 @@ struct TaskReport {
   std::uint64_t cycles = 0, skipped = 0;
   Distribution lateness;  ///< wake-up time minus due time: the jitter of the period
   Distribution computeTime;
-  /// What its thread has had of the processors; none if another's thread runs it.
+  /// Is the processor time that its thread has used; none if another's thread runs it.
   std::optional<Duration> processorTime = {};
   WindowReport window;  ///< the last whole one
 };
@@ -117,13 +117,13 @@ struct Report {
   Duration processorTime{};       ///< of all its threads: of tasks, and of what carries connections
 };
 
-/// Durations are written as whole nanoseconds; "dropped" beside what it is the sum of; a contract
-/// that is not there as null.
+/// Durations are written as whole nanoseconds, "dropped" beside what it is the sum of, and a
+/// contract that is not there as null.
 nlohmann::json toJson(const ConnectionReport& report);
 nlohmann::json toJson(const TaskReport& report);
 nlohmann::json toJson(const DeviceReport& report);
 nlohmann::json toJson(const Report& report);
-/// What toJson() wrote. Throws nlohmann::json::exception for anything else.
+/// Reads what toJson() wrote. Throws nlohmann::json::exception for anything else.
 Report reportFromJson(const nlohmann::json& json);
 
 }  // namespace suture

@@ -52,7 +52,7 @@ std::string distributed(const char* what, const Distribution& values) {
          microseconds(values.p99) + ", max " + microseconds(values.max);
 }
 
-/// "  PSM: running, faults 1", and why it does not run.
+/// Returns "  PSM: running, faults 1", and why it does not run.
 template <class Reported>
 std::string lifeOf(const Reported& one) {
   return "  " + one.name + ": " + toString(one.state) +

@@ -1,5 +1,5 @@
 #pragma once
-// Reports for people.
+// These are reports for people.
 
 #include <suture/observe/report.h>
 
@@ -7,8 +7,8 @@
 
 namespace suture {
 
-/// Lines of text: tasks, devices, connections. What the other end of a connection counts is said to
-/// be there.
+/// Returns lines of text: tasks, devices, connections. It says which counts are at the other end of
+/// a connection.
 std::string toText(const Report& report);
 
 }  // namespace suture
