@@ -15,7 +15,7 @@ class CallsLink {
   CallsLink(ControlThread& control, LaneSocket socket);
 
   std::uint32_t number() const { return number_; }
-  /// It carries nothing any more. The control thread's pumps run when that has happened.
+  /// Returns true if it carries nothing any more. The control thread's pumps run when that happens.
   bool broken() const { return broken_; }
   std::shared_ptr<const LinkCounters> counters() const { return link_.counters(); }
   /// Returns the capability of a connection's contract; `counts` gets the outcomes of its commands.
