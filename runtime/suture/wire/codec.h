@@ -1,6 +1,6 @@
 #pragma once
-// How the messages of a contract travel as Cap'n Proto: what suturec writes for each contract. Any
-// thread may use a Codec, and all that one leads to has static storage.
+// This says how the messages of a contract travel as Cap'n Proto: suturec writes it for each
+// contract. Any thread may use a Codec, and all that one leads to has static storage.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -23,8 +23,8 @@ namespace suture::rpc {
 struct MessageCodec {
   void (*encode)(const std::byte* slot, capnp::AnyPointer::Builder out) =
       [](const std::byte*, capnp::AnyPointer::Builder) {};
-  /// Fills a record's memory for the slot, which holds none. `shift` turns the sender's steady
-  /// clock into this process's.
+  /// Fills a record's memory for the slot, which holds none. `shift` is added to stamps of the
+  /// sender's steady clock to have them on this process's.
   Errc (*decode)(capnp::AnyPointer::Reader in, std::byte* slot, Duration shift) =
       [](capnp::AnyPointer::Reader, std::byte*, Duration) { return Errc{}; };
 };
@@ -35,12 +35,13 @@ struct SentCodec {
   wire::Sent::Reader (*of)(capnp::AnyPointer::Reader parameters);
 };
 
-/// Where the results of a read say when the value was produced, and the parameters of an event when
-/// it was emitted; the results of other commands do not. On the sender's steady clock, ns.
+/// Finds where the results of a read say when the value was produced, and the parameters of an
+/// event when it was emitted; the results of other commands do not say it. Stamps are of the
+/// sender's steady clock, in ns.
 struct StampCodec {
   void (*set)(capnp::AnyPointer::Builder message,
               std::int64_t stamp) = [](capnp::AnyPointer::Builder, std::int64_t) {};
-  /// 0: not said.
+  /// Returns 0 if the message does not say it.
   std::int64_t (*of)(capnp::AnyPointer::Reader message) = [](capnp::AnyPointer::Reader) {
     return std::int64_t{0};
   };
@@ -62,9 +63,9 @@ struct EventCodec {
   MessageCodec payload = {};
 };
 
-/// The state: method 0 of the events interface.
+/// Converts the state: method 0 of the events interface.
 struct RowCodec {
-  /// `slots[i]` is that of column i; columns without a value are not looked at.
+  /// `slots[i]` is that of column i; columns without a value are skipped.
   void (*encode)(const rt::StateTable::Row& row, std::span<const std::byte* const> slots,
                  WireNumbers numbers, capnp::AnyPointer::Builder out);
   /// Fills the drafts of the columns that have come, and says which these are.
@@ -73,7 +74,7 @@ struct RowCodec {
   std::int64_t (*stamp)(capnp::AnyPointer::Reader in);  ///< of the sender's clock, ns
 };
 
-/// What suturec writes for one contract.
+/// Is what suturec writes for one contract.
 struct Codec {
   capnp::InterfaceSchema (*schema)();
   std::uint64_t contract;                  ///< the id of its interface
@@ -117,8 +118,8 @@ Errc decodeNoColumn(typename Row::Reader, unsigned, std::byte*, Duration) {
   return Errc::Invalid;
 }
 
-/// `Parameters`: of the method; each column's slot is a member of `Row`. An older receiver knows
-/// two sets of columns: one that the contract does not admit is in both.
+/// `Parameters` is that of the method; each column's slot is a member of `Row`. An older receiver
+/// knows two sets of columns: one that the contract does not admit is in both.
 template <class Parameters, class Row,
           void (*kEncode)(unsigned, const std::byte*, typename Row::Builder) = encodeNoColumn<Row>,
           Errc (*kDecode)(typename Row::Reader, unsigned, std::byte*, Duration) =

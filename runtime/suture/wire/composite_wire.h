@@ -1,6 +1,6 @@
 #pragma once
-// Between slots and Cap'n Proto for sets, maps, optionals, tuples, variants and matrices of any
-// size. See wire.h, which includes this.
+// These convert between slots and Cap'n Proto for sets, maps, optionals, tuples, variants and
+// matrices of any size. See wire.h, which includes this.
 
 #include <suture/wire/wire.h>
 
@@ -88,7 +88,7 @@ template <Number S, std::uint32_t R, std::uint32_t C>
 bool isValid(const BoundedMatrix<S, R, C>& slot, FieldPath* = nullptr);
 inline bool isValid(SlotNothing, FieldPath*) { return true; }
 
-// A path says nothing of an optional, since what is there is the thing itself.
+// A path has no entry for an optional, since its value is the thing itself.
 template <class S, class Check>
 bool allOf(const SlotOptional<S>& slot, FieldPath*, const Check& check) {
   return slot.present == 0 || check(slot.value);
@@ -128,7 +128,7 @@ template <class S>
 bool isValid(const OpenOptional<S>& slot, FieldPath* path) {
   return allOf(slot, path, [path](const S& value) { return isValid(value, path); });
 }
-/// This is isValid() where a check is passed on.
+/// Is isValid() as a check that can be passed on.
 struct Valid {
   template <class Slot>
   bool operator()(const Slot& slot) const {
@@ -146,7 +146,7 @@ bool allItemsAt(const Tuple& slot, FieldPath* path, std::index_sequence<I...>,
   };
   return (told(check(item<I>(slot)), I) && ...);
 }
-/// Each member of a tuple is judged by a check of its own.
+/// Checks each member of a tuple by its own check.
 template <class... S, class... Check>
 bool allItems(const SlotTuple<S...>& slot, FieldPath* path, const Check&... check) {
   return allItemsAt(slot, path, std::index_sequence_for<S...>(), check...);
@@ -159,7 +159,7 @@ template <class Slot, std::size_t... I, class... Check>
 bool theOneAt(const Slot& slot, std::index_sequence<I...>, const Check&... check) {
   return ((slot.index == I && check(alternative<I>(slot))) || ...);
 }
-/// The alternative that a variant holds is judged by the check for it.
+/// Checks the alternative that a variant holds by the check for it.
 template <class... S, class... Check>
 bool theOneOf(const SlotVariant<S...>& slot, FieldPath*, const Check&... check) {
   return theOneAt(slot, std::index_sequence_for<S...>(), check...);

@@ -1,6 +1,6 @@
 #pragma once
-// Between slots and the wire, for Eigen types with a named form. Inline: these are the inner loop
-// of every pose that travels. Part of wire.h.
+// These convert between slots and the wire, for Eigen types with a named form. They are inline,
+// because they are the inner loop of every pose that travels. Part of wire.h.
 
 #include <capnp/any.h>
 #include <suture/base/errors.h>
@@ -24,7 +24,8 @@ void rotationToWire(const std::array<double, N>& slot, Builder& out) {
   out.setM22(slot[8]);
 }
 
-/// False for a struct that an older sender does not know: a null pointer reads as one without data.
+/// Returns false for a struct that an older sender does not know: a null pointer reads as one
+/// without data.
 template <class Reader>
 bool wasSent(Reader in) {
   return capnp::AnyStruct::Reader(in).getDataSection().size() != 0;
@@ -121,7 +122,7 @@ inline Errc fromWire(wire::Mat4::Reader in, std::array<double, 16>& slot) {
   return Errc{};
 }
 
-/// A transform whose linear part may be anything.
+/// Reads a transform whose linear part may be anything.
 inline Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot) {
   if (!wasSent(in)) return slot = kNoMotion, Errc{};
   slot = {in.getM00(), in.getM10(), in.getM20(), in.getM01(), in.getM11(), in.getM21(),
@@ -131,7 +132,7 @@ inline Errc fromWireAffine(wire::Pose::Reader in, std::array<double, 12>& slot) 
 
 inline Errc fromWire(wire::Pose::Reader in, std::array<double, 12>& slot) {
   fromWireAffine(in, slot);
-  // No rotation has a column of zeros: nobody set this one.
+  // No rotation has a column of zeros, so no sender has set this one.
   const bool set = slot[0] != 0 || slot[1] != 0 || slot[2] != 0;
   return set ? Errc{} : Errc::Invalid;
 }

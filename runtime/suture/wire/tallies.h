@@ -1,5 +1,5 @@
 #pragma once
-// What two processes tell each other of the commands of a connection, as messages.
+// With these messages two processes tell each other of the commands of a connection.
 
 #include <suture/component/channel/counts/ledger.h>
 #include <suture/peer.capnp.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Texts of messages as this process's own.
+// These convert texts of messages to and from this process's own.
 
 #include <capnp/blob.h>
 
@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// Refers to `text`.
+/// Refers to `text`, which must outlive it.
 inline kj::StringPtr textOf(const std::string& text) { return {text.c_str(), text.size()}; }
 inline std::string stringOf(capnp::Text::Reader text) { return {text.begin(), text.size()}; }
 

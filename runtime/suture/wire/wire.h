@@ -1,6 +1,6 @@
 #pragma once
-// Between slots and Cap'n Proto, for what every contract is made of. Generated converters are built
-// on these overloads; any thread may use them.
+// These convert between slots and Cap'n Proto what every contract is made of. Generated converters
+// are built on these overloads; any thread may use them.
 //
 //   toWire(slot, builder)     slot -> message; the builder has the slot's size already
 //   fromWire(reader, slot)    message -> slot; Errc::TooLarge or Errc::Invalid if it is not what
@@ -33,7 +33,7 @@
 
 namespace suture::rpc {
 
-/// The first that is an error; 0 if none is.
+/// Returns the first that is an error; 0 if none is.
 inline Errc firstError(std::initializer_list<Errc> errors) {
   for (const Errc error : errors) {
     if (error != Errc{}) return error;
@@ -176,7 +176,7 @@ bool inRange(T value, double lowest, double highest) {
   return static_cast<double>(value) >= lowest && static_cast<double>(value) <= highest;
 }
 
-/// How a path tells an element of a sequence from the others: by its place, or its key.
+/// Adds to a path what tells an element of a sequence from the others: its place, or its key.
 template <class T>
 void enterElement(FieldPath& path, const T&, std::size_t index) {
   path.enterElement(index);
@@ -197,8 +197,8 @@ bool allOf(const T* begin, std::size_t count, FieldPath* path, const Check& chec
   if (path != nullptr) enterElement(*path, *refused, static_cast<std::size_t>(refused - begin));
   return false;
 }
-/// Checks each element by `check(element)`; false for a list of more than it has room for. `path`
-/// is told which element is refused; it is null for a type in which C++ does not count so.
+/// Checks each element by `check(element)`; returns false for a list of more than it has room for.
+/// `path` gets the element that is refused; it is null for a type in which C++ does not count so.
 template <class T, std::size_t N, class Check>
 bool allOf(const std::array<T, N>& slot, FieldPath* path, const Check& check) {
   return allOf(slot.data(), N, path, check);

@@ -1,5 +1,5 @@
 #pragma once
-// JSON in the order in which it was written.
+// This is JSON in the order in which it was written.
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Real numbers in JSON, which has no words for some of them.
+// These are real numbers in JSON, which has no words for some of them.
 
 #include <suture/wire/json/json.h>
 
@@ -9,14 +9,14 @@
 
 namespace suture {
 
-/// A number, or "nan", "inf", "-inf".
+/// Returns a number, or "nan", "inf", "-inf".
 inline Json realToJson(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
   return value;
 }
 
-/// The reverse; none if it is neither.
+/// Does the reverse; returns none if it is neither.
 inline std::optional<double> realOf(const Json& json) {
   if (json.is_number()) return json.get<double>();
   if (json == "nan") return std::numeric_limits<double>::quiet_NaN();

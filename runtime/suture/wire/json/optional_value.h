@@ -1,5 +1,5 @@
 #pragma once
-// std::optional as suturec writes it: a union of `none` and `some`, and nothing else.
+// This reads std::optional as suturec writes it: a union of `none` and `some`, and nothing else.
 
 #include <capnp/schema.h>
 
@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// The field `some` of such a struct.
+/// Returns the field `some` of such a struct.
 inline std::optional<capnp::StructSchema::Field> optionalIn(capnp::StructSchema schema) {
   const auto alternatives = schema.getUnionFields();
   if (schema.getFields().size() != 2 || alternatives.size() != 2) return std::nullopt;

@@ -1,5 +1,5 @@
 #pragma once
-// Bytes that are numbers, little-endian, one behind the other.
+// These are bytes that are numbers, little-endian, one behind the other.
 
 #include <suture/wire/json/json.h>
 
@@ -11,7 +11,7 @@ namespace suture {
 
 /// Returns a list of numbers of the kind `bulk` ("Float64"), or of bytes if we know no such kind.
 Json numbersIn(std::span<const std::uint8_t> bytes, const std::string& bulk);
-/// The reverse; what is no number of the kind throws nlohmann's exceptions.
+/// Does the reverse; what is no number of the kind throws nlohmann's exceptions.
 std::vector<std::uint8_t> bytesOf(const Json& numbers, const std::string& bulk);
 
 }  // namespace suture

@@ -21,7 +21,7 @@ constexpr int kDeepest = 64;
                    "What sent it is not what it seems");
 }
 
-/// The double of fewest digits that is this float: 0.1f is shown as 0.1.
+/// Returns the double of fewest digits that is this float: 0.1f is shown as 0.1.
 double shortest(float value) {
   char text[32];
   *std::to_chars(text, text + sizeof(text) - 1, value).ptr = '\0';
