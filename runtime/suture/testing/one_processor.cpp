@@ -2,7 +2,7 @@
 
 namespace suture::testing_detail {
 
-// Where the kernel refuses, the threads run on any processor, only slower.
+// If the kernel refuses, the threads run on any processor, only slower.
 OneProcessor::OneProcessor() {
   sched_getaffinity(0, sizeof(before_), &before_);
   cpu_set_t here;

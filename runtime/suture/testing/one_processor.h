@@ -1,13 +1,13 @@
 #pragma once
-// Where threads run that take turns.
+// This decides where threads run that take turns.
 
 #include <sched.h>
 
 namespace suture::testing_detail {
 
-/// Keeps the thread that makes it, and those that it starts from then on, on the processor that it
-/// is on: to wake a thread of another processor costs several times what most cycles do. When it
-/// ends, that thread may run again wherever it was allowed to before. Belongs to that thread.
+/// Belongs to the thread that makes it. Keeps that thread, and those that it starts from then on,
+/// on its present processor, because waking a thread of another processor costs several times what
+/// most cycles do. When it ends, that thread may run again wherever it was allowed to before.
 class OneProcessor {
  public:
   OneProcessor();

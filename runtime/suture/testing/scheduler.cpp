@@ -10,15 +10,15 @@
 namespace suture::testing_detail {
 namespace {
 
-// Far from zero, which means "unset", and the same in each run.
+// Is far from zero, which means "unset", and the same in each run.
 constexpr Time kBegin{std::chrono::seconds(1000)};
 
-// No thread of Suture works for so long without sleeping.
+// No thread of Suture works for this long without sleeping.
 constexpr auto kPatience = std::chrono::seconds(10);
 
-/// The calling thread, if its scheduler knows it.
+/// Is the calling thread, if its scheduler knows it.
 thread_local ScheduledThread* current = nullptr;
-/// The process that the calling thread works for, and all that it starts.
+/// Is the process that the calling thread works for, and all that it starts.
 thread_local std::size_t currentProcess = 0;
 
 }  // namespace
@@ -119,7 +119,7 @@ void Scheduler::note(Kind kind, const char* interface, const char* what, std::ui
                     .number = number});
 }
 
-// Nothing is missed while a thread spends time in its cycle: it rings at the end of it.
+// A thread that spends time in its cycle misses nothing, because it rings at the end of the cycle.
 void Scheduler::missedRing(const std::string& name) {
   if (options_.threads == Threads::Together) return;
   {
@@ -193,7 +193,7 @@ void Scheduler::leave(Thread& thread) {
   if (!thread.known) threads_.erase(thread.number);
 }
 
-// True if it has been woken only in order to look at its sockets.
+// Returns true if it was woken only in order to look at its sockets.
 bool Scheduler::sleepUnlessWoken(Thread& thread, const Sleeper& sleeper, Time deadline,
                                  Lock& lock) {
   if (sleeper.word.load(std::memory_order_seq_cst) != sleeper.asleep || deadline <= now()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Which thread of a process runs next, and when time goes on.
+// This decides which thread of a process runs next, and when time goes on.
 
 #include <suture/base/virtual_time.h>
 #include <suture/testing/test_clock.h>
@@ -18,7 +18,7 @@
 
 namespace suture::testing_detail {
 
-/// A thread as the scheduler sees it. Under the scheduler's mutex.
+/// Is a thread as the scheduler sees it, guarded by the scheduler's mutex.
 struct ScheduledThread {
   enum class State : std::uint8_t { Runs, Ready, Sleeps };
 
@@ -27,10 +27,10 @@ struct ScheduledThread {
   std::size_t process = 0;  // which TestClock::Process it belongs to; 0: none
   State state = State::Ready;
   bool known = true;             // false: one that the test has made, which runs beside the others
-  bool isTest = false;           // runs at its deadline after everybody else has
-  bool spends = false;           // its deadline alone wakes it
+  bool isTest = false;           // runs at its deadline after all others
+  bool spends = false;           // only its deadline wakes it
   VirtualTime::Place place = 0;  // while it sleeps, unless it spends
-  VirtualTime::Sockets* sockets = nullptr;  // while it sleeps at any
+  VirtualTime::Sockets* sockets = nullptr;  // while it sleeps at any sockets
   Time deadline{};
   std::uint64_t rung = 0;      // which ring has made it ready; 0: its deadline
   std::uint64_t lookedAt = 0;  // the turn after which it has found nothing at its sockets
@@ -60,7 +60,7 @@ class Scheduler final : public VirtualTime {
 
   // --- the rest is for TestClock ---
 
-  /// The calling thread is the test's.
+  /// Makes the calling thread the test's.
   void adoptTest();
   void finish();
   void hold();
@@ -99,7 +99,7 @@ class Scheduler final : public VirtualTime {
   mutable std::mutex mutex_;
   std::map<std::size_t, std::unique_ptr<Thread>> threads_;  // by number
   std::size_t started_ = 0;
-  std::size_t running_ = 0;  // of those that are known
+  std::size_t running_ = 0;  // how many of those that are known
   std::uint64_t turns_ = 1;  // how often any thread has been given something to do
   std::uint64_t rings_ = 0;
   std::uint64_t namedAtTurn_ = 0;

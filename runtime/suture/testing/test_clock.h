@@ -1,5 +1,5 @@
 #pragma once
-// A clock that a test steps, and the order in which the threads of its process run.
+// This is a clock that a test steps, and the order in which the threads of its process run.
 
 #include <suture/base/time.h>
 #include <suture/testing/trace.h>
@@ -16,10 +16,10 @@ class OneProcessor;
 class Scheduler;
 }  // namespace testing_detail
 
-/// How the threads of the process run while a TestClock exists.
+/// Says how the threads of the process run while a TestClock exists.
 enum class Threads : std::uint8_t {
-  /// One at a time, in an order that depends on nothing but the program and the seed; all on the
-  /// processor on which the clock is made, where to take turns costs least.
+  /// One at a time, in an order that depends only on the program and the seed; all on the processor
+  /// on which the clock is made, where taking turns costs least.
   OneAtATime,
   /// All that have something to do, as in production: for ThreadSanitizer. There is no trace.
   Together,
@@ -31,9 +31,9 @@ struct TestClockOptions {
   /// that was rung first, then the one that was started first. Any other number chooses by chance,
   /// repeatably.
   std::uint64_t seed = 0;
-  /// Told what must not happen: a thread found work at a deadline that is there in case a ring is
-  /// lost, or nothing can happen any more. May be called in any thread. Without, the program is
-  /// aborted.
+  /// Is called when something happens that must not: a thread found work at a deadline that exists
+  /// only in case a ring is lost, or nothing can happen any more. May be called in any thread.
+  /// Without it, the program is aborted.
   std::function<void(const std::string&)> problem = nullptr;
 };
 
@@ -54,16 +54,16 @@ class TestClock {
  public:
   /// Throws SetupError if the process has such a clock.
   explicit TestClock(TestClockOptions options = {});
-  /// Throws nothing, but tells of a problem if threads of Suture are left.
+  /// Throws nothing, but reports a problem if threads of Suture are left.
   ~TestClock();
   TestClock(const TestClock&) = delete;
   TestClock& operator=(const TestClock&) = delete;
 
-  /// The test's thread: lets everything happen that is due in the next `duration`, its end
-  /// included.
+  /// The test's thread. Lets everything happen that is due in the next `duration`, including its
+  /// end.
   void advance(Duration duration);
-  /// The test's thread: lets time pass until `condition`, which is asked every kStep; false if it
-  /// does not hold after `limit`.
+  /// The test's thread. Lets time pass until `condition`, which is asked every kStep; returns false
+  /// if it does not hold after `limit`.
   template <class Condition>
   bool until(const Condition& condition, Duration limit = std::chrono::seconds(10)) {
     const Time deadline = now() + limit;
@@ -75,14 +75,14 @@ class TestClock {
   }
   static constexpr Duration kStep = std::chrono::microseconds(100);
 
-  /// Any thread of Suture: its cycle takes `duration` longer. Others run meanwhile.
+  /// Any thread of Suture. Makes its cycle take `duration` longer; others run meanwhile.
   static void spend(Duration duration);
 
-  /// Everything that the threads have done, in order; empty if they run together.
+  /// Returns everything that the threads have done, in order; empty if they run together.
   const Trace& trace() const;
 
-  /// While it lives, time stands still even if nothing runs: for what a thread that the test has
-  /// made itself, or another process, is about to bring.
+  /// While it lives, time stands still even if nothing runs. Use it for what a thread that the test
+  /// has made itself, or another process, will bring.
   class Hold {
    public:
     explicit Hold(TestClock& clock);
@@ -94,17 +94,17 @@ class TestClock {
     TestClock& clock_;
   };
 
-  /// Threads that stand still together, as those of a process do that a debugger has stopped, or
-  /// whose machine is suspended. Threads of the test use it.
+  /// Is a group of threads that stand still together, like those of a process that a debugger has
+  /// stopped, or whose machine is suspended. Threads of the test use it.
   class Process {
    public:
     explicit Process(TestClock& clock);
     /// Does `work`; all threads that it starts, and those that they start, belong to this process.
     void run(const std::function<void()>& work);
-    /// Its threads do not run any more, wherever they sleep or spend time. With Threads::Together
-    /// one that runs goes on until then.
+    /// Stops its threads, wherever they sleep or spend time. With Threads::Together one that runs
+    /// goes on until it sleeps.
     void freeze();
-    /// They go on, later than they were due.
+    /// Lets them go on, later than they were due.
     void thaw();
 
    private:

@@ -10,7 +10,7 @@
 
 namespace suture {
 
-/// One thing that one thread did. It holds nothing that differs from one run to the next: no
+/// Is one thing that one thread did. It holds nothing that differs from one run to the next: no
 /// addresses, no process ids.
 struct TraceEntry {
   Duration time{};  ///< since the clock was made
@@ -24,7 +24,7 @@ struct TraceEntry {
 
 using Trace = std::vector<TraceEntry>;
 
-/// A line for each entry, for people and for comparison.
+/// Returns a line for each entry, for people and for comparison.
 std::string toString(const Trace& trace);
 
 }  // namespace suture
