@@ -1,5 +1,5 @@
 #pragma once
-// A message that is written without allocating.
+// This writes a message without allocating.
 
 #include <suture/standard/messages.h>
 
@@ -9,14 +9,15 @@
 
 namespace suture {
 
-/// Keeps one message, and with it the memory of its text. One thread at a time.
+/// One thread at a time. Keeps one message, and with it the memory of its text.
 class MessageDraft {
  public:
   /// Allocates what the longest text needs.
   MessageDraft() { message_.text.reserve(kCapacity); }
 
-  /// Stamped now; valid until the next call. A text of more than 255 bytes is cut between two
-  /// characters, and ends in "..." then: most of a message is more than none.
+  /// Returns a message that is stamped now and valid until the next call. A text of more than 255
+  /// bytes is cut between two characters and ends in "...", because a part of a message is better
+  /// than none.
   const Message& write(std::string_view text, std::uint32_t code, std::uint32_t counter) {
     const bool fits = text.size() <= kCapacity;
     message_.text = fits ? text : beginning(text, kCapacity - kCut.size());
@@ -31,7 +32,7 @@ class MessageDraft {
   static constexpr std::size_t kCapacity = 255;  // as Message declares
   static constexpr std::string_view kCut = "...";
 
-  // At most `length` bytes of a longer text, and no half of a UTF-8 character.
+  // Returns at most `length` bytes of a longer text, and no half of a UTF-8 character.
   static std::string_view beginning(std::string_view text, std::size_t length) {
     while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
     return text.substr(0, length);

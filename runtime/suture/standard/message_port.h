@@ -1,5 +1,5 @@
 #pragma once
-// Offers a component's messages as a provided interface.
+// This offers a component's messages as a provided interface.
 
 #include <suture/component/component.h>
 #include <suture/standard/message_sender.h>
@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// A member of a component:
+/// Is a member of a component:
 ///   suture::MessagePort messages_{*this};         others connect to "PSM/Messages"
 ///   messages_.error("the encoder does not answer", kNoEncoder);
 class MessagePort final : private Messages {
@@ -16,7 +16,7 @@ class MessagePort final : private Messages {
   explicit MessagePort(Component& owner, std::string_view name = "Messages")
       : provided_(owner, name, *this), sender_(provided_) {}
 
-  /// As MessageSender's: the component's thread; of a device, any. Neither allocates nor waits.
+  /// The component's thread; for a device, any. Neither allocates nor waits, as in MessageSender.
   void status(std::string_view text, std::uint32_t code = 0) { sender_.status(text, code); }
   void warning(std::string_view text, std::uint32_t code = 0) { sender_.warning(text, code); }
   void error(std::string_view text, std::uint32_t code = 0) { sender_.error(text, code); }

@@ -1,5 +1,5 @@
 #pragma once
-// Sends the status, warning and error of a contract that derives from Messages.
+// This sends the status, warning and error of a contract that derives from Messages.
 
 #include <suture/standard/message_draft.h>
 #include <suture/standard/messages.suture.h>
@@ -11,12 +11,12 @@
 
 namespace suture {
 
-/// A member of the component, beside what provides the contract:
+/// Is a member of the component, beside what provides the contract:
 ///   suture::Provided<Arm> arm_{*this, "Arm", *this};
 ///   suture::MessageSender<Arm> messages_{arm_};
 ///   messages_.warning("the goal is out of reach");
-/// Sending belongs to the component's thread; of a device, to any. It neither allocates nor waits.
-/// Texts of more than 255 bytes are cut (MessageDraft). `code`: Message::code.
+/// The component's thread sends; for a device, any. Sending neither allocates nor waits. Texts of
+/// more than 255 bytes are cut (MessageDraft). `code` is Message::code.
 template <class Contract>
 class MessageSender {
  public:
@@ -38,9 +38,8 @@ class MessageSender {
     MessageDraft draft;
   };
 
-  // Only a device is ever at a second desk. With all of them taken the message is lost, which the
-  // gap in the counters tells: a thread that waited here might wait for one that it keeps from
-  // running.
+  // Only a device is ever at a second desk. If all are taken the message is lost, and a gap in the
+  // counters tells it: a thread that waited here might wait for one that it keeps from running.
   template <class Emit>
   void send(const Emit& emit, std::string_view text, std::uint32_t code) {
     const std::uint32_t counter = counter_.fetch_add(1, std::memory_order_relaxed) + 1;

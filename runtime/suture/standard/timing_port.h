@@ -1,5 +1,5 @@
 #pragma once
-// Offers a task's timing as a provided interface.
+// This offers a task's timing as a provided interface.
 
 #include <suture/component/task/task.h>
 #include <suture/standard/task_timing.suture.h>
@@ -9,8 +9,8 @@
 
 namespace suture {
 
-/// A member of a task; its reads are evaluated in the task's thread, and only once somebody has
-/// asked.
+/// Is a member of a task. Its reads are evaluated in the task's thread, and only once a client has
+/// asked for them.
 ///   suture::TimingPort timing_{*this};          others connect to "PSM/Timing"
 class TimingPort final : private TaskTiming {
  public:
