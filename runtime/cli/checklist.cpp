@@ -16,7 +16,7 @@ const char* stateName(Step::State state) {
   return "";
 }
 
-/// Where the first sentence ends: behind it an error says what to do.
+/// Returns where the first sentence ends; after it an error says what to do.
 std::size_t endOfSentence(const std::string& text) {
   for (std::size_t at = text.find(". "); at != std::string::npos; at = text.find(". ", at + 1)) {
     const auto next = static_cast<unsigned char>(text[at + 2]);

@@ -1,5 +1,5 @@
 #pragma once
-// What the doctor looked at, in order: after the first that fails the rest is not tried.
+// This lists what the doctor checked, in order: after the first failure it does not try the rest.
 
 #include <suture/base/errors.h>
 #include "cli/values/json.h"
@@ -9,7 +9,7 @@
 
 namespace suture::cli {
 
-/// One thing that was looked at.
+/// Is one thing that was checked.
 struct Step {
   enum class State { Ok, Skipped, Failed, NotTried };
 
@@ -18,18 +18,18 @@ struct Step {
   std::string found, remedy;
 };
 
-/// The steps on the way to one thing.
+/// Has the steps on the way to one thing.
 class Checklist {
  public:
   explicit Checklist(std::string subject) : subject_(std::move(subject)) {}
 
-  /// `look` tells what it found, or throws SetupError, whose text ends with what to do; where it
-  /// does not, that is `remedy`.
+  /// `look` returns what it found, or throws SetupError, whose text ends with what to do; if it
+  /// does not, `remedy` says that.
   template <class Look>
   void step(const char* name, const std::string& remedy, Look look) {
     add(name, remedy, Step::State::Ok, look);
   }
-  /// For what need not be: `look` tells why.
+  /// Skips what need not be; `look` returns why.
   template <class Look>
   void skip(const char* name, Look look) {
     add(name, "", Step::State::Skipped, look);

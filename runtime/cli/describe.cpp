@@ -11,7 +11,7 @@ const char* sideName(wire::Peer::Side side) {
   return side == wire::Peer::Side::REQUIRED ? "required" : "provided";
 }
 
-/// The self-description without what peers alone compare.
+/// Returns the self-description without what only peers compare.
 Json forPeople(Json description) {
   description.erase("wire");
   return description;

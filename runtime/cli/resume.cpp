@@ -7,12 +7,12 @@
 namespace suture::cli {
 namespace {
 
-/// The interface that each component has for its life.
+/// Returns the interface that each component has for its life.
 Target lifeOf(const Target& required) {
   return {required.process, required.component, "component"};
 }
 
-/// What the component answered, for a person.
+/// Returns what the component answered, for a person.
 std::string told(const std::string& outcome, const std::string& connection) {
   const std::string asked = "resume '" + connection + "'";
   if (outcome == "Resumed") return connection + ": commands go through again";

@@ -1,4 +1,4 @@
-// suture: looks at a running system, and speaks to any interface in it. It has no generated code of
+// suture looks at a running system, and speaks to any interface in it, without generated code for
 // what it looks at.
 
 #include <suture/base/nearest.h>
@@ -23,7 +23,7 @@ using namespace suture::cli;
 
 constexpr int kFailed = 1, kMisused = 2;
 
-/// A verb on the command line.
+/// Is a verb on the command line.
 struct Verb {
   const char* name;
   const char* help;
@@ -43,7 +43,7 @@ constexpr Verb kVerbs[] = {
      makeKeys},
 };
 
-/// Seconds as they were typed.
+/// Has seconds as they were typed.
 struct Times {
   double patience = 5, period = 0;
 };
@@ -57,7 +57,7 @@ suture::Duration durationOf(double seconds) {
   return std::chrono::duration_cast<suture::Duration>(std::chrono::duration<double>(seconds));
 }
 
-/// Adds the options that say what a verb is about.
+/// Adds the options that say what the subject of a verb is.
 void addTargets(CLI::App& app, const std::string& verb, Options& options) {
   const std::string form = "process:component/interface";
   if (verb == "doctor") {

@@ -1,6 +1,6 @@
 #pragma once
-// What `suture` can do. Each prints to standard output and returns the exit status: 0, or 1 where
-// the answer is "no"; throws SetupError or UsageError where there is none.
+// This is what `suture` can do. Each prints to standard output and returns the exit status: 0, or 1
+// if the answer is "no"; throws SetupError or UsageError if there is no answer.
 
 #include <suture/loop/event_port.h>
 #include "cli/command_line/options.h"

@@ -22,7 +22,7 @@ class Lines {
   Labels labels() const { return options_.json ? Labels::Names : Labels::Units; }
   bool enough() const { return options_.count != 0 && shown_ >= options_.count; }
 
-  /// `kind`: "event" or "command".
+  /// `kind` is "event" or "command".
   void show(const char* kind, const Member& member, const Json& value) {
     if (enough()) return;
     ++shown_;

@@ -12,13 +12,13 @@ namespace {
 
 using Side = wire::Peer::Side;
 
-/// One of the two, and what keeps its texts.
+/// Is one of the two, and keeps its texts.
 struct End {
   Target target;
   Found found;
 };
 
-/// What a comparison needs of a description.
+/// Has what a comparison needs of a description.
 struct Compared {
   explicit Compared(const std::string& description) : text(description) {
     const Json json = parsePeers(text);

@@ -1,13 +1,13 @@
 #pragma once
-// Arguments of a command as they are typed.
+// These are arguments of a command as they are typed.
 
 #include "cli/command_line/options.h"
 #include "cli/values/json.h"
 
 namespace suture::cli {
 
-/// What --args has, and then each "goal.pose.x=0.1". A value that is JSON is that, anything else a
-/// text. Throws UsageError.
+/// Returns what --args has, and then each "goal.pose.x=0.1". A value that is JSON stays JSON;
+/// anything else is a text. Throws UsageError.
 Json argumentsOf(const Options& options);
 
 }  // namespace suture::cli

@@ -1,5 +1,5 @@
 #pragma once
-// What was said on the command line.
+// This is what the command line said.
 
 #include <suture/base/errors.h>
 #include <suture/base/time.h>
@@ -11,24 +11,24 @@
 
 namespace suture::cli {
 
-/// The command line itself cannot be meant: exit status 2.
+/// Says that the command line itself cannot be meant: exit status 2.
 class UsageError : public SetupError {
  public:
   using SetupError::SetupError;
 };
 
-/// The name in the certificate that this program shows.
+/// Is the name in the certificate that this program shows.
 inline constexpr const char* kOwnName = "suture";
 
-/// The options of all verbs; each verb uses some.
+/// Has the options of all verbs; each verb uses some.
 struct Options {
   std::string manager;                ///< address of the global manager, or of several
   std::string keys;                   ///< folder with its own; "": none
   rpc::Trust trust;                   ///< those keys
   bool json = false;                  ///< for programs: JSON on standard output, errors too
   Duration patience{0};               ///< for each step
-  std::string target;                 ///< what the verb is about: "process:component/interface"
-  std::string other;                  ///< the second of two such
+  std::string target;                 ///< the subject of the verb: "process:component/interface"
+  std::string other;                  ///< the second subject
   std::string member;                 ///< name of a command or an event
   std::vector<std::string> targets;   ///< of the doctor, any number
   std::vector<std::string> settings;  ///< "name=value" of arguments
@@ -36,8 +36,8 @@ struct Options {
   double rate = 10;                   ///< of a watched read, Hz
   unsigned count = 0;                 ///< how many to watch; 0: no end
   Duration period{0};                 ///< how long to watch; 0: no end
-  KeysRequest newKeys;                ///< those that are to be made
-  bool onlyReads = false;  ///< the name is of a read command, also if there is such an event
+  KeysRequest newKeys;                ///< the keys to make
+  bool onlyReads = false;  ///< the name is of a read command, even if there is such an event
 };
 
 }  // namespace suture::cli

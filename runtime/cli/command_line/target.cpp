@@ -11,7 +11,7 @@ namespace {
                    "`suture ps` shows the names");
 }
 
-/// What stands before `separator`, which is cut off `rest`; all of it if there is none.
+/// Cuts what stands before `separator` off `rest` and returns it; all of it if there is none.
 std::string take(std::string_view& rest, char separator) {
   const auto end = rest.find(separator);
   std::string taken(rest.substr(0, end));

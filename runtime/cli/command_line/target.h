@@ -1,18 +1,18 @@
 #pragma once
-// "process:component/interface", or the first of these.
+// This is "process:component/interface", or the first of these.
 
 #include <string>
 #include <string_view>
 
 namespace suture::cli {
 
-/// What a verb is about. What is not said is empty.
+/// Is the subject of a verb. A part that was not said is empty.
 struct Target {
   std::string process, component, interface;
 
   /// Throws UsageError.
   static Target parse(std::string_view text);
-  /// The same, all three said.
+  /// Does the same, but requires all three.
   static Target parseInterface(std::string_view text);
 
   std::string toString() const;

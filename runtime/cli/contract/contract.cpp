@@ -21,7 +21,7 @@ const Member* findIn(const std::vector<Member>& members, const std::string& name
 }
 
 /// Throws kj::Exception if any part of it cannot be read. Cap'n Proto 0.9.2, loading a node with
-/// such a part, reads it again in order to name it in its complaint, and never ends.
+/// such a part, reads it again to name it in its error, and never ends.
 void readOnce(wire::Explanation::Reader explanation) { toJson(explanation, Labels::Names); }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::vector<Member> Contract::membersOf(const char* list, capnp::InterfaceSchema
 
 const Member* Contract::findEvent(const std::string& name) const { return findIn(events_, name); }
 
-// The bit is the place in the list, unless the event says another; a peer may say any number, and
+// The bit is the place in the list, unless the event says another. A peer may say any number, and
 // have any number of events.
 std::uint64_t Contract::bitOf(const Member& event) const {
   constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::digits;

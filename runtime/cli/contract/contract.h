@@ -1,5 +1,5 @@
 #pragma once
-// A contract, learnt from the process that has it.
+// This is a contract, learnt from the process that has it.
 
 #include <capnp/schema-loader.h>
 #include <capnp/schema.h>
@@ -11,7 +11,7 @@
 
 namespace suture::cli {
 
-/// One command or event.
+/// Is one command or event.
 struct Member {
   std::string name;  ///< as in C++
   std::string kind;  ///< "read"
@@ -19,20 +19,20 @@ struct Member {
   capnp::InterfaceSchema::Method method;
 };
 
-/// What a process says of one of its interfaces. It may say anything: what cannot be used is
-/// refused here.
+/// Is what a process says of one of its interfaces. It may say anything: this refuses what cannot
+/// be used.
 class Contract {
  public:
-  /// `title`: "provider:Tally/Counter". Throws SetupError.
+  /// `title` is like "provider:Tally/Counter". Throws SetupError.
   Contract(std::string title, wire::Explanation::Reader explanation);
 
   const std::string& title() const { return title_; }
-  /// "counting::Counter"
+  /// Returns "counting::Counter".
   std::string name() const { return textAt(description_, "name"); }
   const Json& description() const { return description_; }
-  /// As it came.
+  /// Returns the text as it came.
   const std::string& descriptionText() const { return descriptionText_; }
-  /// The texts of the contracts it derives from, the nearest first.
+  /// Returns the texts of the contracts that it derives from, the nearest first.
   const std::vector<std::string>& baseTexts() const { return baseTexts_; }
 
   capnp::InterfaceSchema interface() const { return interface_; }
@@ -40,11 +40,11 @@ class Contract {
 
   const std::vector<Member>& commands() const { return commands_; }
   const std::vector<Member>& events() const { return events_; }
-  /// The bit by which a subscription asks for it; 0 if it has none.
+  /// Returns the bit by which a subscription asks for it; 0 if it has none.
   std::uint64_t bitOf(const Member& event) const;
-  /// Null if there is none.
+  /// Returns null if there is none.
   const Member* findEvent(const std::string& name) const;
-  /// Throws SetupError, with what there is.
+  /// These throw SetupError, with what there is.
   const Member& command(const std::string& name) const;
   const Member& event(const std::string& name) const;
 

@@ -34,7 +34,7 @@ bool isOurs(capnp::StructSchema::Field field) {
   return isSent(field) || field.getType().isInterface() || isRemoved(field);
 }
 
-/// A field of a struct, to be set.
+/// Is a field of a struct, to be set.
 struct FieldPlace {
   capnp::DynamicStruct::Builder owner;
   capnp::StructSchema::Field field;
@@ -46,7 +46,7 @@ struct FieldPlace {
   auto initList(unsigned size) { return owner.init(field, size).as<capnp::DynamicList>(); }
 };
 
-/// An element of a list, to be set.
+/// Is an element of a list, to be set.
 struct ElementPlace {
   capnp::DynamicList::Builder owner;
   unsigned index;

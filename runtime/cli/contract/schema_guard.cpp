@@ -12,7 +12,7 @@ using WireType = capnp::schema::Type;
 
 constexpr std::uint64_t kWordBits = 64, kDiscriminantBits = 16;
 
-/// Bits of a value in the data section of its struct; 0: nothing there.
+/// Returns the bits of a value in the data section of its struct; 0: it has none there.
 std::uint64_t bitsOf(WireType::Reader type) {
   switch (type.which()) {
     case WireType::BOOL: return 1;
@@ -68,7 +68,8 @@ class Guard {
  private:
   static std::string nameOf(Node::Reader node) { return node.getDisplayName().cStr(); }
 
-  /// A group shares the memory of its owner, and is part of no other.
+  /// Returns true if `id` is a group of `owner`: it shares the owner's memory, and is part of no
+  /// other.
   bool isGroupOf(Node::Reader owner, std::uint64_t id) const {
     const auto found = structs_.find(id);
     if (found == structs_.end() || found->second.getScopeId() != owner.getId()) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// A link to another process.
+// This is a link to another process.
 
 #include <suture/base/time.h>
 #include <suture/framing/link.h>
@@ -11,11 +11,11 @@
 
 namespace suture::cli {
 
-/// Throws SetupError unless something listens there: what was found, and what to do.
+/// Throws SetupError unless something listens there, with what was found and what to do.
 void knock(rpc::EventPort& loop, const rpc::Address& address, Duration limit);
 
-/// A link to the process `expected`, with proof that it is that one where the address asks for it.
-/// Throws as knock() does.
+/// Returns a link to the process `expected`, with proof that it is that one if the address asks for
+/// it. Throws as knock() does.
 kj::Own<rpc::Link> reach(rpc::EventPort& loop, const rpc::Address& address, const rpc::Trust& trust,
                          const std::string& expected, Duration limit);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Finding what a name on the command line means.
+// This finds what a name on the command line means.
 
 #include "cli/command_line/options.h"
 #include "cli/peer/peer.h"
@@ -12,17 +12,18 @@ namespace suture::cli {
 /// Finds the process, links to it and greets. Throws SetupError.
 Peer meet(rpc::EventPort& loop, const Options& options, const std::string& process);
 
-/// Throws SetupError with the components there are.
+/// Throws SetupError with the components that there are.
 ComponentRecord findComponent(Peer& peer, const Target& target);
 
-/// An interface as its process explains it, and on which side its component has it.
+/// Is an interface as its process explains it, and on which side its component has it.
 struct Found {
   wire::Peer::Side side;
   Frames frames;
   std::shared_ptr<const Contract> contract;
 };
 
-/// The provided interface of that name, or the required one. Throws SetupError with what there is.
+/// Returns the provided interface of that name, or the required one. Throws SetupError with what
+/// there is.
 Found findInterface(Peer& peer, const Target& target);
 
 }  // namespace suture::cli

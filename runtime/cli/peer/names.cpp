@@ -16,7 +16,7 @@ std::vector<rpc::Address> addressesOf(const std::string& text) {
   }
 }
 
-/// Says also, if that fails, how to start a manager there.
+/// If it fails, says also how to start a manager there.
 kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& address,
                                 const Options& options) {
   try {

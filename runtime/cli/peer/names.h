@@ -1,5 +1,5 @@
 #pragma once
-// What the global manager knows, asked by a program that is not part of the system.
+// This is what the global manager knows, asked by a program that is not part of the system.
 
 #include <suture/names/records.h>
 #include "cli/command_line/options.h"
@@ -10,17 +10,17 @@
 
 namespace suture::cli {
 
-/// A link to the global manager, of several to the first that answers. Throws SetupError wherever
-/// it or what is asked for is not there.
+/// Is a link to the global manager, or of several to the first that answers. Throws SetupError if
+/// it, or what is asked for, is not there.
 class Names {
  public:
   Names(rpc::EventPort& loop, const Options& options);
 
   std::vector<ProcessRecord> processes();
   ProcessRecord process(const std::string& name);
-  /// Is the network that of tls:// addresses?
+  /// Returns true if the network is that of tls:// addresses.
   bool leadsToTls() const { return manager_.address.kind == rpc::Address::Kind::Tls; }
-  /// The address of the manager that answers.
+  /// Returns the address of the manager that answers.
   const rpc::Address& address() const { return manager_.address; }
 
  private:

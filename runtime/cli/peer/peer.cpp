@@ -14,7 +14,7 @@ rpc::Address addressOf(const ProcessRecord& process) {
   return rpc::Address::parse(process.addresses.front());
 }
 
-/// A peer that is older than a question does not know it.
+/// Returns a better failure if the peer is older than a question and so does not know it.
 kj::Exception orTooOld(kj::Exception&& failure, const std::string& process) {
   if (failure.getType() != kj::Exception::Type::UNIMPLEMENTED) return kj::mv(failure);
   return rpc::failure(kj::Exception::Type::FAILED,

@@ -1,5 +1,5 @@
 #pragma once
-// A process, as a program meets it that is none of its peers.
+// This is a process, as it looks to a program that is none of its peers.
 
 #include <capnp/dynamic.h>
 #include <suture/names/records.h>
@@ -15,13 +15,14 @@
 
 namespace suture::cli {
 
-/// One link. Call these in their order; each throws SetupError: what was asked, found and to do.
+/// Has one link. Call these in their order; each throws SetupError: what was asked, found and to
+/// do.
 class Peer {
  public:
   Peer(rpc::EventPort& loop, ProcessRecord process, const Options& options);
 
   const ProcessRecord& process() const { return process_; }
-  /// Where it is dialled.
+  /// Returns the address at which it is dialled.
   const rpc::Address& address() const { return address_; }
 
   /// Makes sure that something listens there.
@@ -33,12 +34,13 @@ class Peer {
 
   std::vector<ComponentRecord> components();
   std::shared_ptr<const Contract> explain(const Target& target, wire::Peer::Side side);
-  /// The provided interface itself.
+  /// Returns the provided interface itself.
   capnp::DynamicCapability::Client open(const Target& target, const Contract& contract);
 
-  /// How its clock stands to ours, once it has been greeted: as exact as the greeting was fast.
+  /// Returns how far its clock is from ours, once it has been greeted: as exact as the greeting was
+  /// fast.
   const ClockOffset& clock() const { return clock_; }
-  /// A stamp of its clock, on ours; as exact as that.
+  /// Returns a stamp of its clock, on ours; as exact as that.
   Time here(std::int64_t stamp) const;
   /// Resolves when it is gone.
   kj::Promise<void> onDisconnect() { return link_->onDisconnect(); }

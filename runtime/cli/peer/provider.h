@@ -1,5 +1,5 @@
 #pragma once
-// A provided interface, used by a program that has learnt its contract from it.
+// This is a provided interface, used by a program that has learnt its contract from it.
 
 #include <capnp/dynamic.h>
 #include <suture/wire/json/to_json.h>
@@ -13,11 +13,11 @@
 
 namespace suture::cli {
 
-/// How a command ended.
+/// Says how a command ended.
 struct Answer {
-  Json value;                   ///< null: it has none
+  Json value;                   ///< null if it has none
   std::optional<Duration> age;  ///< of what was read, when it arrived
-  Duration ageError{0};         ///< how wrong that may be: zero if both have one clock
+  Duration ageError{0};         ///< how wrong the age may be; zero if both have one clock
 };
 
 /// Finds its process, links to that and opens it. All members throw SetupError.
@@ -29,7 +29,7 @@ class Provider {
 
   const Contract& contract() const { return *contract_; }
 
-  /// Runs a command and waits for its end. Throws UsageError if the arguments are not its.
+  /// Runs a command and waits for its end. Throws UsageError if the arguments do not fit it.
   Answer call(const Member& command, const Json& arguments, Labels labels);
   /// Asks for events, bit i for the contract's event i. `heard` is called as they arrive; while it
   /// works, the provider keeps what follows.

@@ -1,5 +1,5 @@
 #pragma once
-// Waiting on the only thread there is.
+// This waits on the only thread.
 
 #include <suture/base/errors.h>
 #include <suture/loop/deadline.h>

@@ -1,5 +1,5 @@
 #pragma once
-// What a command answered, for people and for programs.
+// This shows what a command answered, for people and for programs.
 
 #include "cli/peer/provider.h"
 
@@ -7,12 +7,13 @@
 
 namespace suture::cli {
 
-/// The read command of that name. Throws SetupError: there is none, or it is another kind.
+/// Returns the read command of that name. Throws SetupError if there is none, or it is another
+/// kind.
 const Member& readCommand(const Contract& contract, const std::string& name);
 
-/// Ends with a line break.
+/// Returns text that ends with a line break.
 std::string answerText(const Answer& answer);
-/// {"command", "kind", "value", "age_ms", "age_error_ms"}: the last three if there are any.
+/// Returns {"command", "kind", "value", "age_ms", "age_error_ms"}: the last three if there are any.
 Json answerJson(const Member& command, const Answer& answer);
 
 }  // namespace suture::cli

@@ -41,7 +41,7 @@ std::string eventText(const Json& event) {
          ")";
 }
 
-/// "write, newest wins, ttl 20 ms"
+/// Returns "write, newest wins, ttl 20 ms".
 std::string traitsText(const Json& member) {
   std::string text = textAt(member, "kind");
   const auto add = [&](const std::string& trait) { text += (text.empty() ? "" : ", ") + trait; };

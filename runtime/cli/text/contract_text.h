@@ -1,5 +1,5 @@
 #pragma once
-// A contract as a page for people.
+// This shows a contract as a page for people.
 
 #include "cli/contract/contract.h"
 
@@ -7,7 +7,8 @@
 
 namespace suture::cli {
 
-/// Commands, events and types with kinds, units and documentation, from the self-description.
+/// Returns commands, events and types with kinds, units and documentation, from the
+/// self-description.
 std::string contractText(const Contract& contract);
 
 }  // namespace suture::cli

@@ -20,7 +20,7 @@ Json interfacesToJson(const std::vector<InterfaceRecord>& interfaces) {
   return all;
 }
 
-/// "PSM1_tip in PSM1_base"
+/// Returns "PSM1_tip in PSM1_base".
 std::string framesText(const Frames& frames) {
   if (frames.reference.empty()) return frames.moving;
   return (frames.moving.empty() ? "" : frames.moving + " ") + "in " + frames.reference;

@@ -1,5 +1,5 @@
 #pragma once
-// What a process offers and needs.
+// This shows what a process offers and needs.
 
 #include <suture/names/records.h>
 #include <suture/session/clock_offset.h>
@@ -11,11 +11,12 @@
 namespace suture::cli {
 
 Json toJson(const ProcessRecord& process);
-/// {"same", "offset_ms", "error_ms"}: the process's clock minus ours, and how wrong that may be.
+/// Returns {"same", "offset_ms", "error_ms"}: the process's clock minus ours, and how wrong that
+/// may be.
 Json toJson(const ClockOffset& clock);
-/// A line of it for people; nothing if both have one clock.
+/// Returns a line of it for people; nothing if both have one clock.
 std::string clockText(const ClockOffset& clock);
-/// A line a component and one an interface.
+/// Returns a line for each component and each interface.
 std::string componentsText(const std::vector<ComponentRecord>& components);
 
 }  // namespace suture::cli

@@ -21,7 +21,7 @@ std::string quoted(const Json& value) {
   return value.is_string() ? '"' + scalar(value) + '"' : scalar(value);
 }
 
-/// "m00 ... m22, x, y, z": rotation and translation, or a square matrix of such names alone.
+/// Reads "m00 ... m22, x, y, z": rotation and translation, or a square matrix of such names alone.
 std::vector<std::vector<std::string>> matrixIn(const Json& value) {
   std::vector<std::vector<std::string>> rows;
   if (!value.is_object() || !value.contains("m00")) return rows;
@@ -44,7 +44,7 @@ std::vector<std::vector<std::string>> matrixIn(const Json& value) {
   return rows;
 }
 
-/// The elements of a list, as many on a line as fit.
+/// Returns the elements of a list, as many on a line as fit.
 std::string wrapped(const Json& list, unsigned indent) {
   const std::string margin(indent, ' ');
   std::string text, line = margin;

@@ -1,5 +1,5 @@
 #pragma once
-// What is shown to people.
+// This shows values to people.
 
 #include <suture/base/plain.h>
 #include <suture/base/time.h>
@@ -10,22 +10,24 @@
 
 namespace suture::cli {
 
-/// A value over as many lines as it needs, each with `indent` spaces before it; ends with a line
-/// break. Short ones stay on one line; a pose is shown as a matrix.
+/// Returns a value on as many lines as it needs, each with `indent` spaces before it; ends with a
+/// line break. Short ones stay on one line; a pose is shown as a matrix.
 std::string valueText(const Json& value, unsigned indent = 0);
-/// The same on one line, without indent or line break.
+/// Returns the same on one line, without indent or line break.
 std::string valueLine(const Json& value);
 
-/// Rows of cells, each column as wide as its widest cell, the last one as it is.
+/// Returns rows of cells, each column as wide as its widest cell, the last one as it is.
 std::string columns(const std::vector<std::vector<std::string>>& rows, unsigned indent = 0);
 
-/// "3.1 ms"
+/// Returns "3.1 ms".
 std::string milliseconds(double value);
 double inMilliseconds(Duration duration);
-/// ", known to 40 us": how wrong a time may be for another clock, rounded up. Nothing for zero.
+/// Returns ", known to 40 us": how wrong a time may be for another clock, rounded up. Nothing for
+/// zero.
 std::string knownTo(Duration error);
 
-/// To standard output, at once: a text for people; JSON for programs, laid out or on one line.
+/// These write to standard output at once: a text for people; JSON for programs, laid out or on one
+/// line.
 void print(const std::string& text);
 void printJson(const Json& json);
 void printLine(const Json& json);

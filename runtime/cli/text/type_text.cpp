@@ -3,7 +3,7 @@
 namespace suture::cli {
 namespace {
 
-/// "at most 16 of "
+/// Returns "at most 16 of ".
 std::string boundText(const Json& type) {
   const Json& capacity = valueAt(type, "capacity");
   return capacity.is_number_integer() ? "at most " + capacity.dump() + " of " : "";

@@ -1,5 +1,5 @@
 #pragma once
-// Types of a self-description in words.
+// This shows types of a self-description in words.
 
 #include "cli/values/json.h"
 
@@ -7,9 +7,9 @@
 
 namespace suture::cli {
 
-/// "at most 16 of robots::Point"
+/// Returns "at most 16 of robots::Point".
 std::string typeText(const Json& type);
-/// The type, unit and range of a field, parameter or result: "Float64 m, 0 to 1".
+/// Returns the type, unit and range of a field, parameter or result: "Float64 m, 0 to 1".
 std::string valueTypeText(const Json& described);
 
 }  // namespace suture::cli
