@@ -21,11 +21,11 @@ std::size_t payloadWords(const InterfaceInfo& info) {
 /// Rings a client that had found no room, at the end of a drain, also when a handler throws. If the
 /// client has sent more meanwhile, the next drain rings it: else it would be woken again and again
 /// for a few places.
-struct RoomTold {
+struct RoomNotice {
   Channel& channel;
   Component& owner;
 
-  ~RoomTold() {
+  ~RoomNotice() {
     rt::Mailbox& commands = channel.commands;
     if (commands.pending() || !commands.roomAwaited().take(std::memory_order_acq_rel)) return;
     owner.ringLater(*channel.ends.client);
@@ -36,17 +36,17 @@ struct RoomTold {
 
 /// Holds the execution of one command. Its destructor ends it on every path, also when the handler
 /// throws: the command's room is free again, and a caller that waits gets an answer.
-class ProvidedBase::Turn {
+class ProvidedBase::Execution {
  public:
-  Turn(Channel& channel, Component& owner, const rt::CommandRecord& record)
+  Execution(Channel& channel, Component& owner, const rt::CommandRecord& record)
       : outcome(&channel.commands.counters.failed),
         channel_(channel),
         owner_(owner),
         command_(record.command),
         call_(record.call) {}
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
-  ~Turn() {
+  Execution(const Execution&) = delete;
+  Execution& operator=(const Execution&) = delete;
+  ~Execution() {
     if (owner_.ownsThread()) owner_.caller_ = nullptr;
     release();
     if (call_ != 0 && !answered) channel_.provider.replyError(call_, error);
@@ -239,7 +239,7 @@ void ProvidedBase::drain(ChannelList::Node& node) {
   Channel& channel = *node.channel;
   const Time drainStart = now();
   const Time resumed = everyState_ ? Time{} : owner_.resumed();
-  const RoomTold told{channel, owner_};
+  const RoomNotice notice{channel, owner_};
   bool first = true;
   while (const rt::CommandRecord* record = channel.commands.next()) {
     const bool hasTtl = info_.commands[record->command].ttl > Duration{0};
@@ -261,50 +261,50 @@ void ProvidedBase::drain(ChannelList::Node& node) {
 
 // What was sent to a suspended component must not move anything after it is resumed.
 void ProvidedBase::turnAway(Channel& channel, const rt::CommandRecord& record, Errc refusal) {
-  Turn turn(channel, owner_, record);
-  turn.error = refusal;
-  turn.outcome = &channel.commands.counters.refused;
+  Execution execution(channel, owner_, record);
+  execution.error = refusal;
+  execution.outcome = &channel.commands.counters.refused;
 }
 
 void ProvidedBase::run(ChannelList::Node& node, const rt::CommandRecord& record, Time present) {
   Channel& channel = *node.channel;
   const CommandInfo& command = info_.commands[record.command];
-  Turn turn(channel, owner_, record);
+  Execution execution(channel, owner_, record);
   channel.countReceived(rt::SpscRing::recordSize(sizeof(record) + command.argumentsSize));
   commandAge_ = present - record.stamp;
   if (command.ttl > Duration{0} && commandAge_ > command.ttl) {
-    turn.outcome = &channel.commands.counters.late;
-    turn.error = Errc::Late;
+    execution.outcome = &channel.commands.counters.late;
+    execution.error = Errc::Late;
     return;
   }
   if (record.call != 0 && !channel.provider.claim(record.call)) {
-    turn.outcome = &channel.commands.counters.cancelled;
-    turn.error = Errc::Cancelled;
+    execution.outcome = &channel.commands.counters.cancelled;
+    execution.error = Errc::Cancelled;
     return;
   }
   // Check the copy of foreign arguments; those of other lanes were checked before they came here.
   if (channel.foreign && !channel.admits(command, record.arguments())) {
-    turn.outcome = &channel.commands.counters.refused;
-    turn.error = Errc::Invalid;
+    execution.outcome = &channel.commands.counters.refused;
+    execution.error = Errc::Invalid;
     return;
   }
   if (VirtualTime* const time = virtualTime(); time != nullptr) {
     time->note(VirtualTime::Kind::Execute, name_.c_str(), command.name, record.sequence);
   }
   channel.provider.commandAge->record(commandAge_);
-  turn.begin(node.client);
+  execution.begin(node.client);
   if (record.call == 0) {
     execute(record.command, record.arguments(), nullptr);
-    turn.outcome = &channel.commands.counters.executed;
+    execution.outcome = &channel.commands.counters.executed;
   } else {
     const ResultForm form{command.resultSize, command.sharedResult, record.command};
     channel.provider.reply(record.call, form, [&](std::byte* result) {
       const Errc error = produce(record.command, record.arguments(), result, &channel);
-      turn.outcome = &channel.commands.counters.executed;
-      turn.release();
+      execution.outcome = &channel.commands.counters.executed;
+      execution.release();
       return error;
     });
-    turn.answered = true;
+    execution.answered = true;
   }
 }
 

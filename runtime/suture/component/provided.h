@@ -110,7 +110,7 @@ class ProvidedBase {
   virtual Errc execute(std::uint16_t command, const std::byte* arguments, std::byte* result) = 0;
 
  private:
-  class Turn;
+  class Execution;
 
   /// Executes, and answers Errc::Invalid for a result that the contract does not admit. `asker` is
   /// the client that does not get it; null means all clients.

@@ -89,19 +89,20 @@ class Network::Impl {
     if (from.process.empty()) from.process = directory_.process();
     if (to.process.empty()) to.process = directory_.process();
     run(control_, options.patience + kLocalWork, [=, this, &required] {
-      const RemoteConnection::Told told{.made =
-                                            [this, name](std::shared_ptr<Channel> channel) {
-                                              std::lock_guard lock(mutex_);
-                                              connected_[name] = std::move(channel);
-                                            },
-                                        .lost =
-                                            [this](const std::string& channel, std::string why) {
-                                              std::lock_guard lock(mutex_);
-                                              whyLost_[channel] = std::move(why);
-                                            }};
+      const RemoteConnection::Listener listener{
+          .made =
+              [this, name](std::shared_ptr<Channel> channel) {
+                std::lock_guard lock(mutex_);
+                connected_[name] = std::move(channel);
+              },
+          .lost =
+              [this](const std::string& channel, std::string why) {
+                std::lock_guard lock(mutex_);
+                whyLost_[channel] = std::move(why);
+              }};
       auto& connection = connections_[name];
       connection = std::make_unique<RemoteConnection>(
-          control_, *sessions_, lanes_, required, from, to, options, told, delays, watch,
+          control_, *sessions_, lanes_, required, from, to, options, listener, delays, watch,
           ledgerOf(from.toString() + " -> " + to.toString()));
       // Forget what could not be connected, because it may be gone before this is.
       return connection->open()

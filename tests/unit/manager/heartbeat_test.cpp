@@ -89,7 +89,7 @@ class HeartbeatTest : public testing::Test {
   /// Which comes first: the component is well, or lost and why.
   std::string firstOf(std::vector<Duration> overdue) {
     answers_.overdue = std::move(overdue);
-    auto well = watch_->whenWell().then([] { return std::string("well"); });
+    auto well = watch_->whenItWorks().then([] { return std::string("well"); });
     return watch_.whenLost().exclusiveJoin(kj::mv(well)).wait(port_.scope());
   }
   /// Why the component is lost, or "not lost" after many times what any bound takes.

@@ -30,7 +30,7 @@ Heartbeat::Watch::Watch(Heartbeat& heartbeat, std::string component, Bounds boun
 
 Heartbeat::Watch::~Watch() { std::erase(heartbeat_.watches_, this); }
 
-kj::Promise<void> Heartbeat::Watch::whenWell() {
+kj::Promise<void> Heartbeat::Watch::whenItWorks() {
   auto pair = kj::newPromiseAndFulfiller<void>();
   well_ = kj::mv(pair.fulfiller);
   return kj::mv(pair.promise);

@@ -40,7 +40,7 @@ class Heartbeat {
     KJ_DISALLOW_COPY(Watch);
 
     /// Resolves at the next answer by which the component does not hang. Call it once.
-    kj::Promise<void> whenWell();
+    kj::Promise<void> whenItWorks();
 
    private:
     friend class Heartbeat;

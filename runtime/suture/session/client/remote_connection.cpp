@@ -29,7 +29,7 @@ std::string microseconds(Duration duration) {
 
 RemoteConnection::RemoteConnection(rpc::ControlThread& control, Sessions& sessions,
                                    const Lanes& lanes, RequiredBase& required, Endpoint from,
-                                   Endpoint to, const ConnectOptions& options, Told told,
+                                   Endpoint to, const ConnectOptions& options, Listener listener,
                                    DelayThread* delays, std::shared_ptr<ConnectionWatch> watch,
                                    std::shared_ptr<Ledger> ledger)
     : control_(control),
@@ -39,7 +39,7 @@ RemoteConnection::RemoteConnection(rpc::ControlThread& control, Sessions& sessio
       from_(std::move(from)),
       to_(std::move(to)),
       options_(options),
-      told_(std::move(told)),
+      listener_(std::move(listener)),
       delays_(delays),
       watch_(std::move(watch)),
       ledger_(std::move(ledger)),
@@ -85,10 +85,11 @@ kj::Promise<void> RemoteConnection::introduce() {
                       [this, out = kj::mv(lost.fulfiller)](const std::string& why) mutable {
                         out->reject(whyNotIntroduced(why));
                       });
-  auto asked = watch->whenWell().then([this] { return requireClocksThatCanTell(); }).then([this] {
-    laneReason_.clear();
-    return ask(firstLane());
-  });
+  auto asked =
+      watch->whenItWorks().then([this] { return requireClocksThatCanTell(); }).then([this] {
+        laneReason_.clear();
+        return ask(firstLane());
+      });
   return lost.promise.exclusiveJoin(kj::mv(asked)).attach(kj::mv(watch));
 }
 
@@ -192,7 +193,7 @@ void RemoteConnection::fillIn(wire::ConnectRequest::Builder request, const char*
   auto news = kj::refcounted<ProviderNews>();
   request.setNotices(kj::heap<NoticesReceiver>(
       kj::addRef(*news), ledger_,
-      [tell = told_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
+      [tell = listener_.lost, name = name()](std::string why) { tell(name, std::move(why)); }));
   news_ = kj::mv(news);
 }
 
@@ -228,7 +229,7 @@ void RemoteConnection::use(OpenedEnd opened, wire::ConnectResults::Accepted::Rea
     channel = delays_->interpose(required_, std::move(channel), options_.delay);
   }
   ledger_->begin(channel, session_->peersIncarnation(), fromWire(accepted.getEarlier()));
-  told_.made(channel);  // known before it is used
+  listener_.made(channel);  // known before it is used
   required_.attach(std::move(channel));
 }
 
@@ -243,7 +244,7 @@ void RemoteConnection::keep() {
 // This runs later, since what it drops is what reports the loss.
 void RemoteConnection::lose(std::string why) {
   losing_ = kj::evalLater([this, why = std::move(why)]() mutable {
-              told_.lost(name(), std::move(why));
+              listener_.lost(name(), std::move(why));
               drop();
               comingBack_ =
                   comeBack(kFirstRedialPause).then([this] { keep(); }).eagerlyEvaluate(nullptr);

@@ -23,7 +23,7 @@ class DelayThread;
 class RemoteConnection {
  public:
   /// The control thread calls these with news of the connection.
-  struct Told {
+  struct Listener {
     /// Takes each channel, when the connection has been made or made anew.
     std::function<void(std::shared_ptr<Channel>)> made;
     /// Gets the channel's name and the reason in words, before the channel is lost.
@@ -33,7 +33,7 @@ class RemoteConnection {
   /// `from` and `to` include their processes. `ledger` has the sums of the connection's name.
   RemoteConnection(rpc::ControlThread& control, Sessions& sessions, const Lanes& lanes,
                    RequiredBase& required, Endpoint from, Endpoint to,
-                   const ConnectOptions& options, Told told, DelayThread* delays,
+                   const ConnectOptions& options, Listener listener, DelayThread* delays,
                    std::shared_ptr<ConnectionWatch> watch, std::shared_ptr<Ledger> ledger);
   ~RemoteConnection() noexcept(false);
 
@@ -77,7 +77,7 @@ class RemoteConnection {
   RequiredBase& required_;
   const Endpoint from_, to_;
   const ConnectOptions options_;
-  const Told told_;
+  const Listener listener_;
   DelayThread* const delays_;                     // nullptr: it has no delay
   const std::shared_ptr<ConnectionWatch> watch_;  // of all its channels
   const std::shared_ptr<Ledger> ledger_;
