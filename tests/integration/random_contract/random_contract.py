@@ -27,11 +27,11 @@ def run(command, **options):
     subprocess.run(list(map(str, command)), check=True, **options)
 
 
-def build(project, suture):
+def build(project, suture, compiler="g++"):
     # Else __FILE__ has the folder's name, which is another in each run, and ccache finds nothing.
     run(["cmake", "-S", project, "-B", project / "build", "-G", "Ninja", "--log-level=WARNING",
          f"-DCMAKE_CXX_FLAGS=-ffile-prefix-map={project}=.",
-         f"-DSuture_DIR={suture}", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_STANDARD=20", "-DCMAKE_UNITY_BUILD=ON"])
+         f"-DSuture_DIR={suture}", f"-DCMAKE_CXX_COMPILER={compiler}", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_STANDARD=20", "-DCMAKE_UNITY_BUILD=ON"])
     run(["cmake", "--build", project / "build", "--target", "update-lock"])
     run(["cmake", "--build", project / "build", "-j2"])
 

@@ -2,6 +2,8 @@
 
 import random
 
+import random_names
+
 INTEGERS = ["std::int8_t", "std::int16_t", "std::int32_t", "std::int64_t",
             "std::uint8_t", "std::uint16_t", "std::uint32_t", "std::uint64_t"]
 NUMBERS = INTEGERS + ["float", "double"]
@@ -35,18 +37,31 @@ class Types:
     """A set of enums and structs; a later struct may hold an earlier one."""
 
     def __init__(self, seed, count=5, data_only=False):
-        """`data_only`: also what a contract cannot carry by value, and base classes."""
+        """`data_only`: also what a contract cannot carry by value, base classes, and names that others have a use for."""
         self.random = random.Random(seed)
         self.data_only = data_only
         self.open = data_only or seed % 2 == 1  # some levels have no bounds, and only devices provide them
         self.bases = {}
-        self.enums = [f"Choice{i}" for i in range(2)]
+        self.enums = {f"Choice{i}": self.enumerators() for i in range(2)}
         self.optional = False
         self.structs = {}
-        for i in range(count):
+        names = [f"Record{i}" for i in range(count)]
+        if data_only:
+            names = self.random.sample(list(random_names.TYPES), count)
+        for i, name in enumerate(names):
             if data_only and i > 0 and self.random.randrange(3) == 0:
-                self.bases[f"Record{i}"] = f"Record{self.random.randrange(i)}"
-            self.structs[f"Record{i}"] = [self.field(j) for j in range(self.random.randint(2, 7))]
+                self.bases[name] = self.random.choice(names[:i])
+            self.structs[name] = [self.field(member) for member in self.member_names(self.random.randint(2, 7))]
+
+    def member_names(self, count):
+        if self.data_only:
+            return self.random.sample(random_names.MEMBERS, count)
+        return [f"member_{i}" for i in range(count)]
+
+    def enumerators(self):
+        """Those that values.h takes, and in between what is only compiled."""
+        more = self.random.sample(random_names.ENUMERATORS, 4) if self.data_only else []
+        return ", ".join(["First", *more[:2], "Second = 70", *more[2:], "Third"])
 
     def owns_heap(self, struct):
         return any(field.owns_heap for field in self.structs[struct])
@@ -56,7 +71,7 @@ class Types:
         if kind == 0:
             return "bool"
         if kind == 1:
-            return self.random.choice(self.enums)
+            return self.random.choice(list(self.enums))
         if kind == 2:
             return self.random.choice(EIGEN + ["Eigen::Quaterniond", "Eigen::Isometry3d"])
         if kind == 3:
@@ -104,8 +119,7 @@ class Types:
     def some_open(self, bounds):
         return [bound | OPEN if self.open and self.random.randrange(4) == 0 else bound for bound in bounds]
 
-    def field(self, index):
-        name = f"member_{index}"
+    def field(self, name):
         if self.random.randrange(2):
             while True:
                 type_, bounds, owns = self.nested(3)
@@ -131,8 +145,8 @@ class Types:
                  "#include <cstdint>", "#include <deque>", "#include <map>", "#include <memory>", "#include <optional>",
                  "#include <set>", "#include <string>", "#include <tuple>", "#include <unordered_map>",
                  "#include <unordered_set>", "#include <utility>", "#include <variant>", "#include <vector>", "", "namespace invented {", ""]
-        for name in self.enums:
-            lines += [f"enum class SUTURE_TYPE() {name} : std::uint16_t {{ First, Second = 7, Third }};", ""]
+        for name, enumerators in self.enums.items():
+            lines += [f"enum class SUTURE_TYPE() {name} : std::uint16_t {{ {enumerators} }};", ""]
         for name, fields in self.structs.items():
             base = f" : {self.bases[name]}" if name in self.bases else ""
             lines += [f"struct SUTURE_TYPE() {name}{base} {{", *(field.declaration() for field in fields), "};", ""]
@@ -172,8 +186,8 @@ class Types:
             base = self.bases.get(name)
             lines += [f"  fill(static_cast<{base}&>(value), random);"] if base else []
             for field in fields:
-                lines.append(f"  constexpr unsigned {field.name}[] = {{{', '.join(map(str, [*field.bounds, 0]))}}};")
-                lines.append(f"  Bounds bounds_{field.name} = {field.name};")
+                lines.append(f"  constexpr unsigned limits_{field.name}[] = {{{', '.join(map(str, [*field.bounds, 0]))}}};")
+                lines.append(f"  Bounds bounds_{field.name} = limits_{field.name};")
                 lines.append(f"  fill(value.{field.name}, random, bounds_{field.name});")
             lines += ["}", f"inline bool same(const {name}& a, const {name}& b) {{", "  return true"]
             lines += [f"      && same(static_cast<const {base}&>(a), static_cast<const {base}&>(b))"] if base else []

@@ -1,4 +1,5 @@
-"""Random nested types, every row of the mapping table: generated and compiled in one batch, and values taken through them.
+"""Random nested types with the names of others, every row of the mapping table: generated and compiled in one batch, by
+two compilers, and values taken through them.
 
   random_types_test.py --suture BUILD [--seed N] [--keep DIR]
 """
@@ -9,20 +10,22 @@ import shutil
 import sys
 
 import random_contract
+import random_names
 import random_types
 
 COUNT = 12  # structs
 
 
 def declarations(name):
-    return (f"void toWire(const {name}Slot&, wire::{name}::Builder);\n"
-            f"suture::Errc fromWire(wire::{name}::Reader, {name}Slot&, suture::Duration);\n"
+    wire = random_names.TYPES[name]
+    return (f"void toWire(const {name}Slot&, wire::{wire}::Builder);\n"
+            f"suture::Errc fromWire(wire::{wire}::Reader, {name}Slot&, suture::Duration);\n"
             f"bool isValid(const {name}Slot&, suture::FieldPath* = nullptr);\n")
 
 
 def check(types, name):
     """The lines that check one struct, and each of its members that has a bound once too long."""
-    lines = ["  {", f'    RoundTrip<{name}, {name}Slot, wire::{name}> trip("{name}");',
+    lines = ["  {", f'    RoundTrip<{name}, {name}Slot, wire::{random_names.TYPES[name]}> trip("{name}");',
              f"    checkAll(trip, random, {name}());"]
     for field in types.structs[name]:
         if field.bounds:
@@ -54,8 +57,11 @@ def main():
         (folder / "main.cpp").write_text(program(types, options.seed))
         (folder / "invented.h").write_text(types.header())
         (folder / "invented_values.h").write_text(types.values())
-        random_contract.build(folder, options.suture.resolve())
-        random_contract.run([folder / "build" / "invented"], timeout=300)
+        # The second compiler finds the lock as the first has left it.
+        for compiler in ("g++", "clang++-19"):
+            random_contract.build(folder, options.suture.resolve(), compiler)
+            random_contract.run([folder / "build" / "invented"], timeout=300)
+            shutil.rmtree(folder / "build")
 
 
 if __name__ == "__main__":
