@@ -8,10 +8,11 @@ PLAIN = ["Client", "Server", "Slot", "Wire", "Value", "Which", "Union", "Group",
 TYPES = {**{name: name + "Type" for name in ESCAPED}, **{name: name for name in PLAIN}}
 
 # Of members: all are distinct on the wire, where `foo_bar` is `fooBar`.
+# Not `base`: in a struct with a base class it is refused as a clash on the wire, not escaped.
 MEMBERS = ["text", "list", "data", "reader", "builder", "group", "which", "stamp", "sent", "get", "set", "has", "init",
            "adopt", "disown", "value", "self", "slot", "wire", "name", "eof", "emit", "id", "type", "suture", "kj",
            "capnp", "in", "out", "result", "arguments", "count", "size", "begin", "end", "index", "path", "some", "none",
-           "item0", "item1", "key", "entry", "element", "error", "base", "root", "message", "import_", "struct_", "interface",
+           "item0", "item1", "key", "entry", "element", "error", "root", "message", "import_", "struct_", "interface",
            "annotation", "const_", "using_", "void_", "fooBar", "text_value", "valueText", "store", "load", "reserve",
            "to_wire", "from_wire", "isValid", "other", "i", "n", "it", "maxAge", "as", "of", "from", "with", "now"]
 # Not `first`: beside `First` it is refused as a clash on the wire, not escaped.
