@@ -17,7 +17,7 @@ struct Output {
   const char* use;     ///< what a build does with it: "include", "compile", or only "read"
 };
 
-/// What is generated from the model's own headers: for each header, all of outputs() in that order.
+/// Generates the files of the model's own headers: for each header, all of outputs() in that order.
 /// Foreign headers (own = false) serve as declarations only. The model must have passed check/ and
 /// lock::check: nothing is verified again here. Equal input gives equal bytes.
 std::vector<Artefact> emit(const model::Model& model, const lock::Locks& locks);

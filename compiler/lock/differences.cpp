@@ -95,16 +95,8 @@ class Comparison {
 
   void addEnumerators(const Node& old, const Node& now) {
     for (std::size_t i = 0; i < std::min(old.members.size(), now.members.size()); ++i) {
-      enumerators_[now.name].emplace(old.members[i].name, now.members[i].name);
+      enumerators_.add(now.name, old.members[i].name, now.members[i].name);
     }
-  }
-
-  /// The default of before by the names of now.
-  std::string defaultOf(const Member& old, const std::string& type) const {
-    const auto names = enumerators_.find(type);
-    if (names == enumerators_.end()) return old.defaultValue;
-    const auto renamed = names->second.find(old.defaultValue);
-    return renamed == names->second.end() ? old.defaultValue : renamed->second;
   }
 
   void compare(const Node& old, const Node* now) {
@@ -210,7 +202,7 @@ class Comparison {
           " is called '" + member.name + "' now");
     }
     const bool same = compareMeaning(before, now, old, member, subject, "");
-    if (same && member.defaultValue != defaultOf(old, member.type)) {
+    if (same && member.defaultValue != enumerators_.apply(member.type, old.defaultValue)) {
       add(Change::Identity, Effect::Break, before, now, subject,
           ": default " + shown(member.defaultValue, "zero") + " instead of " +
               shown(old.defaultValue, "zero"));
@@ -320,7 +312,7 @@ class Comparison {
 
   std::vector<Difference> found_;
   Renames renames_;
-  std::map<std::string, std::map<std::string, std::string>> enumerators_;  // by enum: old and now
+  EnumeratorNames enumerators_;
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// Two versions of a schema, told apart: the one place that judges an edit. A build, `--update-lock`
-// and `suturec diff` say what stands here.
+// This tells two versions of a schema apart, and is the only place that judges an edit: a build,
+// `--update-lock` and `suturec diff` say what stands here.
 
 #include <string>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace suture::compiler::lock {
 
-/// What peers of the two versions meet.
+/// Says what peers of the two versions meet.
 enum class Effect {
   None,      ///< nothing: they understand each other
   Refusals,  ///< they understand each other, and refuse some values
   Break      ///< they misread or miss something
 };
 
-/// What kind of thing an edit has changed.
+/// Says what kind of thing an edit has changed.
 enum class Change {
   New,
   Removed,
@@ -33,7 +33,7 @@ enum class Change {
   Identity  ///< what no header can cause: a place, an id or a major is another
 };
 
-/// Where a schema says it; null where it says nothing.
+/// Points to where a schema says it; null where it says nothing.
 struct LockPlace {
   const Node* node = nullptr;
   const Member* member = nullptr;

@@ -39,11 +39,6 @@ class Merger {
   }
 
  private:
-  struct Enumerators {
-    std::string zero;                        // the one whose ordinal is 0, as it is called now
-    std::map<std::string, std::string> now;  // those of the lock
-  };
-
   void match(std::size_t old, std::size_t now) {
     matches_[old] = now;
     matched_[now] = old;
@@ -114,8 +109,8 @@ class Merger {
   void addEnumerators(std::size_t now) {
     const WantedNode& wanted = wanted_[now];
     if (wanted.node.kind != Node::Kind::Enum || wanted.members.empty()) return;
-    Enumerators& names = enumerators_[wanted.node.name];
-    names.zero = wanted.members.front().member.name;
+    std::string& zero = zeros_[wanted.node.name];
+    zero = wanted.members.front().member.name;
     const auto same = matched_.find(now);
     if (same == matched_.end()) return;
     const Node& locked = old_.nodes[same->second];
@@ -123,26 +118,16 @@ class Merger {
       const std::size_t i = find(wanted, locked, member);
       const std::string name =
           i == wanted.members.size() ? placeholder(member).name : wanted.members[i].member.name;
-      if (member.ordinal == 0) names.zero = name;
-      names.now.emplace(member.name, name);
+      if (member.ordinal == 0) zero = name;
+      enumerators_.add(wanted.node.name, member.name, name);
     }
   }
 
   /// The default of a field whose enum this lock has is none where it is the zero of the wire.
   Member withDefault(Member member) const {
-    const auto type = enumerators_.find(member.type);
-    if (type != enumerators_.end() && member.defaultValue == type->second.zero) {
-      member.defaultValue.clear();
-    }
+    const auto zero = zeros_.find(member.type);
+    if (zero != zeros_.end() && member.defaultValue == zero->second) member.defaultValue.clear();
     return member;
-  }
-
-  /// The same default as the lock has it, by the names of now.
-  std::string lockedDefault(const Member& locked, const std::string& type) const {
-    const auto names = enumerators_.find(type);
-    if (names == enumerators_.end()) return locked.defaultValue;
-    const auto renamed = names->second.now.find(locked.defaultValue);
-    return renamed == names->second.now.end() ? locked.defaultValue : renamed->second;
   }
 
   static void append(Node& node, Member member) {
@@ -209,7 +194,8 @@ class Merger {
 
   Member merged(const Member& wanted, const Member& locked) const {
     Member member = withDefault(wanted);
-    if (means(locked, member)) freezeDefault(member, lockedDefault(locked, member.type));
+    if (means(locked, member))
+      freezeDefault(member, enumerators_.apply(member.type, locked.defaultValue));
     if (member.isMethod) {
       member.parameters = merged(member.parameters, locked.parameters);
       member.results = merged(member.results, locked.results);
@@ -262,7 +248,9 @@ class Merger {
   std::map<std::size_t, std::size_t> matches_;  // nodes of the lock to those of the header
   std::map<std::size_t, std::size_t> matched_;  // the other way round
   Renames renames_;
-  std::map<std::string, Enumerators> enumerators_;  // by the names of enums
+  EnumeratorNames enumerators_;
+  // By the names of enums: the enumerator whose ordinal is 0, as it is called now.
+  std::map<std::string, std::string> zeros_;
 };
 
 }  // namespace

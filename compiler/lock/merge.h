@@ -1,6 +1,6 @@
 #pragma once
-// Header and lock brought together: what is the lock to become? It judges nothing: differences.h
-// does, of the lock of before and this one.
+// This brings header and lock together into the lock as it should become. It judges nothing, since
+// differences.h compares the lock of before with this one.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// What a user is told of an edit, at the line of the header that makes it.
+// This tells the user of each edit, at the line of the header that makes it.
 
 #include <set>
 #include <string>

@@ -16,7 +16,7 @@ std::string call(const model::Command& command) {
   return "implementation." + command.name + "(" + arguments + ")";
 }
 
-/// What a command's function needs, in the words of its declaration or of its call.
+/// Holds what a command's function needs, in the words of its declaration or of its call.
 struct Needs {
   std::string implementation, scratch, arguments, result;
 };

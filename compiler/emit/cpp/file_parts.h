@@ -1,5 +1,5 @@
 #pragma once
-// What the header and the source that are generated have in common.
+// The generated header and the generated source share these parts.
 
 #include <initializer_list>
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace suture::compiler::emit {
 
-/// What every emitter of contracts does for each contract of the header.
+/// Calls `part`, an emitter of contracts, for each contract of the header.
 template <class Part>
 void forEachInterface(Code& code, const Context& context, const Part& part) {
   for (const model::Interface& one : context.header.interfaces) part(code, context, one);
 }
 
-/// What `emitParts` writes, in namespace `name`; nothing at all when it writes nothing.
+/// Puts what `emitParts` writes into namespace `name`, and emits nothing if it writes nothing.
 template <class EmitParts>
 void inNamespace(Code& code, const std::string& name, const EmitParts& emitParts) {
   Code inner;

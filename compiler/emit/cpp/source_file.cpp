@@ -13,7 +13,7 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// What `emitParts` writes, in the unnamed namespace; nothing at all when it writes nothing.
+/// Puts what `emitParts` writes into the unnamed namespace, and emits nothing if it writes nothing.
 template <class EmitParts>
 void hidden(Code& code, const EmitParts& emitParts) {
   Code inner;

@@ -1,5 +1,6 @@
 #pragma once
-// Types are known by name within a schema; between two versions of it some are called otherwise.
+// Types and enumerators are known by name within a schema; two versions of it may call one
+// otherwise.
 
 #include <algorithm>
 #include <map>
@@ -22,6 +23,25 @@ class Renames {
 
  private:
   std::map<std::string, std::string> names_;
+};
+
+class EnumeratorNames {
+ public:
+  /// `type` is the enum's name in the new version.
+  void add(const std::string& type, const std::string& before, const std::string& now) {
+    names_[type][before] = now;
+  }
+
+  /// Returns the default of a field of that type as the new version spells it.
+  std::string apply(const std::string& type, const std::string& before) const {
+    const auto names = names_.find(type);
+    if (names == names_.end()) return before;
+    const auto renamed = names->second.find(before);
+    return renamed == names->second.end() ? before : renamed->second;
+  }
+
+ private:
+  std::map<std::string, std::map<std::string, std::string>> names_;
 };
 
 }  // namespace suture::compiler::lock
