@@ -8,9 +8,22 @@
 namespace suture::compiler::check {
 namespace {
 
-// SI and what robots use beside it, spelled as in UCUM: '.' multiplies, '/' divides, digits are
-// powers.
-constexpr std::array<std::string_view, 73> kUnits{
+using std::string_view;
+
+// Spelled as in UCUM: '.' multiplies, '/' divides the next factor, digits are powers.
+
+// Take a prefix: SI, with what CRTK, ROS REP-103 and OpenIGTLink use of it.
+constexpr std::array<string_view, 32> kMetric{
+    "m", "g", "s", "A", "K",   "mol", "cd", "rad", "sr", "Hz", "N",  "Pa", "J", "W", "C",   "V",
+    "F", "H", "T", "S", "Ohm", "Wb",  "lm", "lx",  "Bq", "Gy", "Sv", "l",  "L", "B", "bar", "eV"};
+// Take none.
+constexpr std::array<string_view, 12> kPlain{"1",   "%",    "min", "h",  "d",   "deg",
+                                             "Cel", "degC", "rev", "px", "bit", "count"};
+constexpr std::array<string_view, 11> kPrefixes{"p", "n", "u", "m", "c", "d",
+                                                "h", "k", "M", "G", "T"};
+
+// What a wrong spelling is likely to mean.
+constexpr std::array<string_view, 73> kCommon{
     "1",       "%",     "m",         "mm",     "um",     "nm",     "km",  "m2",    "mm2",  "m3",
     "mm3",     "l",     "ml",        "rad",    "mrad",   "deg",    "sr",  "s",     "ms",   "us",
     "ns",      "min",   "h",         "Hz",     "kHz",    "MHz",    "m/s", "mm/s",  "m/s2", "mm/s2",
@@ -20,14 +33,41 @@ constexpr std::array<std::string_view, 73> kUnits{
     "V",       "mV",    "A",         "mA",     "Ohm",    "F",      "H",   "T",     "K",    "Cel",
     "px",      "B",     "bit"};
 
+template <std::size_t n>
+bool has(const std::array<string_view, n>& units, string_view symbol) {
+  return std::find(units.begin(), units.end(), symbol) != units.end();
+}
+
+bool isUnit(string_view symbol) {
+  return has(kPlain, symbol) || has(kMetric, symbol) ||
+         std::any_of(kPrefixes.begin(), kPrefixes.end(), [&](string_view prefix) {
+           return symbol.starts_with(prefix) && has(kMetric, symbol.substr(prefix.size()));
+         });
+}
+
+/// A unit, which may have a power: "m", "m2", "s-1".
+bool isFactor(string_view text) {
+  if (isUnit(text)) return true;
+  const std::size_t sign = text.find_last_not_of("123456789");
+  if (sign == string_view::npos || text.size() - sign != 2) return false;
+  const bool isNegative = text[sign] == '-';
+  if (!isNegative && text.back() == '1') return false;
+  return isUnit(text.substr(0, sign + (isNegative ? 0 : 1)));
+}
+
 }  // namespace
 
 bool isKnownUnit(std::string_view symbol) {
-  return std::find(kUnits.begin(), kUnits.end(), symbol) != kUnits.end();
+  for (;;) {
+    const std::size_t end = symbol.find_first_of("./");
+    if (!isFactor(symbol.substr(0, end))) return false;
+    if (end == symbol.npos) return true;
+    symbol.remove_prefix(end + 1);
+  }
 }
 
 std::string nearestUnit(std::string_view symbol) {
-  return std::string(model::nearest(symbol, kUnits));
+  return std::string(model::nearest(symbol, kCommon));
 }
 
 }  // namespace suture::compiler::check

@@ -1,14 +1,15 @@
 #pragma once
-// The closed table of units.
+// The units that an annotation may give, spelled as in UCUM.
 
 #include <string>
 #include <string_view>
 
 namespace suture::compiler::check {
 
+/// Returns true for products and quotients of known units with SI prefixes: "kg.m2/s".
 bool isKnownUnit(std::string_view symbol);
 
-/// The known unit that is spelled most like it.
+/// Returns the unit in common use that is spelled most like it.
 std::string nearestUnit(std::string_view symbol);
 
 }  // namespace suture::compiler::check

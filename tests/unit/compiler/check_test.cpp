@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "compiler/check/units.h"
 #include "samples.h"
 
 namespace suture::compiler::check::samples {
@@ -101,6 +102,17 @@ TEST(Check, UnknownUnitNamesTheNearest) {
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].slug, "unknown-unit");
   EXPECT_EQ(findings[0].help, "did you mean 'm/s'?");
+}
+
+TEST(Check, UnitsAreComposed) {
+  for (const char* const unit :
+       {"degC", "hPa", "mbar", "N.mm", "kg.m2/s", "W/m2", "uV/Hz", "s-1", "mol", "lx", "1/min"}) {
+    EXPECT_TRUE(isKnownUnit(unit)) << unit;
+  }
+  for (const char* const unit : {"Nm", "", "m/", ".m", "m//s", "m^2", "m22", "m1", "2", "-", "mdeg",
+                                 "kmin", "m-", "meter"}) {
+    EXPECT_FALSE(isKnownUnit(unit)) << unit;
+  }
 }
 
 TEST(Check, UnitsAndRangesEverywhere) {
