@@ -1,5 +1,7 @@
 #include "cli/peer/names.h"
 #include <suture/names/listing.h>
+#include <suture/names/start_hint.h>
+#include <suture/net/secure.h>
 #include <suture/net/tls/keys.h>
 #include "cli/peer/wait.h"
 
@@ -19,11 +21,12 @@ std::vector<rpc::Address> addressesOf(const std::string& text) {
 /// If it fails, says also how to start a manager there.
 kj::Own<rpc::Link> reachManager(rpc::EventPort& loop, const rpc::Address& address,
                                 const Options& options) {
+  rpc::requireKeys(address, options.trust);  // no manager helps where we have none
   try {
     return cli::reach(loop, address, options.trust, tls::kManagerName, options.patience);
   } catch (const SetupError& error) {
-    throw SetupError(std::string("reach the global manager: ") + error.what() +
-                     " Start it with: suture-manager --listen " + address.text());
+    throw SetupError(std::string("reach the global manager: ") + error.what() + " " +
+                     howToStartManager(address));
   }
 }
 

@@ -1,5 +1,6 @@
 #include <suture/loop/deadline.h>
 #include <suture/names/manager_link.h>
+#include <suture/names/start_hint.h>
 
 #include <algorithm>
 #include <optional>
@@ -11,10 +12,6 @@ using Type = kj::Exception::Type;
 
 // Is the pause between two attempts while no manager answers.
 constexpr Duration kPause = std::chrono::milliseconds(50);
-
-const char* keysFor(const rpc::Address& address) {
-  return address.kind == rpc::Address::Kind::Tls ? " --keys FOLDER" : "";
-}
 
 }  // namespace
 
@@ -74,8 +71,8 @@ kj::Exception ManagerLink::notOpen(const Failures& failures) const {
   const kj::Exception& first = *failures.all.front();
   if (first.getType() != Type::DISCONNECTED) return kj::cp(first);
   const rpc::Address& address = leases_.front()->address();
-  std::string text = "reach the global manager: " + rpc::describe(first) +
-                     " Start it with: suture-manager --listen " + address.text() + keysFor(address);
+  std::string text =
+      "reach the global manager: " + rpc::describe(first) + " " + howToStartManager(address);
   if (leases_.size() > 1) text += ". None of " + missing() + " answers";
   return rpc::failure(Type::FAILED, text);
 }
