@@ -202,7 +202,8 @@ void fill(capnp::DynamicStruct::Builder out, const Json& json, const std::string
     const std::string name = nameOf(field);
     if (!json.contains(name)) {
       refuse(under(path, name), "it is not given",
-             "Give all of " + listNames(names) + "; nothing is filled in");
+             (names.size() > 1 ? "Give all of " : "Give ") + listNames(names) +
+                 "; nothing is filled in");
     }
     setValue(FieldPlace{out, field}, json[name], under(path, name));
   }
