@@ -282,7 +282,9 @@ std::vector<Trouble> Host::connectionTroubles() const {
         found.push_back({subject, lossText(whyLost, channel->name()), true, true});
         break;
       case ChannelStatus::Faulted:
-        found.push_back({subject, "is useless: its provider's code threw", true, true});
+        found.push_back({subject,
+                         "brings nothing until its provider is restarted, whose code threw", true,
+                         true});
         break;
       case ChannelStatus::Connected:
       case ChannelStatus::Lapsed:  // the client's process tells of it
