@@ -23,15 +23,15 @@ constexpr std::array<string_view, 11> kPrefixes{"p", "n", "u", "m", "c", "d",
                                                 "h", "k", "M", "G", "T"};
 
 // What a wrong spelling is likely to mean.
-constexpr std::array<string_view, 73> kCommon{
-    "1",       "%",     "m",         "mm",     "um",     "nm",     "km",  "m2",    "mm2",  "m3",
-    "mm3",     "l",     "ml",        "rad",    "mrad",   "deg",    "sr",  "s",     "ms",   "us",
-    "ns",      "min",   "h",         "Hz",     "kHz",    "MHz",    "m/s", "mm/s",  "m/s2", "mm/s2",
-    "m/s3",    "rad/s", "deg/s",     "rad/s2", "deg/s2", "rad/s3", "1/s", "1/min", "kg",   "g",
-    "mg",      "kg.m2", "kg/m3",     "N",      "mN",     "kN",     "N.m", "mN.m",  "N/m",  "N/mm",
-    "N.m/rad", "N.s/m", "N.m.s/rad", "Pa",     "kPa",    "MPa",    "bar", "J",     "W",    "kW",
-    "V",       "mV",    "A",         "mA",     "Ohm",    "F",      "H",   "T",     "K",    "Cel",
-    "px",      "B",     "bit"};
+constexpr std::array<string_view, 74> kCommon{
+    "1",     "%",       "m",     "mm",        "um",     "nm",     "km",     "m2",   "mm2",   "m3",
+    "mm3",   "l",       "ml",    "rad",       "mrad",   "deg",    "sr",     "s",    "ms",    "us",
+    "ns",    "min",     "h",     "Hz",        "kHz",    "MHz",    "m/s",    "km/h", "mm/s",  "m/s2",
+    "mm/s2", "m/s3",    "rad/s", "deg/s",     "rad/s2", "deg/s2", "rad/s3", "1/s",  "1/min", "kg",
+    "g",     "mg",      "kg.m2", "kg/m3",     "N",      "mN",     "kN",     "N.m",  "mN.m",  "N/m",
+    "N/mm",  "N.m/rad", "N.s/m", "N.m.s/rad", "Pa",     "kPa",    "MPa",    "bar",  "J",     "W",
+    "kW",    "V",       "mV",    "A",         "mA",     "Ohm",    "F",      "H",    "T",     "K",
+    "Cel",   "px",      "B",     "bit"};
 
 template <std::size_t n>
 bool has(const std::array<string_view, n>& units, string_view symbol) {
