@@ -114,18 +114,21 @@ std::unique_ptr<Component> Host::create(const ComponentEntry& entry,
   std::vector<JsonProblem> parameterProblems;
   const JsonReader parameters(entry.parameters, entry.pointer + "/parameters", parameterProblems);
   std::unique_ptr<Component> component;
+  std::string thrown;
   try {
     component = create(parameters);
   } catch (const std::exception& error) {
-    problems.push_back(document.locate(entry.pointer, "component '" + entry.name + "' of class '" +
-                                                          entry.className +
-                                                          "' cannot be created: " + error.what()));
+    thrown = document.locate(entry.pointer, "component '" + entry.name + "' of class '" +
+                                                entry.className +
+                                                "' cannot be created: " + error.what());
   }
+  // These come first: a key that is spelled wrongly is often why the constructor throws.
   for (const JsonProblem& problem : parameterProblems) {
     problems.push_back(document.locate(
         problem.pointer,
         "parameters of '" + entry.name + "' (" + entry.className + "): " + problem.text));
   }
+  if (!thrown.empty()) problems.push_back(thrown);
   return component;
 }
 
@@ -226,6 +229,12 @@ void Host::start() {
       throw DocumentError({deployment_.document().locate(connection.pointer, error.what())});
     }
   }
+}
+
+std::vector<std::string> Host::componentNames() const {
+  std::vector<std::string> names;
+  for (const ComponentEntry& entry : process_.components) names.push_back(entry.name);
+  return names;
 }
 
 void Host::listenToMessages() {

@@ -56,6 +56,8 @@ class Host {
   void giveUp() { manager_->giveUp(); }
 
   const Manager& manager() const { return *manager_; }
+  /// Returns the names of the components, in the order of the file.
+  std::vector<std::string> componentNames() const;
 
   /// Returns connections whose far end is gone, components that are faulted for good, and a global
   /// manager that does not answer. What has recovered is missing at the next call.

@@ -80,11 +80,13 @@ class Run {
         reports_(descriptorFrom(options.reportTo), options.reportForm == "text"
                                                        ? ReportWriter::Form::Text
                                                        : ReportWriter::Form::Json),
+        toldByReports_(!options.reportTo.empty()),
         interval_(fromSeconds(options.reportInterval)),
         end_(options.seconds > 0 ? began_ + fromSeconds(options.seconds) : Time::max()) {}
 
   int untilEnd() {
     reports_.started();
+    if (!toldByReports_) tell("runs " + listNames(host_.componentNames()));
     Time reportDue = began_ + interval_;
     while (now() < end_) {
       if (signals_.endBefore(std::min({reportDue, end_, now() + kWatchInterval}))) break;
@@ -141,6 +143,7 @@ class Run {
   Host& host_;
   const SignalWait& signals_;
   ReportWriter reports_;
+  const bool toldByReports_;
   const Duration interval_;
   const Time began_ = now();
   const Time end_;

@@ -4,12 +4,14 @@
 #include <suture/names/describe.h>
 #include <suture/names/manager_link.h>
 #include <suture/names/peer_address.h>
+#include <suture/names/start_hint.h>
 #include <suture/session/client/remote_connection.h>
 #include <suture/session/network.h>
 #include <suture/session/provider/peer_host.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <mutex>
 #include <random>
 
@@ -27,6 +29,13 @@ auto run(rpc::ControlThread& control, Duration deadline, Work work) {
 }
 
 constexpr Duration kLocalWork = std::chrono::seconds(10);
+// A start that takes longer than this says what it waits for.
+constexpr Duration kLongWait = std::chrono::seconds(1);
+
+std::string atMost(Duration patience) {
+  const auto seconds = std::chrono::ceil<std::chrono::seconds>(patience).count();
+  return "for at most " + std::to_string(seconds) + " s";
+}
 
 std::string hostName() {
   char name[256] = "";
@@ -104,8 +113,11 @@ class Network::Impl {
       connection = std::make_unique<RemoteConnection>(
           control_, *sessions_, lanes_, required, from, to, options, listener, delays, watch,
           ledgerOf(from.toString() + " -> " + to.toString()));
+      const std::string waits = "'" + name + "' waits for '" + to.toString() + "' " +
+                                atMost(options.patience) + ". Start process '" + to.process +
+                                "' if it does not run";
       // Forget what could not be connected, because it may be gone before this is.
-      return connection->open()
+      return tellIfLong(connection->open(), waits)
           .exclusiveJoin(untilGivenUp())
           .catch_([this, name](kj::Exception&& failure) {
             connections_.erase(name);
@@ -173,8 +185,10 @@ class Network::Impl {
         std::make_unique<ManagerLink>(control_, managers_, directory_.process(), security_.trust());
     sessions_ = std::make_unique<Sessions>(control_, *link_, lanes_,
                                            SessionIdentity{directory_.process(), incarnation_});
-    return link_->open(patience).then(
-        [this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
+    const std::string waits = "waits for a global manager " + atMost(patience) + ". " +
+                              howToStartManager(managers_.front());
+    return tellIfLong(link_->open(patience), waits)
+        .then([this, serverOf = std::move(serverOf), taskOf = std::move(taskOf)]() mutable {
           host_ = std::make_unique<PeerHost>(
               control_, lanes_, directory_, std::move(serverOf), std::move(taskOf),
               peerAddress(*link_, directory_.process()), security_, incarnation_);
@@ -185,6 +199,16 @@ class Network::Impl {
                                .components = {},
                                .generation = 0});
         });
+  }
+
+  kj::Promise<void> tellIfLong(kj::Promise<void> awaited, const std::string& what) {
+    auto telling = control_.timer()
+                       .afterDelay(rpc::toKj(kLongWait))
+                       .then([line = directory_.process() + ": " + what] {
+                         std::fprintf(stderr, "%s\n", line.c_str());
+                       })
+                       .eagerlyEvaluate(nullptr);
+    return awaited.attach(kj::mv(telling));
   }
 
   // A connection that is taken down and made again keeps its ledger.

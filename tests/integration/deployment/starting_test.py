@@ -1,0 +1,61 @@
+"""Workstations say what they wait for, and that they run."""
+
+import os
+import pathlib
+import unittest
+
+from stations import Stations, component
+
+
+class Starting(Stations):
+    def two(self, manager):
+        """A hand that turns the platter of another process."""
+        return {"manager": manager,
+                "processes": [{"name": "here", "components": [component("Hand", "Hand")]},
+                              {"name": "there", "components": [component("Platter", "Platter", angle=0)]}],
+                "connections": [{"from": "here:Hand/Turntable", "to": "there:Platter/Turntable"}]}
+
+    def test_a_wait_for_a_manager_is_told_with_the_remedy(self):
+        address = f"unix:{self.folder}/manager.sock"
+        station = self.workstation(self.two(address), "--process", "there")
+        self.assertEqual(station.stderr.readline(), "there: waits for a global manager for at most 10 s. "
+                                                    f"Start it with: suture-manager --listen {address}\n")
+        self.manager(address)
+        self.assertEqual(station.stderr.readline(), "there: runs 'Platter'\n")
+
+    def test_a_wait_for_a_provider_names_its_process(self):
+        address = f"unix:{self.folder}/manager.sock"
+        self.manager(address)
+        deployment = self.two(address)
+        hand = self.workstation(deployment, "--process", "here")
+        self.assertEqual(hand.stderr.readline(), "here: 'Hand/Turntable' waits for 'there:Platter/Turntable' for at most "
+                                                 "10 s. Start process 'there' if it does not run\n")
+        platter = self.workstation(deployment, "--process", "there")
+        self.assertEqual(hand.stderr.readline(), "here: runs 'Hand'\n")
+        self.assertEqual(platter.stderr.readline(), "there: runs 'Platter'\n")
+
+    def test_who_reads_reports_is_told_there(self):
+        station = self.workstation({"processes": [{"name": "one", "components": []}]},
+                                   "--report-fd", "-", "--report-form", "text", "--seconds", "0.1")
+        told, problems = station.communicate(timeout=60)
+        self.assertTrue(told.startswith("started\n"), told)
+        self.assertEqual(problems, "")
+
+    def test_sockets_are_found_from_any_folder(self):
+        self.manager(f"unix:{self.folder}/manager.sock")
+        deployment = self.two("unix:manager.sock")
+        relative = pathlib.Path(os.path.relpath(self.folder, "/"))
+        hand = self.workstation(deployment, "--process", "here", cwd=self.folder)
+        platter = self.start(hand.args[0], "--deployment", relative / "d.json", "--process", "there", cwd="/")
+        for station, name in ((hand, "Hand"), (platter, "Platter")):
+            self.await_line(station, f"runs '{name}'\n")
+
+    def await_line(self, station, end):
+        for line in station.stderr:
+            if line.endswith(end):
+                return
+        self.fail(f"it ended before it said {end}")
+
+
+if __name__ == "__main__":
+    unittest.main()
