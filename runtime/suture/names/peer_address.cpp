@@ -55,7 +55,8 @@ void removeLeftovers(const fs::path& directory, const std::string& process) {
 rpc::Address peerAddress(const ManagerLink& link, const std::string& process) {
   const rpc::Address& manager = link.address();
   if (manager.kind != rpc::Address::Kind::Unix) return link.here();
-  const fs::path directory = fs::path(manager.path).parent_path();
+  // Peers may run in another folder, for which a relative path leads elsewhere.
+  const fs::path directory = fs::absolute(manager.path).parent_path();
   removeLeftovers(directory, process);
   return socketAt(directory / (process + "." + std::to_string(getpid()) + std::string(kEnd)));
 }

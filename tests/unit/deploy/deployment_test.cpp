@@ -52,6 +52,19 @@ void expectOnly(const std::string& text, const std::string& problem) {
   EXPECT_EQ(problemsOf(text), std::vector<std::string>{problem});
 }
 
+TEST(Deployment, SocketsCountFromTheFolderOfTheFile) {
+  const std::string relative = with("unix:/tmp/suture.sock", "unix:run/a.sock,unix:/run/b.sock");
+  const Deployment deployment(JsonDocument::parse(relative, "/home/lab/d.json"));
+  EXPECT_EQ(deployment.manager(), "unix:/home/lab/run/a.sock,unix:/run/b.sock");
+}
+
+TEST(Deployment, AddressesAreReadWithTheFile) {
+  expectOnly(with("unix:/tmp/suture.sock", "unix:/tmp/a.sock,tcp://127.0.0.1:7700"),
+             "d.json:2: error: use the address 'unix:/tmp/a.sock,tcp://127.0.0.1:7700': "
+             "'unix:/tmp/a.sock' and 'tcp://127.0.0.1:7700' differ in kind. List addresses of one "
+             "kind.");
+}
+
 TEST(Deployment, Sound) {
   const Deployment deployment(JsonDocument::parse(kSound, "d.json"));
   EXPECT_EQ(deployment.manager(), "unix:/tmp/suture.sock");

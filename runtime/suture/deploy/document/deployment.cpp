@@ -1,6 +1,7 @@
 #include <suture/base/nearest.h>
 #include <suture/deploy/document/deployment.h>
 #include <suture/deploy/document/schema_check.h>
+#include <suture/net/address.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,13 +50,28 @@ Deployment::Deployment(JsonDocument document) : document_(std::move(document)) {
     report(problem.pointer, problem.text);
   }
   if (!problems_.empty()) throw DocumentError(problems_);
-  manager_ = document_.value().value("manager", "");
+  readManager();
   readProcesses();
   readConnections();
   checkNames();
   checkSingleProviders();
   checkManager();
   if (!problems_.empty()) throw DocumentError(problems_);
+}
+
+// The path of a socket counts from the folder of the file, like all paths in it.
+void Deployment::readManager() {
+  const auto given = document_.value().find("manager");
+  if (given == document_.value().end()) return;
+  try {
+    for (rpc::Address address : rpc::parseAddresses(*given)) {
+      if (address.kind == rpc::Address::Kind::Unix) address.path = besideIt(address.path).string();
+      manager_ += (manager_.empty() ? "" : ",") + address.text();
+    }
+  } catch (const SetupError& error) {
+    report("/manager", error.what());
+    manager_ = *given;  // it is not missing
+  }
 }
 
 void Deployment::readProcesses() {

@@ -81,6 +81,7 @@ class Deployment {
   std::filesystem::path besideIt(const std::string& path) const;
 
  private:
+  void readManager();
   void readProcesses();
   ComponentEntry readComponent(const nlohmann::json& component, const std::string& pointer);
   std::optional<RestartBudget> readRestart(const nlohmann::json& component,
