@@ -12,7 +12,7 @@ int call(rpc::EventPort& loop, const Options& options) {
   if (options.json) {
     printJson(answerJson(command, provider.call(command, arguments, Labels::Names)));
   } else {
-    print(answerText(provider.call(command, arguments, Labels::Units)));
+    print(answerText(command, provider.call(command, arguments, Labels::Units)));
   }
   return 0;
 }

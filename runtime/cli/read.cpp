@@ -10,7 +10,7 @@ int read(rpc::EventPort& loop, const Options& options) {
   if (options.json) {
     printJson(answerJson(command, provider.call(command, Json::object(), Labels::Names)));
   } else {
-    print(answerText(provider.call(command, Json::object(), Labels::Units)));
+    print(answerText(command, provider.call(command, Json::object(), Labels::Units)));
   }
   return 0;
 }

@@ -32,7 +32,7 @@ class Lines {
     std::array<char, 40> time{};
     std::snprintf(time.data(), time.size(), "%9.3f s  ", elapsed);
     print(time.data() + plain(member.name) + (value.is_null() ? "" : "  " + valueLine(value)) +
-          "\n");
+          unitOf(member, value) + "\n");
   }
 
  private:

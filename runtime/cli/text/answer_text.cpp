@@ -12,8 +12,16 @@ const Member& readCommand(const Contract& contract, const std::string& name) {
                    "Run it: suture call " + contract.title() + " " + name);
 }
 
-std::string answerText(const Answer& answer) {
+std::string unitOf(const Member& member, const Json& value) {
+  if (value.is_null() || value.is_object()) return "";
+  const char* const described = member.description.contains("result") ? "result" : "payload";
+  const std::string unit = textAt(valueAt(member.description, described), "unit");
+  return unit.empty() ? "" : " " + plain(unit);
+}
+
+std::string answerText(const Member& command, const Answer& answer) {
   std::string text = answer.value.is_null() ? "done\n" : valueText(answer.value);
+  text.insert(text.size() - 1, unitOf(command, answer.value));
   if (!answer.age) return text;
   const std::string age =
       milliseconds(inMilliseconds(*answer.age)) + " old" + knownTo(answer.ageError) + "\n";
