@@ -54,13 +54,20 @@ Checklist examine(rpc::EventPort& loop, const Options& options, Names& names,
     return whereabouts(peer->process());
   });
   const bool secure = names.leadsToTls();
+  std::optional<SetupError> unproven;
   all.step("connect", "If it is gone, start it again; if it hangs, look at what it does", [&] {
-    secure ? peer->knock() : peer->dial();
+    try {
+      peer->dial();
+    } catch (const SetupError& error) {
+      if (!secure) throw;
+      peer->knock();  // throws unless something listens, and then it is the proof that fails
+      unproven = error;
+    }
     return peer->address().text();
   });
   if (secure) {
     all.step("tls", "Give both keys of one CA: `suture keys --help`", [&] {
-      peer->dial();
+      if (unproven) throw *unproven;
       return "it has the certificate of '" + target.process + "'";
     });
   } else {

@@ -20,7 +20,9 @@ class SecureSystem(System):
         self.make_keys("robot", "suture")
         manager = self.start_and_hear(MANAGER, "--listen", "tls://127.0.0.1:0", "--keys", self.keys)
         self.address = manager.split(" ready on ")[1].strip()
-        self.start(ROBOT, self.address, "robot", self.keys)
+        self.complaints = pathlib.Path(self.keys + "-complaints")
+        with self.complaints.open("w") as stderr:
+            self.start(ROBOT, self.address, "robot", self.keys, stderr=stderr)
 
     def test_keys_are_made_for_their_owner_alone(self):
         made = [pathlib.Path(file) for file in self.make_keys("robot", "suture")]
@@ -44,6 +46,7 @@ class SecureSystem(System):
         steps = {step["step"]: step for step in told["examinations"][1]["steps"]}
         self.assertEqual(steps["tls"]["state"], "ok")
         self.assertEqual(steps["tls"]["found"], "it has the certificate of 'robot'")
+        self.assertEqual(self.complaints.read_text(), "")
 
     def test_without_keys_it_says_what_to_do(self):
         self.start_system()

@@ -25,9 +25,9 @@ class System(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.address = f"unix:{folder.name}/manager.sock"
 
-    def start(self, *command, ending=signal.SIGTERM):
+    def start(self, *command, ending=signal.SIGTERM, **settings):
         """A process that says when it is ready; ended, in this order, when the test ends."""
-        process = subprocess.Popen(command, text=True, stdout=subprocess.PIPE)
+        process = subprocess.Popen(command, text=True, stdout=subprocess.PIPE, **settings)
         self.addCleanup(self.end, process, ending)
         self.heard = process.stdout.readline()
         self.assertIn("ready", self.heard)
