@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "reference/simulated_arm.suture.h"
+#include "support/contains.h"
 #include "support/eventually.h"
 #include "support/patience.h"
 #include "support/temporary_directory.h"
@@ -22,6 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::Component;
 using suture::ComponentClass;
+using suture::contains;
 using suture::Deployment;
 using suture::DocumentError;
 using suture::Host;
@@ -213,6 +215,15 @@ TEST(Host, ComponentThatRefusesToExist) {
   ASSERT_EQ(problems.size(), 1u);
   EXPECT_EQ(problems[0],
             "d.json:2: error: component 'R' of class 'Refusing' cannot be created: no such device");
+}
+
+// The constructor may have thrown because the key that it needs is spelled wrongly.
+TEST(Host, UnknownParametersComeBeforeWhatAConstructorThrew) {
+  const auto problems = problemsOf(
+      deploymentOf("{\"name\": \"R\", \"class\": \"Refusing\", \"parameters\": {\"prot\": 7}}"));
+  ASSERT_EQ(problems.size(), 2u);
+  EXPECT_TRUE(contains(problems[0], "unknown key 'prot'")) << problems[0];
+  EXPECT_TRUE(contains(problems[1], "cannot be created: no such device")) << problems[1];
 }
 
 /// A gripper that is not there.
