@@ -38,7 +38,7 @@ constexpr Verb kVerbs[] = {
     {"resume", "Lets the commands of a connection through again that await their operator", resume},
     {"watch", "Events, or a read command again and again", watch},
     {"doctor", "What works on the way to a process, and what to do where it does not", doctor},
-    {"why", "Why two interfaces connect, or do not", why},
+    {"why", "Why two interfaces connect, or do not; or what an error means", why},
     {"keys", "Makes a CA, and a certificate and a key for each process and the global manager",
      makeKeys},
 };
@@ -65,8 +65,10 @@ void addTargets(CLI::App& app, const std::string& verb, Options& options) {
   } else if (verb == "describe") {
     app.add_option("target", options.target, "process[:component[/interface]]")->required();
   } else if (verb == "why") {
-    app.add_option("one", options.target, "a required interface, as " + form)->required();
-    app.add_option("other", options.other, "a provided one, in either order")->required();
+    app.add_option("one", options.target,
+                   "a required interface, as " + form + "; or an error, by its name or text")
+        ->required();
+    app.add_option("other", options.other, "a provided one, in either order");
   } else if (verb == "read" || verb == "call") {
     app.add_option("interface", options.target, form)->required();
     app.add_option("command", options.member, "its name")->required();

@@ -1,6 +1,8 @@
+#include <suture/base/nearest.h>
 #include <suture/wiring/connect.h>
 #include <suture/wiring/frames.h>
 #include "cli/peer/lookup.h"
+#include "cli/text/error_pages.h"
 #include "cli/text/screen.h"
 #include "cli/verbs.h"
 
@@ -132,9 +134,26 @@ Json json(const End& required, const End& provided, const Verdict& verdict) {
   return json;
 }
 
+int explainError(const Options& options) {
+  const std::string_view page = errorPage(options.target);
+  if (page.empty()) {
+    std::vector<std::string> names;
+    for (const auto& [name, text] : errorPages()) names.emplace_back(name);
+    throw UsageError("explain '" + options.target + "'", "no error of a call is called so",
+                     "There are " + listNames(names) + "; or name two interfaces");
+  }
+  if (options.json) {
+    printJson({{"page", page}});
+  } else {
+    print(std::string(page));
+  }
+  return 0;
+}
+
 }  // namespace
 
 int why(rpc::EventPort& loop, const Options& options) {
+  if (options.other.empty()) return explainError(options);
   End required = endOf(loop, options, options.target);
   End provided = endOf(loop, options, options.other);
   requireTwoSides(required, provided);

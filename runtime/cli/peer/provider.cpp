@@ -16,7 +16,11 @@ std::string remedyFor(Errc error, const Target& target) {
     case Errc::Suspended: return "`suture read " + component + " component_state` tells how it is";
     case Errc::Full: return "Send less, or again when it has taken some";
     case Errc::OutcomeUnknown: return "`suture doctor " + target.toString() + "` looks for it";
-    default: return "`suture describe " + target.toString() + "` tells what it takes and answers";
+    case Errc::TooLarge:
+    case Errc::Invalid:
+    case Errc::NotImplemented:
+      return "`suture describe " + target.toString() + "` tells what it takes and answers";
+    default: return std::string("`suture why \"") + toString(error) + "\"` explains it";
   }
 }
 

@@ -158,6 +158,12 @@ class Inspect(System):
         self.assertRegex(done.stdout, r"""\n    'speed' of 'setSpeed' of interface Arm: Float64 unit "m/s" here, Float32 unit "m/s" there\n""")
         self.assertIn("Build both sides from the same header.\n", done.stdout)
 
+    def test_why_explains_an_error(self):
+        done = self.run_without_manager("why", "NotYet")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertTrue(done.stdout.startswith("# not produced yet: `Errc::NotYet`\n"), done.stdout)
+        self.assertIn("'not-yet'", self.refused("why", "NotJet", status=2))
+
     def test_why_needs_two_sides(self):
         self.start_robot()
         self.assertIn("each of them requires its contract", self.refused("why", "robot:Surgeon/Arm", "robot:Surgeon/Names"))

@@ -1,0 +1,17 @@
+#pragma once
+// These are the pages of docs/errors, which the build puts into `suture`.
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace suture::cli {
+
+/// Returns the text of each page, by its name: "not-yet". The build writes this function.
+const std::map<std::string_view, std::string_view>& errorPages();
+
+/// Returns the page of an error, or "". `words` are its name ("NotYet"), that of its page
+/// ("not-yet"), its text ("not produced yet"), or a message that has this text.
+std::string_view errorPage(const std::string& words);
+
+}  // namespace suture::cli
