@@ -3,7 +3,9 @@
 #include <clang/AST/CXXInheritance.h>
 #include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
+#include <llvm/Support/Path.h>
 
+#include "compiler/frontend/ast/generated_headers.h"
 #include "compiler/frontend/ast/names.h"
 #include "compiler/frontend/types/type_mapper.h"
 
@@ -59,21 +61,36 @@ const clang::ClassTemplateSpecializationDecl* instanceOf(const clang::FieldDecl*
       field->getType().getCanonicalType()->getAsCXXRecordDecl());
 }
 
-/// Reports a contract of the same header: what is generated for it comes behind that header.
+/// Reports a contract whose Required<> and Provided<> this header does not see: they are declared
+/// behind the header of the contract, in what is generated from it.
 void checkHome(const clang::FieldDecl* field, const clang::CXXRecordDecl* contract,
                Mapping& mapping) {
   const clang::SourceManager& sources = mapping.sources();
   const auto fileOf = [&](const clang::Decl* declaration) {
-    return sources.getFileID(sources.getExpansionLoc(declaration->getLocation()));
+    return sources.getFileEntryRefForID(
+        sources.getFileID(sources.getExpansionLoc(declaration->getLocation())));
   };
-  if (fileOf(field) != fileOf(contract)) return;
-  mapping
-      .error(field, "contract-in-same-header",
-             "contract '" + contract->getNameAsString() + "' of " + quoted(field) +
-                 " is declared in the same header, before its " +
-                 instanceOf(field)->getNameAsString() + "<> can be generated",
-             "move the contract into a header of its own, and include that one's .suture.h here")
-      .notes.push_back({mapping.sourceOf(contract), "it is declared here"});
+  const auto here = fileOf(field), home = fileOf(contract);
+  if (!here || !home) return;
+  const std::string name = "contract '" + contract->getNameAsString() + "'";
+  model::Note declared{mapping.sourceOf(contract), "it is declared here"};
+  if (*here == *home) {
+    mapping
+        .error(field, "contract-in-same-header",
+               name + " of " + quoted(field) + " is declared in the same header, before its " +
+                   instanceOf(field)->getNameAsString() + "<> can be generated",
+               "move the contract into a header of its own, and include that one's .suture.h here")
+        .notes.push_back(std::move(declared));
+  } else if (!mapping.includes().throughGenerated(*here, *home)) {
+    const llvm::StringRef file = llvm::sys::path::filename(home->getName());
+    mapping
+        .error(field, "forgotten-include",
+               quoted(field) + " needs what is generated for " + name +
+                   ", and this header does not include it",
+               "include '" + generatedHeaderOf(file) + "' in place of '" + file.str() +
+                   "', which it includes")
+        .notes.push_back(std::move(declared));
+  }
 }
 
 std::optional<model::Port> mapPort(const clang::FieldDecl* field, Mapping& mapping) {

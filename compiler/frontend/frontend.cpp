@@ -21,7 +21,8 @@ class Frontend::Implementation {
                         compiler.getPreprocessor().getHeaderSearchInfo(), request_.baseDirectory);
     for (const std::string& header : request_.headers) headers.addOwn(header);
     model::Diagnostics findings;
-    model_ = mapUnit(compiler.getSema(), headers, table_, unit_.annotationUses(), findings);
+    model_ = mapUnit(compiler.getSema(), unit_.includes(), headers, table_, unit_.annotationUses(),
+                     findings);
     return report(findings);
   }
 

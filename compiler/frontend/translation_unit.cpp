@@ -113,6 +113,7 @@ bool TranslationUnit::parse() {
   if (!begun_) return false;
   guardIncludes(compiler_.getPreprocessor(), request_.targetName);
   annotationUses_.watch(compiler_.getPreprocessor());
+  includes_.watch(compiler_.getPreprocessor());
   if (llvm::Error error = action_->Execute()) {
     llvm::errs() << "suturec: " << llvm::toString(std::move(error)) << "\n";
     return false;

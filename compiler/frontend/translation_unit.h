@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/frontend/ast/annotation_uses.h"
+#include "compiler/frontend/ast/includes.h"
 #include "compiler/frontend/frontend.h"
 #include "compiler/frontend/report/fix_collector.h"
 #include "compiler/frontend/report/message_stream.h"
@@ -28,6 +29,8 @@ class TranslationUnit {
   /// Where the unit uses the vocabulary.
   AnnotationUses& annotationUses() { return annotationUses_; }
 
+  const Includes& includes() const { return includes_; }
+
   FixCollector& fixCollector() { return fixes_; }
   Fixes fixes() { return fixes_.apply(compiler_.getSourceManager(), compiler_.getLangOpts()); }
 
@@ -42,6 +45,7 @@ class TranslationUnit {
   MessageStream messages_;
   FixCollector fixes_;
   AnnotationUses annotationUses_;
+  Includes includes_;
   clang::CompilerInstance compiler_;
   std::shared_ptr<clang::DependencyCollector> dependencies_;
   std::unique_ptr<clang::FrontendAction> action_;

@@ -312,9 +312,9 @@ void reportUnseen(const AnnotationUses& uses, Mapping& mapping) {
 
 }  // namespace
 
-model::Model mapUnit(clang::Sema& semantics, HeaderTable& headers, SourceTable& table,
-                     AnnotationUses& uses, model::Diagnostics& findings) {
-  Mapping mapping(semantics, table, findings);
+model::Model mapUnit(clang::Sema& semantics, const Includes& includes, HeaderTable& headers,
+                     SourceTable& table, AnnotationUses& uses, model::Diagnostics& findings) {
+  Mapping mapping(semantics, includes, table, findings);
   TypeNames names(mapping, semantics);
   Visitor visitor(mapping, names, headers, uses);
   visitor.TraverseDecl(semantics.getASTContext().getTranslationUnitDecl());

@@ -11,7 +11,7 @@ namespace suture::compiler::frontend {
 
 /// Maps every annotated declaration, own and foreign. Each either enters the model or is an error.
 /// `semantics` completes instances of templates that nobody has used yet.
-model::Model mapUnit(clang::Sema& semantics, HeaderTable& headers, SourceTable& table,
-                     AnnotationUses& uses, model::Diagnostics& findings);
+model::Model mapUnit(clang::Sema& semantics, const Includes& includes, HeaderTable& headers,
+                     SourceTable& table, AnnotationUses& uses, model::Diagnostics& findings);
 
 }  // namespace suture::compiler::frontend

@@ -21,6 +21,12 @@ std::string sourceHeaderOf(llvm::StringRef generatedHeader) {
   return generatedHeader.drop_back(kGeneratedSuffix.size()).str() + ".h";
 }
 
+std::string generatedHeaderOf(llvm::StringRef sourceHeader) {
+  llvm::SmallString<128> path = sourceHeader;
+  llvm::sys::path::replace_extension(path, "");
+  return (path + kGeneratedSuffix).str();
+}
+
 GeneratedHeaders::GeneratedHeaders(llvm::IntrusiveRefCntPtr<llvm::vfs::FileSystem> real)
     : ProxyFileSystem(real), replaced_(new llvm::vfs::InMemoryFileSystem()) {
   if (auto directory = real->getCurrentWorkingDirectory()) {

@@ -10,6 +10,8 @@ inline constexpr llvm::StringLiteral kGeneratedSuffix = ".suture.h";
 
 /// "arm/arm.suture.h" -> "arm/arm.h". The path must end with kGeneratedSuffix.
 std::string sourceHeaderOf(llvm::StringRef generatedHeader);
+/// "arm/arm.h" -> "arm/arm.suture.h", whatever the ending.
+std::string generatedHeaderOf(llvm::StringRef sourceHeader);
 
 /// The real files, but each X.suture.h reads as an include of the X.h beside which it is looked up
 /// and of the templates that it specialises. Files with that name on disk are never read, so there

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "compiler/frontend/ast/annotation.h"
+#include "compiler/frontend/ast/includes.h"
 #include "compiler/frontend/report/source_table.h"
 #include "compiler/frontend/types/named_types.h"
 #include "compiler/model/diagnostic.h"
@@ -21,8 +22,10 @@ namespace suture::compiler::frontend {
 
 class Mapping {
  public:
-  Mapping(clang::Sema& semantics, SourceTable& table, model::Diagnostics& findings)
+  Mapping(clang::Sema& semantics, const Includes& includes, SourceTable& table,
+          model::Diagnostics& findings)
       : context_(semantics.getASTContext()),
+        includes_(includes),
         table_(table),
         findings_(findings),
         names_(semantics) {}
@@ -81,6 +84,7 @@ class Mapping {
   bool once(const clang::NamedDecl* declaration) { return seen_.insert(declaration).second; }
 
   clang::ASTContext& context() { return context_; }
+  const Includes& includes() const { return includes_; }
   const clang::SourceManager& sources() const { return context_.getSourceManager(); }
 
  private:
@@ -91,6 +95,7 @@ class Mapping {
                             const model::Type& type, const Annotation& field);
 
   clang::ASTContext& context_;
+  const Includes& includes_;
   SourceTable& table_;
   model::Diagnostics& findings_;
   NamedTypes names_;

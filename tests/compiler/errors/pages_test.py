@@ -28,8 +28,8 @@ BEFORE = {
     "lock-removed": "struct SUTURE_TYPE() Goal { double velocity = 0; };",
 }
 
-# Pages that show what to run instead of what to write.
-WITHOUT_EXAMPLE = {"enum-size", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-new", "lock-newer",
+# Pages that show what to run instead of what to write, or includes.
+WITHOUT_EXAMPLE = {"enum-size", "forgotten-include", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-new", "lock-newer",
                    "lock-renamed", "lock-stale", "lock-syntax", "nesting", "own-generated-include", "slot-size"}
 
 STANDARD = {"array": "array", "optional": "optional", "vector": "vector", "string": "string", "map": "map", "deque": "deque",
@@ -43,7 +43,7 @@ def includes_of(text, slug):
         wanted |= {"<Eigen/Core>", "<Eigen/Geometry>"}
     if slug.startswith("crtk-"):
         wanted.add("<example/crtk.h>")
-    return sorted(wanted | {"<cstdint>", "<suture/annotate.h>", "<example/names.h>"})
+    return sorted(wanted | {"<cstdint>", "<suture/annotate.h>", "<example/names.suture.h>"})
 
 
 def placed(text, slug):

@@ -1,9 +1,7 @@
 #pragma once
-#include <demo/arm.h>
+#include <demo/arm.suture.h>
 #include <suture/annotate.h>
 #include <suture/component/component.h>
-#include <suture/component/provided.h>
-#include <suture/component/required.h>
 namespace demo {
 class SUTURE_COMPONENT(optional()) Twice : public suture::Task, public Empty {
   suture::Provided<Empty> left_{*this, "Arm", *this};

@@ -1,9 +1,7 @@
 #pragma once
-#include <demo/open.h>
+#include <demo/open.suture.h>
 #include <suture/annotate.h>
 #include <suture/component/component.h>
-#include <suture/component/provided.h>
-#include <suture/component/required.h>
 namespace demo {
 class SUTURE_COMPONENT() Registry : public suture::Device {
   suture::Required<Forest> fine_{*this, "Fine"};

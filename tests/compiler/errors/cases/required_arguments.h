@@ -1,9 +1,7 @@
 #pragma once
-#include <demo/arm.h>
+#include <demo/arm.suture.h>
 #include <suture/annotate.h>
 #include <suture/component/component.h>
-#include <suture/component/provided.h>
-#include <suture/component/required.h>
 namespace demo {
 class SUTURE_COMPONENT(queue(2)) Odd : public suture::Task, public Empty {
   SUTURE_REQUIRED(max_age(10ms)) suture::Provided<Empty> third_{*this, "Third", *this};
