@@ -2,6 +2,7 @@
 #include "03_own_data_type/camera.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -84,6 +85,17 @@ void fromJson(const suture::JsonReader& in, CameraParameters& value) {
 }  // namespace tracking
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const tracking::CameraParameters& value) {
+  return rpc::encodeAs<tracking::wire::CameraParameters, tracking::CameraParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, tracking::CameraParameters& value) {
+  return rpc::decodeAs<tracking::wire::CameraParameters,
+                       tracking::CameraParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<tracking::Camera>() {

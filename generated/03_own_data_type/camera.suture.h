@@ -1,6 +1,7 @@
 // Written by suturec from 03_own_data_type/camera.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -30,6 +31,11 @@ void fromJson(const suture::JsonReader& in, CameraParameters& value);
 }  // namespace tracking
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const tracking::CameraParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, tracking::CameraParameters& value);
 
 template <>
 ComponentClass componentClass<tracking::Camera>();

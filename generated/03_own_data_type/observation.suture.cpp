@@ -2,6 +2,7 @@
 #include "03_own_data_type/observation.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -180,3 +181,27 @@ void fromJson(const suture::JsonReader& in, Observation& value) {
 }
 
 }  // namespace tracking
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const tracking::Marker& value) {
+  return rpc::encodeAs<tracking::wire::Marker, tracking::MarkerSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, tracking::Marker& value) {
+  return rpc::decodeAs<tracking::wire::Marker, tracking::MarkerSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const tracking::Observation& value) {
+  return rpc::encodeAs<tracking::wire::Observation, tracking::ObservationSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, tracking::Observation& value) {
+  return rpc::decodeAs<tracking::wire::Observation, tracking::ObservationSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from 03_own_data_type/observation.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "03_own_data_type/observation.h"
@@ -29,3 +30,17 @@ void load(const ObservationSlot& slot, Observation& value);
 void reserve(const ObservationSlot*, Observation& value);
 
 }  // namespace tracking
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const tracking::Marker& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, tracking::Marker& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const tracking::Observation& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, tracking::Observation& value);
+
+}  // namespace suture

@@ -2,6 +2,7 @@
 #include "arm_control/mtm.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -150,6 +151,16 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::MtmParameters& value) {
+  return rpc::encodeAs<robots::wire::MtmParameters, robots::MtmParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::MtmParameters& value) {
+  return rpc::decodeAs<robots::wire::MtmParameters, robots::MtmParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Mtm>() {

@@ -1,6 +1,7 @@
 // Written by suturec from arm_control/mtm.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -38,6 +39,11 @@ void fromJson(const suture::JsonReader& in, MtmParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::MtmParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::MtmParameters& value);
 
 template <>
 ComponentClass componentClass<robots::Mtm>();

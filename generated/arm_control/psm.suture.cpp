@@ -2,6 +2,7 @@
 #include "arm_control/psm.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -165,6 +166,16 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PsmParameters& value) {
+  return rpc::encodeAs<robots::wire::PsmParameters, robots::PsmParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PsmParameters& value) {
+  return rpc::decodeAs<robots::wire::PsmParameters, robots::PsmParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Psm>() {

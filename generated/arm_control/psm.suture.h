@@ -1,6 +1,7 @@
 // Written by suturec from arm_control/psm.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -40,6 +41,11 @@ void fromJson(const suture::JsonReader& in, PsmParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PsmParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PsmParameters& value);
 
 template <>
 ComponentClass componentClass<robots::Psm>();

@@ -2,6 +2,7 @@
 #include "assistant/assistant.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -81,6 +82,17 @@ void fromJson(const suture::JsonReader& in, AssistantParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::AssistantParameters& value) {
+  return rpc::encodeAs<robots::wire::AssistantParameters, robots::AssistantParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::AssistantParameters& value) {
+  return rpc::decodeAs<robots::wire::AssistantParameters,
+                       robots::AssistantParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Assistant>() {

@@ -2,6 +2,7 @@
 #include "bench/block_loop.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -285,6 +286,26 @@ constexpr char kLargeBlocksDescription[] = R"json(
 }  // namespace bench
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const bench::SmallBlock& value) {
+  return rpc::encodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, bench::SmallBlock& value) {
+  return rpc::decodeAs<bench::wire::SmallBlock, bench::SmallBlockSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const bench::LargeBlock& value) {
+  return rpc::encodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, bench::LargeBlock& value) {
+  return rpc::decodeAs<bench::wire::LargeBlock, bench::LargeBlockSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<bench::SmallBlocks>() {

@@ -1,6 +1,7 @@
 // Written by suturec from bench/block_loop.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -68,6 +69,16 @@ enum class LargeBlocksEvent : std::uint16_t {
 }  // namespace bench
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const bench::SmallBlock& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, bench::SmallBlock& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const bench::LargeBlock& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, bench::LargeBlock& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<bench::SmallBlocks>();

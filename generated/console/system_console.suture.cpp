@@ -2,6 +2,7 @@
 #include "console/system_console.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -84,6 +85,18 @@ void fromJson(const suture::JsonReader& in, SystemConsoleParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::SystemConsoleParameters& value) {
+  return rpc::encodeAs<robots::wire::SystemConsoleParameters,
+                       robots::SystemConsoleParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::SystemConsoleParameters& value) {
+  return rpc::decodeAs<robots::wire::SystemConsoleParameters,
+                       robots::SystemConsoleParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::SystemConsole>() {

@@ -1,6 +1,7 @@
 // Written by suturec from console/system_console.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -34,6 +35,11 @@ void fromJson(const suture::JsonReader& in, SystemConsoleParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::SystemConsoleParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::SystemConsoleParameters& value);
 
 template <>
 ComponentClass componentClass<robots::SystemConsole>();

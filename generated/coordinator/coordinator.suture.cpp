@@ -2,6 +2,7 @@
 #include "coordinator/coordinator.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -62,6 +63,18 @@ void fromJson(const suture::JsonReader& in, CoordinatorParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CoordinatorParameters& value) {
+  return rpc::encodeAs<robots::wire::CoordinatorParameters,
+                       robots::CoordinatorParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CoordinatorParameters& value) {
+  return rpc::decodeAs<robots::wire::CoordinatorParameters,
+                       robots::CoordinatorParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Coordinator>() {

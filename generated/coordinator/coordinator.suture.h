@@ -1,6 +1,7 @@
 // Written by suturec from coordinator/coordinator.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -26,6 +27,11 @@ void fromJson(const suture::JsonReader& in, CoordinatorParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CoordinatorParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CoordinatorParameters& value);
 
 template <>
 ComponentClass componentClass<robots::Coordinator>();

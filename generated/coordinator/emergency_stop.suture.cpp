@@ -2,6 +2,7 @@
 #include "coordinator/emergency_stop.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -239,6 +240,26 @@ constexpr char kEmergencyStopDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Permit& value) {
+  return rpc::encodeAs<robots::wire::Permit, robots::PermitSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Permit& value) {
+  return rpc::decodeAs<robots::wire::Permit, robots::PermitSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::StopNews& value) {
+  return rpc::encodeAs<robots::wire::StopNews, robots::StopNewsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::StopNews& value) {
+  return rpc::decodeAs<robots::wire::StopNews, robots::StopNewsSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::EmergencyStop>() {

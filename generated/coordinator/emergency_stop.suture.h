@@ -1,6 +1,7 @@
 // Written by suturec from coordinator/emergency_stop.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -52,6 +53,16 @@ enum class EmergencyStopColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Permit& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Permit& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::StopNews& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::StopNews& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::EmergencyStop>();

@@ -2,6 +2,7 @@
 #include "drives/drive_dynamics.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -128,3 +129,17 @@ void fromJson(const suture::JsonReader& in, RigidBodyOptions& value) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::RigidBodyOptions& value) {
+  return rpc::encodeAs<robots::wire::RigidBodyOptions, robots::RigidBodyOptionsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::RigidBodyOptions& value) {
+  return rpc::decodeAs<robots::wire::RigidBodyOptions, robots::RigidBodyOptionsSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from drives/drive_dynamics.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "drives/drive_dynamics.h"
@@ -21,3 +22,12 @@ bool store(const RigidBodyOptions& value, RigidBodyOptionsSlot& slot);
 void load(const RigidBodyOptionsSlot& slot, RigidBodyOptions& value);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::RigidBodyOptions& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::RigidBodyOptions& value);
+
+}  // namespace suture

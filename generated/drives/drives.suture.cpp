@@ -2,6 +2,7 @@
 #include "drives/drives.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -398,6 +399,26 @@ constexpr char kDrivesDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::DriveFeedback& value) {
+  return rpc::encodeAs<robots::wire::DriveFeedback, robots::DriveFeedbackSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::DriveFeedback& value) {
+  return rpc::decodeAs<robots::wire::DriveFeedback, robots::DriveFeedbackSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::DriveGoal& value) {
+  return rpc::encodeAs<robots::wire::DriveGoal, robots::DriveGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::DriveGoal& value) {
+  return rpc::decodeAs<robots::wire::DriveGoal, robots::DriveGoalSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Drives>() {

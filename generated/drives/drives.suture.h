@@ -1,6 +1,7 @@
 // Written by suturec from drives/drives.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -75,6 +76,16 @@ enum class DrivesColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::DriveFeedback& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::DriveFeedback& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::DriveGoal& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::DriveGoal& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Drives>();

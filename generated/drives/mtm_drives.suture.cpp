@@ -2,6 +2,7 @@
 #include "drives/mtm_drives.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -136,6 +137,17 @@ void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::MtmDrivesParameters& value) {
+  return rpc::encodeAs<robots::wire::MtmDrivesParameters, robots::MtmDrivesParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::MtmDrivesParameters& value) {
+  return rpc::decodeAs<robots::wire::MtmDrivesParameters,
+                       robots::MtmDrivesParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::MtmDrives>() {

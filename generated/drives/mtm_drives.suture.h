@@ -1,6 +1,7 @@
 // Written by suturec from drives/mtm_drives.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -36,6 +37,11 @@ void fromJson(const suture::JsonReader& in, MtmDrivesParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::MtmDrivesParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::MtmDrivesParameters& value);
 
 template <>
 ComponentClass componentClass<robots::MtmDrives>();

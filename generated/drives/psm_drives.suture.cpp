@@ -2,6 +2,7 @@
 #include "drives/psm_drives.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -133,6 +134,17 @@ void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PsmDrivesParameters& value) {
+  return rpc::encodeAs<robots::wire::PsmDrivesParameters, robots::PsmDrivesParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PsmDrivesParameters& value) {
+  return rpc::decodeAs<robots::wire::PsmDrivesParameters,
+                       robots::PsmDrivesParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::PsmDrives>() {

@@ -1,6 +1,7 @@
 // Written by suturec from drives/psm_drives.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -35,6 +36,11 @@ void fromJson(const suture::JsonReader& in, PsmDrivesParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PsmDrivesParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PsmDrivesParameters& value);
 
 template <>
 ComponentClass componentClass<robots::PsmDrives>();

@@ -2,6 +2,7 @@
 #include "guidance/guidance.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -335,6 +336,16 @@ constexpr char kGuidanceDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::GuidanceProgress& value) {
+  return rpc::encodeAs<robots::wire::GuidanceProgress, robots::GuidanceProgressSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::GuidanceProgress& value) {
+  return rpc::decodeAs<robots::wire::GuidanceProgress, robots::GuidanceProgressSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Guidance>() {

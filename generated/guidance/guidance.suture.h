@@ -1,6 +1,7 @@
 // Written by suturec from guidance/guidance.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -45,6 +46,11 @@ enum class GuidanceColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::GuidanceProgress& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::GuidanceProgress& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Guidance>();

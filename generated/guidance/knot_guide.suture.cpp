@@ -2,6 +2,7 @@
 #include "guidance/knot_guide.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -150,6 +151,16 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::GuideParameters& value) {
+  return rpc::encodeAs<robots::wire::GuideParameters, robots::GuideParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::GuideParameters& value) {
+  return rpc::decodeAs<robots::wire::GuideParameters, robots::GuideParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::KnotGuide>() {

@@ -1,6 +1,7 @@
 // Written by suturec from guidance/knot_guide.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -43,6 +44,11 @@ void fromJson(const suture::JsonReader& in, GuideParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::GuideParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::GuideParameters& value);
 
 template <>
 ComponentClass componentClass<robots::KnotGuide>();

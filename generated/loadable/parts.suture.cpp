@@ -2,6 +2,7 @@
 #include "loadable/parts.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -111,6 +112,28 @@ void fromJson(const suture::JsonReader& in, SpindleParameters& value) {
 }  // namespace loadable
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const loadable::PlatterParameters& value) {
+  return rpc::encodeAs<loadable::wire::PlatterParameters, loadable::PlatterParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, loadable::PlatterParameters& value) {
+  return rpc::decodeAs<loadable::wire::PlatterParameters,
+                       loadable::PlatterParametersSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const loadable::SpindleParameters& value) {
+  return rpc::encodeAs<loadable::wire::SpindleParameters, loadable::SpindleParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, loadable::SpindleParameters& value) {
+  return rpc::decodeAs<loadable::wire::SpindleParameters,
+                       loadable::SpindleParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<loadable::Platter>() {

@@ -1,6 +1,7 @@
 // Written by suturec from loadable/parts.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -39,6 +40,16 @@ void fromJson(const suture::JsonReader& in, SpindleParameters& value);
 }  // namespace loadable
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const loadable::PlatterParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, loadable::PlatterParameters& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const loadable::SpindleParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, loadable::SpindleParameters& value);
 
 template <>
 ComponentClass componentClass<loadable::Platter>();

@@ -2,6 +2,7 @@
 #include "pedals/foot_pedals.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -235,6 +236,16 @@ constexpr char kFootPedalsDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PedalState& value) {
+  return rpc::encodeAs<robots::wire::PedalState, robots::PedalStateSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PedalState& value) {
+  return rpc::decodeAs<robots::wire::PedalState, robots::PedalStateSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::FootPedals>() {

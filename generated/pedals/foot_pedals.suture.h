@@ -1,6 +1,7 @@
 // Written by suturec from pedals/foot_pedals.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -44,6 +45,11 @@ enum class FootPedalsColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PedalState& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PedalState& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::FootPedals>();

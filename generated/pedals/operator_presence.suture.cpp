@@ -2,6 +2,7 @@
 #include "pedals/operator_presence.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -189,6 +190,16 @@ constexpr char kOperatorPresenceDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Presence& value) {
+  return rpc::encodeAs<robots::wire::Presence, robots::PresenceSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Presence& value) {
+  return rpc::decodeAs<robots::wire::Presence, robots::PresenceSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::OperatorPresence>() {

@@ -1,6 +1,7 @@
 // Written by suturec from pedals/operator_presence.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -39,6 +40,11 @@ enum class OperatorPresenceColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Presence& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Presence& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::OperatorPresence>();

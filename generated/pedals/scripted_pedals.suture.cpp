@@ -2,6 +2,7 @@
 #include "pedals/scripted_pedals.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -90,6 +91,18 @@ void fromJson(const suture::JsonReader& in, ScriptedPedalsParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ScriptedPedalsParameters& value) {
+  return rpc::encodeAs<robots::wire::ScriptedPedalsParameters,
+                       robots::ScriptedPedalsParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ScriptedPedalsParameters& value) {
+  return rpc::decodeAs<robots::wire::ScriptedPedalsParameters,
+                       robots::ScriptedPedalsParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::ScriptedPedals>() {

@@ -1,6 +1,7 @@
 // Written by suturec from pedals/scripted_pedals.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -31,6 +32,11 @@ void fromJson(const suture::JsonReader& in, ScriptedPedalsParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ScriptedPedalsParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ScriptedPedalsParameters& value);
 
 template <>
 ComponentClass componentClass<robots::ScriptedPedals>();

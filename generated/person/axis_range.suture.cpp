@@ -2,6 +2,7 @@
 #include "person/axis_range.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -65,3 +66,17 @@ void fromJson(const suture::JsonReader& in, AxisRange& value) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::AxisRange& value) {
+  return rpc::encodeAs<robots::wire::AxisRange, robots::AxisRangeSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::AxisRange& value) {
+  return rpc::decodeAs<robots::wire::AxisRange, robots::AxisRangeSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from person/axis_range.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "person/axis_range.h"
@@ -17,3 +18,12 @@ bool store(const AxisRange& value, AxisRangeSlot& slot);
 void load(const AxisRangeSlot& slot, AxisRange& value);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::AxisRange& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::AxisRange& value);
+
+}  // namespace suture

@@ -2,6 +2,7 @@
 #include "person/gamepad.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -137,6 +138,17 @@ void fromJson(const suture::JsonReader& in, GamepadParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::GamepadParameters& value) {
+  return rpc::encodeAs<robots::wire::GamepadParameters, robots::GamepadParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::GamepadParameters& value) {
+  return rpc::decodeAs<robots::wire::GamepadParameters,
+                       robots::GamepadParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Gamepad>() {

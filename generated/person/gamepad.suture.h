@@ -1,6 +1,7 @@
 // Written by suturec from person/gamepad.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -39,6 +40,11 @@ void fromJson(const suture::JsonReader& in, GamepadParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::GamepadParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::GamepadParameters& value);
 
 template <>
 ComponentClass componentClass<robots::Gamepad>();

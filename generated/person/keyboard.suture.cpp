@@ -2,6 +2,7 @@
 #include "person/keyboard.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -100,6 +101,17 @@ void fromJson(const suture::JsonReader& in, KeyboardParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KeyboardParameters& value) {
+  return rpc::encodeAs<robots::wire::KeyboardParameters, robots::KeyboardParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KeyboardParameters& value) {
+  return rpc::decodeAs<robots::wire::KeyboardParameters,
+                       robots::KeyboardParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Keyboard>() {

@@ -1,6 +1,7 @@
 // Written by suturec from person/keyboard.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -35,6 +36,11 @@ void fromJson(const suture::JsonReader& in, KeyboardParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KeyboardParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KeyboardParameters& value);
 
 template <>
 ComponentClass componentClass<robots::Keyboard>();

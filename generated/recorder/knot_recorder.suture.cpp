@@ -2,6 +2,7 @@
 #include "recorder/knot_recorder.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -72,6 +73,18 @@ void fromJson(const suture::JsonReader& in, KnotRecorderParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KnotRecorderParameters& value) {
+  return rpc::encodeAs<robots::wire::KnotRecorderParameters,
+                       robots::KnotRecorderParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KnotRecorderParameters& value) {
+  return rpc::decodeAs<robots::wire::KnotRecorderParameters,
+                       robots::KnotRecorderParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::KnotRecorder>() {

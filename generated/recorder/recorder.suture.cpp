@@ -2,6 +2,7 @@
 #include "recorder/recorder.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -72,6 +73,17 @@ void fromJson(const suture::JsonReader& in, RecorderParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::RecorderParameters& value) {
+  return rpc::encodeAs<robots::wire::RecorderParameters, robots::RecorderParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::RecorderParameters& value) {
+  return rpc::decodeAs<robots::wire::RecorderParameters,
+                       robots::RecorderParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Recorder>() {

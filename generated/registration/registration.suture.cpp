@@ -2,6 +2,7 @@
 #include "registration/registration.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -241,6 +242,16 @@ constexpr char kRegistrationDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::SceneFrames& value) {
+  return rpc::encodeAs<robots::wire::SceneFrames, robots::SceneFramesSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::SceneFrames& value) {
+  return rpc::decodeAs<robots::wire::SceneFrames, robots::SceneFramesSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Registration>() {

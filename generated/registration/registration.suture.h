@@ -1,6 +1,7 @@
 // Written by suturec from registration/registration.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -48,6 +49,11 @@ enum class RegistrationColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::SceneFrames& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::SceneFrames& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Registration>();

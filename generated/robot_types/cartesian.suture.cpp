@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/cartesian.h. Do not edit.
 #include "robot_types/cartesian.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -761,3 +762,110 @@ bool isValid(const CartesianImpedanceSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Twist& value) {
+  return rpc::encodeAs<robots::wire::Twist, robots::TwistSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Twist& value) {
+  return rpc::decodeAs<robots::wire::Twist, robots::TwistSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TwistGoal& value) {
+  return rpc::encodeAs<robots::wire::TwistGoal, robots::TwistGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TwistGoal& value) {
+  return rpc::decodeAs<robots::wire::TwistGoal, robots::TwistGoalSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Wrench& value) {
+  return rpc::encodeAs<robots::wire::Wrench, robots::WrenchSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Wrench& value) {
+  return rpc::decodeAs<robots::wire::Wrench, robots::WrenchSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::WrenchGoal& value) {
+  return rpc::encodeAs<robots::wire::WrenchGoal, robots::WrenchGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::WrenchGoal& value) {
+  return rpc::decodeAs<robots::wire::WrenchGoal, robots::WrenchGoalSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CartesianState& value) {
+  return rpc::encodeAs<robots::wire::CartesianState, robots::CartesianStateSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CartesianState& value) {
+  return rpc::decodeAs<robots::wire::CartesianState, robots::CartesianStateSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CartesianGoal& value) {
+  return rpc::encodeAs<robots::wire::CartesianGoal, robots::CartesianGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CartesianGoal& value) {
+  return rpc::decodeAs<robots::wire::CartesianGoal, robots::CartesianGoalSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ServoCartesian& value) {
+  return rpc::encodeAs<robots::wire::ServoCartesian, robots::ServoCartesianSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ServoCartesian& value) {
+  return rpc::decodeAs<robots::wire::ServoCartesian, robots::ServoCartesianSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::HalfPlaneGains& value) {
+  return rpc::encodeAs<robots::wire::HalfPlaneGains, robots::HalfPlaneGainsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::HalfPlaneGains& value) {
+  return rpc::decodeAs<robots::wire::HalfPlaneGains, robots::HalfPlaneGainsSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::AngularHalfPlaneGains& value) {
+  return rpc::encodeAs<robots::wire::AngularHalfPlaneGains,
+                       robots::AngularHalfPlaneGainsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::AngularHalfPlaneGains& value) {
+  return rpc::decodeAs<robots::wire::AngularHalfPlaneGains,
+                       robots::AngularHalfPlaneGainsSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CartesianImpedance& value) {
+  return rpc::encodeAs<robots::wire::CartesianImpedance, robots::CartesianImpedanceSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CartesianImpedance& value) {
+  return rpc::decodeAs<robots::wire::CartesianImpedance,
+                       robots::CartesianImpedanceSlot>(bytes, value);
+}
+
+}  // namespace suture

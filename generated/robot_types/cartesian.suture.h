@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/cartesian.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/cartesian.h"
@@ -155,3 +156,57 @@ void load(const CartesianImpedanceSlot& slot, CartesianImpedance& value);
 void shiftStamps(CartesianImpedanceSlot& slot, suture::Duration shift);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Twist& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Twist& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TwistGoal& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TwistGoal& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Wrench& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Wrench& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::WrenchGoal& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::WrenchGoal& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CartesianState& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CartesianState& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CartesianGoal& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CartesianGoal& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ServoCartesian& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ServoCartesian& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::HalfPlaneGains& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::HalfPlaneGains& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::AngularHalfPlaneGains& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::AngularHalfPlaneGains& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CartesianImpedance& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CartesianImpedance& value);
+
+}  // namespace suture

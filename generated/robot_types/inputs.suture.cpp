@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/inputs.h. Do not edit.
 #include "robot_types/inputs.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -209,3 +210,37 @@ bool isValid(const ImuSampleSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ButtonEvent& value) {
+  return rpc::encodeAs<robots::wire::ButtonEvent, robots::ButtonEventSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ButtonEvent& value) {
+  return rpc::decodeAs<robots::wire::ButtonEvent, robots::ButtonEventSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::InputData& value) {
+  return rpc::encodeAs<robots::wire::InputData, robots::InputDataSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::InputData& value) {
+  return rpc::decodeAs<robots::wire::InputData, robots::InputDataSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ImuSample& value) {
+  return rpc::encodeAs<robots::wire::ImuSample, robots::ImuSampleSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ImuSample& value) {
+  return rpc::decodeAs<robots::wire::ImuSample, robots::ImuSampleSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/inputs.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/inputs.h"
@@ -45,3 +46,22 @@ void load(const ImuSampleSlot& slot, ImuSample& value);
 void shiftStamps(ImuSampleSlot& slot, suture::Duration shift);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ButtonEvent& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ButtonEvent& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::InputData& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::InputData& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ImuSample& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ImuSample& value);
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/joint_commands.h. Do not edit.
 #include "robot_types/joint_commands.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -654,3 +655,102 @@ bool isValid(const JacobianSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointPosition& value) {
+  return rpc::encodeAs<robots::wire::JointPosition, robots::JointPositionSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointPosition& value) {
+  return rpc::decodeAs<robots::wire::JointPosition, robots::JointPositionSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointPositionGoal& value) {
+  return rpc::encodeAs<robots::wire::JointPositionGoal, robots::JointPositionGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointPositionGoal& value) {
+  return rpc::decodeAs<robots::wire::JointPositionGoal,
+                       robots::JointPositionGoalSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointVelocity& value) {
+  return rpc::encodeAs<robots::wire::JointVelocity, robots::JointVelocitySlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointVelocity& value) {
+  return rpc::decodeAs<robots::wire::JointVelocity, robots::JointVelocitySlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointVelocityGoal& value) {
+  return rpc::encodeAs<robots::wire::JointVelocityGoal, robots::JointVelocityGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointVelocityGoal& value) {
+  return rpc::decodeAs<robots::wire::JointVelocityGoal,
+                       robots::JointVelocityGoalSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointEffortGoal& value) {
+  return rpc::encodeAs<robots::wire::JointEffortGoal, robots::JointEffortGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointEffortGoal& value) {
+  return rpc::decodeAs<robots::wire::JointEffortGoal, robots::JointEffortGoalSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointConfiguration& value) {
+  return rpc::encodeAs<robots::wire::JointConfiguration, robots::JointConfigurationSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointConfiguration& value) {
+  return rpc::decodeAs<robots::wire::JointConfiguration,
+                       robots::JointConfigurationSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ServoJoint& value) {
+  return rpc::encodeAs<robots::wire::ServoJoint, robots::ServoJointSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ServoJoint& value) {
+  return rpc::decodeAs<robots::wire::ServoJoint, robots::ServoJointSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ActuatorJointCoupling& value) {
+  return rpc::encodeAs<robots::wire::ActuatorJointCoupling,
+                       robots::ActuatorJointCouplingSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ActuatorJointCoupling& value) {
+  return rpc::decodeAs<robots::wire::ActuatorJointCoupling,
+                       robots::ActuatorJointCouplingSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Jacobian& value) {
+  return rpc::encodeAs<robots::wire::Jacobian, robots::JacobianSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Jacobian& value) {
+  return rpc::decodeAs<robots::wire::Jacobian, robots::JacobianSlot>(bytes, value);
+}
+
+}  // namespace suture

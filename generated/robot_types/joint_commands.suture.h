@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/joint_commands.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/joint_commands.h"
@@ -138,3 +139,52 @@ void reserve(const JacobianSlot*, Jacobian& value);
 void shiftStamps(JacobianSlot& slot, suture::Duration shift);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointPosition& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointPosition& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointPositionGoal& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointPositionGoal& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointVelocity& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointVelocity& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointVelocityGoal& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointVelocityGoal& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointEffortGoal& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointEffortGoal& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointConfiguration& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointConfiguration& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ServoJoint& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ServoJoint& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ActuatorJointCoupling& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ActuatorJointCoupling& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Jacobian& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Jacobian& value);
+
+}  // namespace suture

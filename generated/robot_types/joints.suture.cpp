@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/joints.h. Do not edit.
 #include "robot_types/joints.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -156,3 +157,37 @@ bool isValid(const JointSolutionSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointState& value) {
+  return rpc::encodeAs<robots::wire::JointState, robots::JointStateSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointState& value) {
+  return rpc::decodeAs<robots::wire::JointState, robots::JointStateSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointGoal& value) {
+  return rpc::encodeAs<robots::wire::JointGoal, robots::JointGoalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointGoal& value) {
+  return rpc::decodeAs<robots::wire::JointGoal, robots::JointGoalSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointSolution& value) {
+  return rpc::encodeAs<robots::wire::JointSolution, robots::JointSolutionSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointSolution& value) {
+  return rpc::decodeAs<robots::wire::JointSolution, robots::JointSolutionSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/joints.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/joints.h"
@@ -45,3 +46,22 @@ bool store(const JointSolution& value, JointSolutionSlot& slot);
 void load(const JointSolutionSlot& slot, JointSolution& value);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointState& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointState& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointGoal& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointGoal& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::JointSolution& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::JointSolution& value);
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/kinematics_query.h. Do not edit.
 #include "robot_types/kinematics_query.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -171,3 +172,55 @@ bool isValid(const InverseKinematicsResponseSlot& slot, suture::FieldPath* path)
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ForwardKinematicsRequest& value) {
+  return rpc::encodeAs<robots::wire::ForwardKinematicsRequest,
+                       robots::ForwardKinematicsRequestSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ForwardKinematicsRequest& value) {
+  return rpc::decodeAs<robots::wire::ForwardKinematicsRequest,
+                       robots::ForwardKinematicsRequestSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ForwardKinematicsResponse& value) {
+  return rpc::encodeAs<robots::wire::ForwardKinematicsResponse,
+                       robots::ForwardKinematicsResponseSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ForwardKinematicsResponse& value) {
+  return rpc::decodeAs<robots::wire::ForwardKinematicsResponse,
+                       robots::ForwardKinematicsResponseSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::InverseKinematicsRequest& value) {
+  return rpc::encodeAs<robots::wire::InverseKinematicsRequest,
+                       robots::InverseKinematicsRequestSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::InverseKinematicsRequest& value) {
+  return rpc::decodeAs<robots::wire::InverseKinematicsRequest,
+                       robots::InverseKinematicsRequestSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::InverseKinematicsResponse& value) {
+  return rpc::encodeAs<robots::wire::InverseKinematicsResponse,
+                       robots::InverseKinematicsResponseSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::InverseKinematicsResponse& value) {
+  return rpc::decodeAs<robots::wire::InverseKinematicsResponse,
+                       robots::InverseKinematicsResponseSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/kinematics_query.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/kinematics_query.h"
@@ -45,3 +46,27 @@ void load(const InverseKinematicsResponseSlot& slot, InverseKinematicsResponse& 
 void reserve(const InverseKinematicsResponseSlot*, InverseKinematicsResponse& value);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ForwardKinematicsRequest& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ForwardKinematicsRequest& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ForwardKinematicsResponse& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ForwardKinematicsResponse& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::InverseKinematicsRequest& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::InverseKinematicsRequest& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::InverseKinematicsResponse& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::InverseKinematicsResponse& value);
+
+}  // namespace suture

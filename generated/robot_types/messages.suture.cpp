@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/messages.h. Do not edit.
 #include "robot_types/messages.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -122,3 +123,28 @@ bool isValid(const KeyValueSlot&, suture::FieldPath*) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::IntervalStatistics& value) {
+  return rpc::encodeAs<robots::wire::IntervalStatistics, robots::IntervalStatisticsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::IntervalStatistics& value) {
+  return rpc::decodeAs<robots::wire::IntervalStatistics,
+                       robots::IntervalStatisticsSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KeyValue& value) {
+  return rpc::encodeAs<robots::wire::KeyValue, robots::KeyValueSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KeyValue& value) {
+  return rpc::decodeAs<robots::wire::KeyValue, robots::KeyValueSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/messages.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/messages.h"
@@ -33,3 +34,17 @@ void load(const KeyValueSlot& slot, KeyValue& value);
 void reserve(const KeyValueSlot*, KeyValue& value);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::IntervalStatistics& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::IntervalStatistics& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KeyValue& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KeyValue& value);
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/operating_state.h. Do not edit.
 #include "robot_types/operating_state.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -124,3 +125,17 @@ bool isValid(const OperatingStateSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::OperatingState& value) {
+  return rpc::encodeAs<robots::wire::OperatingState, robots::OperatingStateSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::OperatingState& value) {
+  return rpc::decodeAs<robots::wire::OperatingState, robots::OperatingStateSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/operating_state.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/operating_state.h"
@@ -22,3 +23,12 @@ void reserve(const OperatingStateSlot*, OperatingState& value);
 void shiftStamps(OperatingStateSlot& slot, suture::Duration shift);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::OperatingState& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::OperatingState& value);
+
+}  // namespace suture

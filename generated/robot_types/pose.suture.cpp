@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/pose.h. Do not edit.
 #include "robot_types/pose.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -224,3 +225,47 @@ bool isValid(const PosePrmSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseStamped& value) {
+  return rpc::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value) {
+  return rpc::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TransformStamped& value) {
+  return rpc::encodeAs<robots::wire::TransformStamped, robots::TransformStampedSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TransformStamped& value) {
+  return rpc::decodeAs<robots::wire::TransformStamped, robots::TransformStampedSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseSample& value) {
+  return rpc::encodeAs<robots::wire::PoseSample, robots::PoseSampleSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseSample& value) {
+  return rpc::decodeAs<robots::wire::PoseSample, robots::PoseSampleSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PosePrm& value) {
+  return rpc::encodeAs<robots::wire::PosePrm, robots::PosePrmSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PosePrm& value) {
+  return rpc::decodeAs<robots::wire::PosePrm, robots::PosePrmSlot>(bytes, value);
+}
+
+}  // namespace suture

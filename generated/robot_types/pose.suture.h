@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/pose.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/pose.h"
@@ -61,3 +62,27 @@ void reserve(const PosePrmSlot*, PosePrm& value);
 void shiftStamps(PosePrmSlot& slot, suture::Duration shift);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseStamped& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TransformStamped& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TransformStamped& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseSample& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseSample& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PosePrm& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PosePrm& value);
+
+}  // namespace suture

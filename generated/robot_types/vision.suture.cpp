@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/vision.h. Do not edit.
 #include "robot_types/vision.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -287,3 +288,47 @@ bool isValid(const DepthMapSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseArray& value) {
+  return rpc::encodeAs<robots::wire::PoseArray, robots::PoseArraySlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseArray& value) {
+  return rpc::decodeAs<robots::wire::PoseArray, robots::PoseArraySlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ImageFrame& value) {
+  return rpc::encodeAs<robots::wire::ImageFrame, robots::ImageFrameSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ImageFrame& value) {
+  return rpc::decodeAs<robots::wire::ImageFrame, robots::ImageFrameSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CameraInfo& value) {
+  return rpc::encodeAs<robots::wire::CameraInfo, robots::CameraInfoSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CameraInfo& value) {
+  return rpc::decodeAs<robots::wire::CameraInfo, robots::CameraInfoSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::DepthMap& value) {
+  return rpc::encodeAs<robots::wire::DepthMap, robots::DepthMapSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::DepthMap& value) {
+  return rpc::decodeAs<robots::wire::DepthMap, robots::DepthMapSlot>(bytes, value);
+}
+
+}  // namespace suture

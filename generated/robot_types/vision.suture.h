@@ -1,6 +1,7 @@
 // Written by suturec from robot_types/vision.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robot_types/vision.h"
@@ -70,3 +71,27 @@ void reserve(const DepthMapSlot*, DepthMap& value);
 void shiftStamps(DepthMapSlot& slot, suture::Duration shift);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseArray& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseArray& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ImageFrame& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ImageFrame& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::CameraInfo& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::CameraInfo& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::DepthMap& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::DepthMap& value);
+
+}  // namespace suture

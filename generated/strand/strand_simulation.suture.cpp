@@ -2,6 +2,7 @@
 #include "strand/strand_simulation.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -82,6 +83,16 @@ void fromJson(const suture::JsonReader& in, StrandParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::StrandParameters& value) {
+  return rpc::encodeAs<robots::wire::StrandParameters, robots::StrandParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::StrandParameters& value) {
+  return rpc::decodeAs<robots::wire::StrandParameters, robots::StrandParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::StrandSimulation>() {

@@ -1,6 +1,7 @@
 // Written by suturec from strand/strand_simulation.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -31,6 +32,11 @@ void fromJson(const suture::JsonReader& in, StrandParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::StrandParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::StrandParameters& value);
 
 template <>
 ComponentClass componentClass<robots::StrandSimulation>();

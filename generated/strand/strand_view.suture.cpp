@@ -2,6 +2,7 @@
 #include "strand/strand_view.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -189,6 +190,16 @@ constexpr char kStrandViewDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::StrandState& value) {
+  return rpc::encodeAs<robots::wire::StrandState, robots::StrandStateSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::StrandState& value) {
+  return rpc::decodeAs<robots::wire::StrandState, robots::StrandStateSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::StrandView>() {

@@ -1,6 +1,7 @@
 // Written by suturec from strand/strand_view.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -37,6 +38,11 @@ enum class StrandViewColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::StrandState& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::StrandState& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::StrandView>();

@@ -2,6 +2,7 @@
 #include "surgeon/knot_surgeon.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -90,6 +91,18 @@ void fromJson(const suture::JsonReader& in, KnotSurgeonParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KnotSurgeonParameters& value) {
+  return rpc::encodeAs<robots::wire::KnotSurgeonParameters,
+                       robots::KnotSurgeonParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KnotSurgeonParameters& value) {
+  return rpc::decodeAs<robots::wire::KnotSurgeonParameters,
+                       robots::KnotSurgeonParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::KnotSurgeon>() {

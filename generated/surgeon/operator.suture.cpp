@@ -2,6 +2,7 @@
 #include "surgeon/operator.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -194,6 +195,17 @@ void fromJson(const suture::JsonReader& in, OperatorParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::OperatorParameters& value) {
+  return rpc::encodeAs<robots::wire::OperatorParameters, robots::OperatorParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::OperatorParameters& value) {
+  return rpc::decodeAs<robots::wire::OperatorParameters,
+                       robots::OperatorParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Operator>() {

@@ -1,6 +1,7 @@
 // Written by suturec from surgeon/operator.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -42,6 +43,11 @@ void fromJson(const suture::JsonReader& in, OperatorParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::OperatorParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::OperatorParameters& value);
 
 template <>
 ComponentClass componentClass<robots::Operator>();

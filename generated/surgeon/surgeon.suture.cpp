@@ -2,6 +2,7 @@
 #include "surgeon/surgeon.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -96,6 +97,17 @@ void fromJson(const suture::JsonReader& in, SurgeonParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::SurgeonParameters& value) {
+  return rpc::encodeAs<robots::wire::SurgeonParameters, robots::SurgeonParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::SurgeonParameters& value) {
+  return rpc::decodeAs<robots::wire::SurgeonParameters,
+                       robots::SurgeonParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Surgeon>() {

@@ -1,6 +1,7 @@
 // Written by suturec from surgeon/surgeon.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -33,6 +34,11 @@ void fromJson(const suture::JsonReader& in, SurgeonParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::SurgeonParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::SurgeonParameters& value);
 
 template <>
 ComponentClass componentClass<robots::Surgeon>();

@@ -2,6 +2,7 @@
 #include "teleop/teleop.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -181,6 +182,16 @@ void fromJson(const suture::JsonReader& in, TeleopParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TeleopParameters& value) {
+  return rpc::encodeAs<robots::wire::TeleopParameters, robots::TeleopParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TeleopParameters& value) {
+  return rpc::decodeAs<robots::wire::TeleopParameters, robots::TeleopParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::Teleop>() {

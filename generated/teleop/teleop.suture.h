@@ -1,6 +1,7 @@
 // Written by suturec from teleop/teleop.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -48,6 +49,11 @@ void fromJson(const suture::JsonReader& in, TeleopParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TeleopParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TeleopParameters& value);
 
 template <>
 ComponentClass componentClass<robots::Teleop>();

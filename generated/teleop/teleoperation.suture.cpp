@@ -2,6 +2,7 @@
 #include "teleop/teleoperation.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -589,6 +590,26 @@ constexpr char kTeleoperationDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::FollowAnchors& value) {
+  return rpc::encodeAs<robots::wire::FollowAnchors, robots::FollowAnchorsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::FollowAnchors& value) {
+  return rpc::decodeAs<robots::wire::FollowAnchors, robots::FollowAnchorsSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TeleopSettings& value) {
+  return rpc::encodeAs<robots::wire::TeleopSettings, robots::TeleopSettingsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TeleopSettings& value) {
+  return rpc::decodeAs<robots::wire::TeleopSettings, robots::TeleopSettingsSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Teleoperation>() {

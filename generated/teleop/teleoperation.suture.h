@@ -1,6 +1,7 @@
 // Written by suturec from teleop/teleoperation.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -87,6 +88,16 @@ enum class TeleoperationColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::FollowAnchors& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::FollowAnchors& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TeleopSettings& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TeleopSettings& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Teleoperation>();

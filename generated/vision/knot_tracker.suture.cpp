@@ -2,6 +2,7 @@
 #include "vision/knot_tracker.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -75,6 +76,17 @@ void fromJson(const suture::JsonReader& in, TrackerParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TrackerParameters& value) {
+  return rpc::encodeAs<robots::wire::TrackerParameters, robots::TrackerParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TrackerParameters& value) {
+  return rpc::decodeAs<robots::wire::TrackerParameters,
+                       robots::TrackerParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::KnotTracker>() {

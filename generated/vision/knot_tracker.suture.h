@@ -1,6 +1,7 @@
 // Written by suturec from vision/knot_tracker.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -29,6 +30,11 @@ void fromJson(const suture::JsonReader& in, TrackerParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::TrackerParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::TrackerParameters& value);
 
 template <>
 ComponentClass componentClass<robots::KnotTracker>();

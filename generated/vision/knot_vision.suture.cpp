@@ -2,6 +2,7 @@
 #include "vision/knot_vision.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -187,6 +188,16 @@ constexpr char kKnotVisionDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KnotSighting& value) {
+  return rpc::encodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KnotSighting& value) {
+  return rpc::decodeAs<robots::wire::KnotSighting, robots::KnotSightingSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::KnotVision>() {

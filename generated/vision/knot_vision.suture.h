@@ -1,6 +1,7 @@
 // Written by suturec from vision/knot_vision.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -37,6 +38,11 @@ enum class KnotVisionColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::KnotSighting& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::KnotSighting& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::KnotVision>();

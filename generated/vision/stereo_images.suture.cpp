@@ -2,6 +2,7 @@
 #include "vision/stereo_images.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -238,6 +239,16 @@ constexpr char kStereoImagesDescription[] = R"json(
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::StereoPair& value) {
+  return rpc::encodeAs<robots::wire::StereoPair, robots::StereoPairSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::StereoPair& value) {
+  return rpc::decodeAs<robots::wire::StereoPair, robots::StereoPairSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::StereoImages>() {

@@ -1,6 +1,7 @@
 // Written by suturec from vision/stereo_images.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -38,6 +39,11 @@ enum class StereoImagesColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::StereoPair& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::StereoPair& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::StereoImages>();

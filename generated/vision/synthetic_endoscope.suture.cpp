@@ -2,6 +2,7 @@
 #include "vision/synthetic_endoscope.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -95,6 +96,17 @@ void fromJson(const suture::JsonReader& in, EndoscopeParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::EndoscopeParameters& value) {
+  return rpc::encodeAs<robots::wire::EndoscopeParameters, robots::EndoscopeParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::EndoscopeParameters& value) {
+  return rpc::decodeAs<robots::wire::EndoscopeParameters,
+                       robots::EndoscopeParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::SyntheticEndoscope>() {

@@ -1,6 +1,7 @@
 // Written by suturec from vision/synthetic_endoscope.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -34,6 +35,11 @@ void fromJson(const suture::JsonReader& in, EndoscopeParameters& value);
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::EndoscopeParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::EndoscopeParameters& value);
 
 template <>
 ComponentClass componentClass<robots::SyntheticEndoscope>();

@@ -1,6 +1,7 @@
 // Written by suturec from reference/arm_types.h. Do not edit.
 #include "reference/arm_types.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -127,3 +128,27 @@ bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace reference
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const reference::PoseStamped& value) {
+  return rpc::encodeAs<reference::wire::PoseStamped, reference::PoseStampedSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, reference::PoseStamped& value) {
+  return rpc::decodeAs<reference::wire::PoseStamped, reference::PoseStampedSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const reference::JointState& value) {
+  return rpc::encodeAs<reference::wire::JointState, reference::JointStateSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, reference::JointState& value) {
+  return rpc::decodeAs<reference::wire::JointState, reference::JointStateSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from reference/arm_types.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "reference/arm_types.h"
@@ -28,3 +29,17 @@ void load(const JointStateSlot& slot, JointState& value);
 void reserve(const JointStateSlot*, JointState& value);
 
 }  // namespace reference
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const reference::PoseStamped& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, reference::PoseStamped& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const reference::JointState& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, reference::JointState& value);
+
+}  // namespace suture

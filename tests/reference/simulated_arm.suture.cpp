@@ -2,6 +2,7 @@
 #include "reference/simulated_arm.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -77,6 +78,18 @@ void fromJson(const suture::JsonReader& in, SimulatedArmParameters& value) {
 }  // namespace reference
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const reference::SimulatedArmParameters& value) {
+  return rpc::encodeAs<reference::wire::SimulatedArmParameters,
+                       reference::SimulatedArmParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, reference::SimulatedArmParameters& value) {
+  return rpc::decodeAs<reference::wire::SimulatedArmParameters,
+                       reference::SimulatedArmParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<reference::SimulatedArm>() {

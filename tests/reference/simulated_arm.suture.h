@@ -1,6 +1,7 @@
 // Written by suturec from reference/simulated_arm.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -29,6 +30,11 @@ void fromJson(const suture::JsonReader& in, SimulatedArmParameters& value);
 }  // namespace reference
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const reference::SimulatedArmParameters& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, reference::SimulatedArmParameters& value);
 
 template <>
 ComponentClass componentClass<reference::SimulatedArm>();

@@ -4,6 +4,7 @@
 #include "compiler/emit/cpp/files.h"
 #include "compiler/emit/cpp/readers.h"
 #include "compiler/emit/text/parts.h"
+#include "compiler/emit/wire/encodings.h"
 #include "compiler/model/naming.h"
 
 namespace suture::compiler::emit {
@@ -39,6 +40,7 @@ bool instantiatesConversions(const model::Interface& interface) {
 void emitHeaderIncludes(Code& code, const Context& context) {
   const bool contracts = !context.header.interfaces.empty();
   const auto& interfaces = context.header.interfaces;
+  if (!context.header.structs.empty()) includeAll(code, "base/", {"encoding"});
   if (std::any_of(interfaces.begin(), interfaces.end(), instantiatesConversions)) {
     code.line("#include <suture/base/slots/slots.h>");
   } else if (contracts || !context.header.structs.empty()) {
@@ -78,6 +80,7 @@ std::string headerFile(const Context& context) {
     inNamespace(code, home, [&](Code& inner) { emitReaderDeclarations(inner, context, home); });
   }
   inNamespace(code, "suture", [&](Code& inner) {
+    declareEncodings(inner, context);
     for (const model::Interface& one : context.header.interfaces) {
       inner.line("template <>");
       inner.line("const InterfaceInfo& interfaceInfo<", one.name, ">();").blank();

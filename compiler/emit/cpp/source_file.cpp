@@ -6,6 +6,7 @@
 #include "compiler/emit/text/parts.h"
 #include "compiler/emit/wire/codec.h"
 #include "compiler/emit/wire/converters.h"
+#include "compiler/emit/wire/encodings.h"
 #include "compiler/emit/wire/value_checks.h"
 #include "compiler/emit/wire/wire_places.h"
 #include "compiler/model/naming.h"
@@ -38,6 +39,7 @@ void emitSourceIncludes(Code& code, const Context& context, bool converts, bool 
   if (!header.interfaces.empty()) {
     includeAll(code, "wire/", {"codec"});
   }
+  if (!header.structs.empty()) includeAll(code, "wire/", {"flat"});
   if (converts) includeAll(code, "wire/", {"wire"});
   if (hasPackedFields(header)) includeAll(code, "base/slots/", {"packed_fields", "slots"});
   code.blank();
@@ -85,6 +87,7 @@ std::string sourceBody(const Context& context) {
   });
   emitReaders(code, context);
   inNamespace(code, "suture", [&](Code& inner) {
+    emitEncodings(inner, context);
     forEachInterface(inner, context, emitInfo);
     forEachInterface(inner, context, emitReserved);
     forEachInterface(inner, context, emitExecute);

@@ -2,6 +2,7 @@
 #include "suture/standard/collecting.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -347,6 +348,27 @@ constexpr char kCollectingDescription[] = R"json(
 }  // namespace suture
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::CollectedCounts& value) {
+  return rpc::encodeAs<suture::wire::CollectedCounts, suture::CollectedCountsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::CollectedCounts& value) {
+  return rpc::decodeAs<suture::wire::CollectedCounts, suture::CollectedCountsSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::CollectingInterval& value) {
+  return rpc::encodeAs<suture::wire::CollectingInterval, suture::CollectingIntervalSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::CollectingInterval& value) {
+  return rpc::decodeAs<suture::wire::CollectingInterval,
+                       suture::CollectingIntervalSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<suture::Collecting>() {

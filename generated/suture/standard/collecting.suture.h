@@ -1,6 +1,7 @@
 // Written by suturec from suture/standard/collecting.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -59,6 +60,16 @@ enum class CollectingColumn : std::uint16_t {
 }  // namespace suture
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::CollectedCounts& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::CollectedCounts& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::CollectingInterval& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::CollectingInterval& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<suture::Collecting>();

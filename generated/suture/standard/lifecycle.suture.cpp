@@ -2,6 +2,7 @@
 #include "suture/standard/lifecycle.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -430,6 +431,16 @@ constexpr char kLifecycleDescription[] = R"json(
 }  // namespace suture
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::StateChange& value) {
+  return rpc::encodeAs<suture::wire::StateChange, suture::StateChangeSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::StateChange& value) {
+  return rpc::decodeAs<suture::wire::StateChange, suture::StateChangeSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<suture::Lifecycle>() {

@@ -1,6 +1,7 @@
 // Written by suturec from suture/standard/lifecycle.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -52,6 +53,11 @@ enum class LifecycleColumn : std::uint16_t {
 }  // namespace suture
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::StateChange& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::StateChange& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<suture::Lifecycle>();

@@ -2,6 +2,7 @@
 #include "suture/standard/messages.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -205,6 +206,16 @@ constexpr char kMessagesDescription[] = R"json(
 }  // namespace suture
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::Message& value) {
+  return rpc::encodeAs<suture::wire::Message, suture::MessageSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::Message& value) {
+  return rpc::decodeAs<suture::wire::Message, suture::MessageSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<suture::Messages>() {

@@ -1,6 +1,7 @@
 // Written by suturec from suture/standard/messages.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -33,6 +34,11 @@ enum class MessagesEvent : std::uint16_t {
 }  // namespace suture
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::Message& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::Message& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<suture::Messages>();

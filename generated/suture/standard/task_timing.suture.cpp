@@ -2,6 +2,7 @@
 #include "suture/standard/task_timing.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -325,6 +326,26 @@ constexpr char kTaskTimingDescription[] = R"json(
 }  // namespace suture
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::DurationSummary& value) {
+  return rpc::encodeAs<suture::wire::DurationSummary, suture::DurationSummarySlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::DurationSummary& value) {
+  return rpc::decodeAs<suture::wire::DurationSummary, suture::DurationSummarySlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const suture::TaskWindow& value) {
+  return rpc::encodeAs<suture::wire::TaskWindow, suture::TaskWindowSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, suture::TaskWindow& value) {
+  return rpc::decodeAs<suture::wire::TaskWindow, suture::TaskWindowSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<suture::TaskTiming>() {

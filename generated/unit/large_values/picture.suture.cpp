@@ -2,6 +2,7 @@
 #include "unit/large_values/picture.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -312,6 +313,16 @@ constexpr char kGalleryDescription[] = R"json(
 }  // namespace large_values
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const large_values::Picture& value) {
+  return rpc::encodeAs<large_values::wire::Picture, large_values::PictureSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, large_values::Picture& value) {
+  return rpc::decodeAs<large_values::wire::Picture, large_values::PictureSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<large_values::Gallery>() {

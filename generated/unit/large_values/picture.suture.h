@@ -1,6 +1,7 @@
 // Written by suturec from unit/large_values/picture.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -55,6 +56,11 @@ enum class GalleryColumn : std::uint16_t {
 }  // namespace large_values
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const large_values::Picture& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, large_values::Picture& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<large_values::Gallery>();

@@ -1,6 +1,7 @@
 #pragma once
 // Random values of a type through its slot and its message, and back.
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/shared_slot.h>
 #include <suture/wire/wire.h>
 
@@ -54,6 +55,7 @@ class RoundTrip {
     load(*arrived, received_);  // over the value before
     expect(same(received_, value), "what arrives is not what was sent");
     expect(bytes == encoded(received_), "what arrives is encoded otherwise");
+    checkBytes(value, isValid(*slot));
   }
 
   /// `fill(value, random)` makes one member too long, if it has a length at all.
@@ -73,6 +75,14 @@ class RoundTrip {
 
  private:
   void expect(bool condition, const char* what) const { require(condition, name_, what); }
+
+  void checkBytes(const Value& value, bool valid) {
+    const auto bytes = suture::encode(value);
+    expect(bytes.has_value() == valid, "encode() judges otherwise");
+    if (!valid) return;
+    expect(suture::decode(*bytes, received_).has_value(), "what was encoded is not decoded");
+    expect(same(received_, value), "what is decoded is not what was encoded");
+  }
 
   Bytes encoded(const Value& value) const {
     const auto slot = slotFullOf<Slot>(0x3c);

@@ -3,6 +3,7 @@
 
 #include <suture/component/factory/json_reader.h>
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -825,6 +826,16 @@ void fromJson(const suture::JsonReader& in, Mode& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Everything& value) {
+  return rpc::encodeAs<robots::wire::Everything, robots::EverythingSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Everything& value) {
+  return rpc::decodeAs<robots::wire::Everything, robots::EverythingSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>() {

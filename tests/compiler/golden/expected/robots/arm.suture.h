@@ -1,6 +1,7 @@
 // Written by suturec from robots/arm.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -121,6 +122,11 @@ enum class ArmColumn : std::uint16_t {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::Everything& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::Everything& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<robots::Arm>();

@@ -1,6 +1,7 @@
 // Written by suturec from robots/geometry.h. Do not edit.
 #include "robots/geometry.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -62,3 +63,17 @@ bool isValid(const PoseStampedSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseStamped& value) {
+  return rpc::encodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value) {
+  return rpc::decodeAs<robots::wire::PoseStamped, robots::PoseStampedSlot>(bytes, value);
+}
+
+}  // namespace suture

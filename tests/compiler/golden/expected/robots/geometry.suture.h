@@ -1,6 +1,7 @@
 // Written by suturec from robots/geometry.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "robots/geometry.h"
@@ -19,3 +20,12 @@ void load(const PoseStampedSlot& slot, PoseStamped& value);
 void shiftStamps(PoseStampedSlot& slot, suture::Duration shift);
 
 }  // namespace robots
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::PoseStamped& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::PoseStamped& value);
+
+}  // namespace suture

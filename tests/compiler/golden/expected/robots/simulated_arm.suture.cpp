@@ -2,6 +2,7 @@
 #include "robots/simulated_arm.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -87,6 +88,16 @@ void fromJson(const suture::JsonReader& in, ArmParameters& value) {
 }  // namespace robots
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const robots::ArmParameters& value) {
+  return rpc::encodeAs<robots::wire::ArmParameters, robots::ArmParametersSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, robots::ArmParameters& value) {
+  return rpc::decodeAs<robots::wire::ArmParameters, robots::ArmParametersSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<robots::SimulatedArm>() {

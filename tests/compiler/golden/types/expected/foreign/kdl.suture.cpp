@@ -1,6 +1,7 @@
 // Written by suturec from foreign/kdl.h. Do not edit.
 #include "foreign/kdl.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -243,3 +244,77 @@ bool isValid(const MotionSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace foreign
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Vector& value) {
+  return rpc::encodeAs<foreign::wire::Vector, foreign::KDLVectorSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Vector& value) {
+  return rpc::decodeAs<foreign::wire::Vector, foreign::KDLVectorSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Rotation& value) {
+  return rpc::encodeAs<foreign::wire::Rotation, foreign::KDLRotationSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Rotation& value) {
+  return rpc::decodeAs<foreign::wire::Rotation, foreign::KDLRotationSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Frame& value) {
+  return rpc::encodeAs<foreign::wire::Frame, foreign::KDLFrameSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Frame& value) {
+  return rpc::decodeAs<foreign::wire::Frame, foreign::KDLFrameSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Twist& value) {
+  return rpc::encodeAs<foreign::wire::Twist, foreign::KDLTwistSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Twist& value) {
+  return rpc::decodeAs<foreign::wire::Twist, foreign::KDLTwistSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Wrench& value) {
+  return rpc::encodeAs<foreign::wire::Wrench, foreign::KDLWrenchSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Wrench& value) {
+  return rpc::decodeAs<foreign::wire::Wrench, foreign::KDLWrenchSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::JntArray& value) {
+  return rpc::encodeAs<foreign::wire::Joints, foreign::KDLJntArraySlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::JntArray& value) {
+  return rpc::decodeAs<foreign::wire::Joints, foreign::KDLJntArraySlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Motion& value) {
+  return rpc::encodeAs<foreign::wire::Motion, foreign::MotionSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Motion& value) {
+  return rpc::decodeAs<foreign::wire::Motion, foreign::MotionSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from foreign/kdl.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "foreign/kdl.h"
@@ -64,3 +65,42 @@ bool store(const Motion& value, MotionSlot& slot);
 void load(const MotionSlot& slot, Motion& value);
 
 }  // namespace foreign
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Vector& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Vector& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Rotation& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Rotation& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Frame& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Frame& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Twist& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Twist& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::Wrench& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::Wrench& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const KDL::JntArray& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, KDL::JntArray& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Motion& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Motion& value);
+
+}  // namespace suture

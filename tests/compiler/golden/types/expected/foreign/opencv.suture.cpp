@@ -2,6 +2,7 @@
 #include "foreign/opencv.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -257,6 +258,36 @@ constexpr char kCameraDescription[] = R"json(
 }  // namespace foreign
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const cv::Point3d& value) {
+  return rpc::encodeAs<foreign::wire::Point3d, foreign::cvPoint3dSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, cv::Point3d& value) {
+  return rpc::decodeAs<foreign::wire::Point3d, foreign::cvPoint3dSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const cv::Matx33d& value) {
+  return rpc::encodeAs<foreign::wire::Matx33d, foreign::cvMatx33dSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, cv::Matx33d& value) {
+  return rpc::decodeAs<foreign::wire::Matx33d, foreign::cvMatx33dSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::View& value) {
+  return rpc::encodeAs<foreign::wire::View, foreign::ViewSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::View& value) {
+  return rpc::decodeAs<foreign::wire::View, foreign::ViewSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<foreign::Camera>() {

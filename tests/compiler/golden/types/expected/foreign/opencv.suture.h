@@ -1,6 +1,7 @@
 // Written by suturec from foreign/opencv.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -59,6 +60,21 @@ enum class CameraColumn : std::uint16_t {
 }  // namespace foreign
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const cv::Point3d& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, cv::Point3d& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const cv::Matx33d& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, cv::Matx33d& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::View& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::View& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<foreign::Camera>();

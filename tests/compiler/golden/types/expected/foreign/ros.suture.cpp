@@ -1,6 +1,7 @@
 // Written by suturec from foreign/ros.h. Do not edit.
 #include "foreign/ros.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -303,3 +304,77 @@ bool isValid(const JointStateSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace foreign
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const ros::Time& value) {
+  return rpc::encodeAs<foreign::wire::Time, foreign::rosTimeSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, ros::Time& value) {
+  return rpc::decodeAs<foreign::wire::Time, foreign::rosTimeSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Header& value) {
+  return rpc::encodeAs<foreign::wire::Header, foreign::HeaderSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Header& value) {
+  return rpc::decodeAs<foreign::wire::Header, foreign::HeaderSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Point& value) {
+  return rpc::encodeAs<foreign::wire::Point, foreign::PointSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Point& value) {
+  return rpc::decodeAs<foreign::wire::Point, foreign::PointSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Quaternion& value) {
+  return rpc::encodeAs<foreign::wire::Quaternion, foreign::QuaternionSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Quaternion& value) {
+  return rpc::decodeAs<foreign::wire::Quaternion, foreign::QuaternionSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Pose& value) {
+  return rpc::encodeAs<foreign::wire::Pose, foreign::PoseSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Pose& value) {
+  return rpc::decodeAs<foreign::wire::Pose, foreign::PoseSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::PoseStamped& value) {
+  return rpc::encodeAs<foreign::wire::PoseStamped, foreign::PoseStampedSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::PoseStamped& value) {
+  return rpc::decodeAs<foreign::wire::PoseStamped, foreign::PoseStampedSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::JointState& value) {
+  return rpc::encodeAs<foreign::wire::JointState, foreign::JointStateSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::JointState& value) {
+  return rpc::decodeAs<foreign::wire::JointState, foreign::JointStateSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from foreign/ros.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "foreign/ros.h"
@@ -74,3 +75,42 @@ void load(const JointStateSlot& slot, JointState& value);
 void reserve(const JointStateSlot*, JointState& value);
 
 }  // namespace foreign
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const ros::Time& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, ros::Time& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Header& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Header& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Point& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Point& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Quaternion& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Quaternion& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::Pose& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::Pose& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::PoseStamped& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::PoseStamped& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const foreign::JointState& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, foreign::JointState& value);
+
+}  // namespace suture

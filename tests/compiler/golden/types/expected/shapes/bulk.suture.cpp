@@ -1,6 +1,7 @@
 // Written by suturec from shapes/bulk.h. Do not edit.
 #include "shapes/bulk.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -88,3 +89,17 @@ bool isValid(const BulkSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace shapes
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Bulk& value) {
+  return rpc::encodeAs<shapes::wire::Bulk, shapes::BulkSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Bulk& value) {
+  return rpc::decodeAs<shapes::wire::Bulk, shapes::BulkSlot>(bytes, value);
+}
+
+}  // namespace suture

@@ -1,6 +1,7 @@
 // Written by suturec from shapes/bulk.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "shapes/bulk.h"
@@ -22,3 +23,12 @@ void load(const BulkSlot& slot, Bulk& value);
 void reserve(const BulkSlot*, Bulk& value);
 
 }  // namespace shapes
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Bulk& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Bulk& value);
+
+}  // namespace suture

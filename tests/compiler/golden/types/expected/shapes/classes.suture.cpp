@@ -1,6 +1,7 @@
 // Written by suturec from shapes/classes.h. Do not edit.
 #include "shapes/classes.suture.h"
 
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -313,3 +314,77 @@ bool isValid(const ClassesSlot& slot, suture::FieldPath* path) {
 }
 
 }  // namespace shapes
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Named& value) {
+  return rpc::encodeAs<shapes::wire::Named, shapes::NamedSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Named& value) {
+  return rpc::decodeAs<shapes::wire::Named, shapes::NamedSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::StampedPoint& value) {
+  return rpc::encodeAs<shapes::wire::StampedPoint, shapes::StampedPointSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::StampedPoint& value) {
+  return rpc::decodeAs<shapes::wire::StampedPoint, shapes::StampedPointSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Tool& value) {
+  return rpc::encodeAs<shapes::wire::Tool, shapes::ToolSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Tool& value) {
+  return rpc::decodeAs<shapes::wire::Tool, shapes::ToolSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::StampedLevel& value) {
+  return rpc::encodeAs<shapes::wire::StampedLevel, shapes::StampedLevelSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::StampedLevel& value) {
+  return rpc::decodeAs<shapes::wire::StampedLevel, shapes::StampedLevelSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Counter& value) {
+  return rpc::encodeAs<shapes::wire::Counter, shapes::CounterSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Counter& value) {
+  return rpc::decodeAs<shapes::wire::Counter, shapes::CounterSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Tree& value) {
+  return rpc::encodeAs<shapes::wire::Tree, shapes::TreeSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Tree& value) {
+  return rpc::decodeAs<shapes::wire::Tree, shapes::TreeSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Classes& value) {
+  return rpc::encodeAs<shapes::wire::Classes, shapes::ClassesSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Classes& value) {
+  return rpc::decodeAs<shapes::wire::Classes, shapes::ClassesSlot>(bytes, value);
+}
+
+}  // namespace suture

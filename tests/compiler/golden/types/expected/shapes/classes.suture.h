@@ -1,6 +1,7 @@
 // Written by suturec from shapes/classes.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 
 #include "shapes/classes.h"
@@ -89,3 +90,42 @@ void load(const ClassesSlot& slot, Classes& value);
 void reserve(const ClassesSlot*, Classes& value);
 
 }  // namespace shapes
+
+namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Named& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Named& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::StampedPoint& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::StampedPoint& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Tool& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Tool& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::StampedLevel& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::StampedLevel& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Counter& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Counter& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Tree& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Tree& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Classes& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Classes& value);
+
+}  // namespace suture

@@ -2,6 +2,7 @@
 #include "shapes/containers.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -1231,6 +1232,46 @@ constexpr char kStoreDescription[] = R"json(
 }  // namespace shapes
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Point& value) {
+  return rpc::encodeAs<shapes::wire::Point, shapes::PointSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Point& value) {
+  return rpc::decodeAs<shapes::wire::Point, shapes::PointSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Sequences& value) {
+  return rpc::encodeAs<shapes::wire::Sequences, shapes::SequencesSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Sequences& value) {
+  return rpc::decodeAs<shapes::wire::Sequences, shapes::SequencesSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Choices& value) {
+  return rpc::encodeAs<shapes::wire::Choices, shapes::ChoicesSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Choices& value) {
+  return rpc::decodeAs<shapes::wire::Choices, shapes::ChoicesSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Matrices& value) {
+  return rpc::encodeAs<shapes::wire::Matrices, shapes::MatricesSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Matrices& value) {
+  return rpc::decodeAs<shapes::wire::Matrices, shapes::MatricesSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Store>() {

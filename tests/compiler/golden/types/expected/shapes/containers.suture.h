@@ -1,6 +1,7 @@
 // Written by suturec from shapes/containers.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slots.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -124,6 +125,26 @@ enum class StoreColumn : std::uint16_t {
 }  // namespace shapes
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Point& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Point& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Sequences& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Sequences& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Choices& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Choices& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Matrices& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Matrices& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Store>();

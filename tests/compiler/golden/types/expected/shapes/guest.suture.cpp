@@ -2,6 +2,7 @@
 #include "shapes/guest.suture.h"
 
 #include <suture/component/factory/json_reader.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -68,6 +69,16 @@ void fromJson(const suture::JsonReader& in, Limits& value) {
 }  // namespace guest
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const guest::Limits& value) {
+  return rpc::encodeAs<shapes::wire::Limits, shapes::guestLimitsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, guest::Limits& value) {
+  return rpc::decodeAs<shapes::wire::Limits, shapes::guestLimitsSlot>(bytes, value);
+}
 
 template <>
 ComponentClass componentClass<shapes::Fence>() {

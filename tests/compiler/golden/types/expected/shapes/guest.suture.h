@@ -1,6 +1,7 @@
 // Written by suturec from shapes/guest.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/factory/component_class.h>
 
@@ -30,6 +31,11 @@ void fromJson(const suture::JsonReader& in, Limits& value);
 }  // namespace guest
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const guest::Limits& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, guest::Limits& value);
 
 template <>
 ComponentClass componentClass<shapes::Fence>();

@@ -2,6 +2,7 @@
 #include "shapes/large.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -574,6 +575,26 @@ constexpr char kRecorderDescription[] = R"json(
 }  // namespace shapes
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Trace& value) {
+  return rpc::encodeAs<shapes::wire::Trace, shapes::TraceSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Trace& value) {
+  return rpc::decodeAs<shapes::wire::Trace, shapes::TraceSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Large& value) {
+  return rpc::encodeAs<shapes::wire::Large, shapes::LargeSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Large& value) {
+  return rpc::decodeAs<shapes::wire::Large, shapes::LargeSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Recorder>() {

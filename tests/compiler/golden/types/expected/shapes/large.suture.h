@@ -1,6 +1,7 @@
 // Written by suturec from shapes/large.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slot_forms.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -89,6 +90,16 @@ enum class RecorderColumn : std::uint16_t {
 }  // namespace shapes
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Trace& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Trace& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Large& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Large& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Recorder>();

@@ -2,6 +2,7 @@
 #include "shapes/moments.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -670,6 +671,26 @@ constexpr char kJournalDescription[] = R"json(
 }  // namespace shapes
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Moment& value) {
+  return rpc::encodeAs<shapes::wire::Moment, shapes::MomentSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Moment& value) {
+  return rpc::decodeAs<shapes::wire::Moment, shapes::MomentSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Moments& value) {
+  return rpc::encodeAs<shapes::wire::Moments, shapes::MomentsSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Moments& value) {
+  return rpc::decodeAs<shapes::wire::Moments, shapes::MomentsSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Journal>() {

@@ -1,6 +1,7 @@
 // Written by suturec from shapes/moments.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slots.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -99,6 +100,16 @@ enum class JournalColumn : std::uint16_t {
 }  // namespace shapes
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Moment& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Moment& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Moments& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Moments& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Journal>();

@@ -2,6 +2,7 @@
 #include "shapes/open.suture.h"
 
 #include <suture/wire/codec.h>
+#include <suture/wire/flat.h>
 #include <suture/wire/wire.h>
 
 #include <type_traits>
@@ -794,6 +795,36 @@ constexpr char kArchiveDescription[] = R"json(
 }  // namespace shapes
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Root& value) {
+  return rpc::encodeAs<shapes::wire::Root, shapes::RootSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Root& value) {
+  return rpc::decodeAs<shapes::wire::Root, shapes::RootSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Branch& value) {
+  return rpc::encodeAs<shapes::wire::Branch, shapes::BranchSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Branch& value) {
+  return rpc::decodeAs<shapes::wire::Branch, shapes::BranchSlot>(bytes, value);
+}
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Open& value) {
+  return rpc::encodeAs<shapes::wire::Open, shapes::OpenSlot>(value);
+}
+
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Open& value) {
+  return rpc::decodeAs<shapes::wire::Open, shapes::OpenSlot>(bytes, value);
+}
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Archive>() {

@@ -1,6 +1,7 @@
 // Written by suturec from shapes/open.h. Do not edit.
 #pragma once
 
+#include <suture/base/encoding.h>
 #include <suture/base/slots/slots.h>
 #include <suture/component/commands.h>
 #include <suture/component/events.h>
@@ -123,6 +124,21 @@ enum class ArchiveColumn : std::uint16_t {
 }  // namespace shapes
 
 namespace suture {
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Root& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Root& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Branch& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Branch& value);
+
+template <>
+Result<std::vector<std::byte>> encode(const shapes::Open& value);
+template <>
+Result<> decode(std::span<const std::byte> bytes, shapes::Open& value);
 
 template <>
 const InterfaceInfo& interfaceInfo<shapes::Archive>();
