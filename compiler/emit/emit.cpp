@@ -17,7 +17,8 @@ struct Emitter {
   std::string (*write)(const Context&);
 };
 
-/// All that is generated for a header. compiler/cmake/outputs.list is what suturec prints of it.
+/// This table has all that is generated for a header. compiler/cmake/outputs.list is what suturec
+/// prints of it.
 constexpr Emitter kEmitters[] = {
     {{"suture.h", "include"}, headerFile},
     {{"suture.cpp", "compile"}, sourceFile},

@@ -1,5 +1,5 @@
 #pragma once
-// From the checked model to the text of every generated file.
+// This turns the checked model into the text of every generated file.
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace suture::compiler::emit {
 
 using model::Artefact;
 
-/// A file that is generated for each header: X.SUFFIX for X.h.
+/// Is a file that is generated for each header: X.SUFFIX for X.h.
 struct Output {
   const char* suffix;  ///< "suture.h"
   const char* use;     ///< what a build does with it: "include", "compile", or only "read"
@@ -22,7 +22,7 @@ struct Output {
 /// lock::check: nothing is verified again here. Equal input gives equal bytes.
 std::vector<Artefact> emit(const model::Model& model, const lock::Locks& locks);
 
-/// All kinds of file that emit() writes.
+/// Returns all kinds of file that emit() writes.
 std::vector<Output> outputs();
 
 }  // namespace suture::compiler::emit

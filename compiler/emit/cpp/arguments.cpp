@@ -14,7 +14,7 @@ std::string valueName(const model::Parameter& parameter) {
   return parameter.name == "store" ? "store_" : parameter.name;
 }
 
-/// "const PoseStamped& goal, const double& time, "
+/// Returns "const PoseStamped& goal, const double& time, ".
 std::string parameterList(const model::Command& command, const std::string& home) {
   std::string text;
   for (const model::Parameter& parameter : command.parameters) {
@@ -129,7 +129,7 @@ void emitPayload(Code& code, const Context& context, const model::Interface& int
   emitShift(code, payloadValues(event), payload.slot, context);
 }
 
-/// The commands and the events that have a slot of their own.
+/// Calls `emit` for the commands and the events that have a slot of their own.
 template <class Emit>
 void forEachArguments(const Context& context, const model::Interface& interface, const Emit& emit) {
   for (const model::Command& command : interface.commands) {
@@ -158,7 +158,7 @@ void emitNumbers(Code& code, const std::string& contract, const char* kind, cons
   code.close("};").blank();
 }
 
-/// "the numbers of Arm's own events".
+/// Returns "the numbers of Arm's own events".
 std::string numbersOf(const std::string& contract, const char* plural, std::size_t inherited) {
   return "the numbers of " + contract + (inherited == 0 ? "'s " : "'s own ") + plural;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The entry point through which a deployment finds the components of a shared library.
+// This emits the entry point through which a deployment finds the components of a shared library.
 
 #include <string>
 
@@ -8,8 +8,9 @@
 
 namespace suture::compiler::emit {
 
-/// The source file `path`: suture_components(), which lists every component of the own headers. A
-/// list that is read, instead of objects that register themselves when the library is loaded.
+/// Emits the source file `path`: suture_components(), which lists every component of the own
+/// headers. The list is read, so that no objects have to register themselves when the library is
+/// loaded.
 model::Artefact emitComponentLibrary(const model::Model& model, const std::string& target,
                                      const std::string& path);
 

@@ -6,7 +6,7 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// "implementation.servo_cp(scratch.servo_cp_goal)".
+/// Returns "implementation.servo_cp(scratch.servo_cp_goal)".
 std::string call(const model::Command& command) {
   std::string arguments;
   for (const model::Parameter& parameter : command.parameters) {

@@ -1,5 +1,5 @@
 #pragma once
-// The C++ files that are generated for a header.
+// These emit the C++ files that are generated for a header.
 
 #include <string>
 
@@ -7,10 +7,10 @@
 
 namespace suture::compiler::emit {
 
-/// "arm/arm.suture.h": slots, Required and Provided.
+/// Emits "arm/arm.suture.h": slots, Required and Provided.
 std::string headerFile(const Context& context);
 
-/// "arm/arm.suture.cpp": what the header declares, and the way to Cap'n Proto.
+/// Emits "arm/arm.suture.cpp": what the header declares, and the way to Cap'n Proto.
 std::string sourceFile(const Context& context);
 
 }  // namespace suture::compiler::emit

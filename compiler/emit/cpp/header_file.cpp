@@ -10,7 +10,7 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// True if slot_forms.h or generated code converts the type, false if that takes slots.h.
+/// Returns true if slot_forms.h or generated code converts the type, false if that takes slots.h.
 bool convertsItself(const model::Type& type) {
   using Shape = model::Type::Shape;
   switch (type.shape) {
@@ -24,8 +24,8 @@ bool convertsItself(const model::Type& type) {
   }
 }
 
-/// Does a user's code instantiate a conversion of lists, arrays or choices? Those of arguments, of
-/// several values of an event and of types are functions of the generated source.
+/// Tells if a user's code instantiates a conversion of lists, arrays or choices. Conversions of
+/// arguments, of several values of an event and of types are functions of the generated source.
 bool instantiatesConversions(const model::Interface& interface) {
   const auto result = [](const model::Command& command) {
     return command.result && !convertsItself(*command.result);

@@ -10,16 +10,16 @@ namespace {
 using model::Type;
 using Shape = Type::Shape;
 
-// To tell what is used of less costs more than to copy it.
+// Below this size it costs more to tell what is used than to copy all of it.
 constexpr std::uint64_t kSmall = 256;
 
-/// Finds the levels that lie in no other. Those in arrays and variants travel whole: nobody bounds
-/// how many there are, and what lies there depends on the value.
+/// Finds the levels that lie in no other. Those in arrays and variants travel whole: their number
+/// has no bound, and what lies there depends on the value.
 class Levels {
  public:
   Levels(std::string slot, const Context& context) : slot_(std::move(slot)), context_(context) {}
 
-  /// `path`: the members that lead to the value, "" for the slot itself.
+  /// Adds what `path`, the members that lead to the value, holds; it is "" for the slot itself.
   void find(const Type& type, const std::string& path) {
     if (model::flatSize(type, context_.lookup) <= kSmall) return;
     switch (type.shape) {
@@ -64,7 +64,7 @@ class Levels {
   std::vector<std::string> entries_;
 };
 
-/// "slot.goal" -> "goal", "slot" -> "".
+/// Turns "slot.goal" into "goal", and "slot" into "".
 std::string memberPath(const std::string& lvalue) {
   const auto dot = lvalue.find('.');
   return dot == std::string::npos ? "" : lvalue.substr(dot + 1);

@@ -15,19 +15,19 @@ namespace {
 
 using Shape = model::Type::Shape;
 
-/// Is it the parameters of a component of `home`, which declares it?
+/// Tells if the type is the parameters of a component that `home` declares.
 bool isDeclared(const std::string& name, const model::Header& home) {
   return std::any_of(home.components.begin(), home.components.end(),
                      [&](const model::Component& one) { return one.parameters == name; });
 }
 
-/// Does another target declare how it is read?
+/// Tells if another target declares how the type is read.
 bool isReadElsewhere(const std::string& name, const model::Header& home) {
   return !home.own && isDeclared(name, home);
 }
 
-/// Which header's source reads each type that parameters of our components consist of: its own, or
-/// if that is another target's, the first of ours that has a value of it.
+/// Says which header's source reads each type that parameters of our components consist of. It is
+/// the type's own header, or if that is another target's, the first of ours that has a value of it.
 class ReaderHomes {
  public:
   explicit ReaderHomes(const Context& context) : context_(context) {
@@ -40,7 +40,7 @@ class ReaderHomes {
   }
 
   const model::Header& of(const std::string& name) const { return *homes_.at(name); }
-  /// These types are read in the source of `header`, and by another source of ours too.
+  /// Returns the types that the source of `header` reads for another source of ours too.
   std::set<std::string> sharedBy(const model::Header& header) const {
     std::set<std::string> names;
     for (const std::string& name : shared_) {
@@ -71,7 +71,7 @@ class ReaderHomes {
   std::set<std::string> shared_;
 };
 
-/// The types that a header's source reads, parts before wholes.
+/// Collects the types that a header's source reads, parts before wholes.
 class Parts {
  public:
   Parts(const Context& context, const ReaderHomes& homes, const std::set<std::string>& shared)
@@ -83,7 +83,8 @@ class Parts {
   }
 
   const std::vector<std::string>& names() const { return names_; }
-  /// By the path of its header: what another source of ours reads, and no header declares.
+  /// Returns what another source of ours reads and no header declares, by the path of that source's
+  /// header.
   const std::map<std::string, std::vector<std::string>>& elsewhere() const { return elsewhere_; }
 
  private:
@@ -111,7 +112,8 @@ class Parts {
   std::map<std::string, std::vector<std::string>> elsewhere_;
 };
 
-/// False where there are points in time: a stamp of this process's clock cannot come from a file.
+/// Returns false where there are points in time: a stamp of this process's clock cannot come from a
+/// file.
 bool isReadable(const model::Type& type) {
   return type.shape != Shape::TimePoint &&
          std::all_of(type.element.begin(), type.element.end(), isReadable);
@@ -123,7 +125,7 @@ bool holdsNumbers(const model::Type& type) {
   return number || (!type.element.empty() && holdsNumbers(type.element.front()));
 }
 
-/// Where a function on the type is found by its argument.
+/// Returns the namespace in which a function on the type is found by its argument.
 std::string namespaceFor(const std::string& name, const Context& context) {
   const model::Struct* const record = context.lookup.findStruct(name);
   if (record && record->foreignNamespace) return *record->foreignNamespace;
@@ -164,9 +166,9 @@ std::string signature(const std::string& name, const Context& context) {
   return "void fromJson(const suture::JsonReader& in, " + type + "& value)";
 }
 
-/// How a reader is linked that `known` says other sources of ours know of. Whatever else is read is
-/// equal wherever it is, and so is a reader of another target's type, which yet another target may
-/// have too.
+/// Says how a reader is linked; `known` says that other sources of ours know of it. Any other
+/// reader is equal wherever it is, and so is a reader of another target's type, which yet another
+/// target may have too.
 std::string linkage(const std::string& name, const Context& context, bool known) {
   if (!known) return "inline ";
   return context.lookup.headerOf(name)->own ? "" : "[[gnu::weak]] ";
@@ -198,7 +200,7 @@ void emitForeignReaders(Code& code, const Context& context,
   }
 }
 
-/// The required interfaces that it can do without: "\"Slave\", \"Camera\"".
+/// Lists the required interfaces that it can do without: "\"Slave\", \"Camera\"".
 std::string optionalPorts(const model::Component& component) {
   std::string names;
   for (const model::Port& port : component.ports) {
@@ -208,7 +210,7 @@ std::string optionalPorts(const model::Component& component) {
   return names;
 }
 
-/// What the component's annotations say of its required interfaces, as calls.
+/// Returns what the component's annotations say of its required interfaces, as calls.
 std::vector<std::string> portCalls(const model::Component& component) {
   std::vector<std::string> calls;
   if (const std::string optional = optionalPorts(component); !optional.empty()) {
@@ -236,7 +238,8 @@ void emitClass(Code& code, const model::Component& component) {
     code.line(indent, "JsonReader none = parameters;").line(indent, "none.finish();");
   }
   code.line(indent, "if (parameters.failed()) return nullptr;");
-  // Do not emit make_unique(): so a compiler says right here what command a component lacks.
+  // Do not emit make_unique(): with `new` a compiler says right here what command a component
+  // lacks.
   const std::string made =
       "(new " + component.name + (component.parameters ? "(values));" : "());");
   const std::vector<std::string> calls = portCalls(component);

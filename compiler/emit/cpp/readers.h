@@ -1,5 +1,6 @@
 #pragma once
-// JSON readers of component parameters, and the classes that a deployment creates components by.
+// These emit JSON readers of component parameters, and the classes that a deployment creates
+// components by.
 //
 // A parameters struct declared in the same header as its component has its fromJson() declared in
 // the generated header. What else parameters are made of is read by the source of its own header,
@@ -14,26 +15,26 @@
 
 namespace suture::compiler::emit {
 
-/// Does the header declare a component's parameters?
+/// Tells if the header declares a component's parameters.
 bool hasReaders(const model::Header& header);
 
-/// Does its source read what parameters of components in other headers consist of?
+/// Tells if its source reads what parameters of components in other headers consist of.
 bool readsForOthers(const Context& context);
 
-/// The namespaces of those readers: the header's own, and that of somebody else's type that it
+/// Returns the namespaces of those readers: the header's own, and those of foreign types that it
 /// lists.
 std::set<std::string> readerNamespaces(const Context& context);
 
-/// The declarations of those readers in namespace `home`, for the generated header.
+/// Declares those readers in namespace `home`, for the generated header.
 void emitReaderDeclarations(Code& code, const Context& context, const std::string& home);
 
-/// The definitions of the readers of everything that the header's components are configured with.
+/// Defines the readers of everything that the header's components are configured with.
 void emitReaders(Code& code, const Context& context);
 
-/// componentClass<T>() of each component: declarations, for the generated header.
+/// Declares componentClass<T>() of each component, for the generated header.
 void emitClassDeclarations(Code& code, const Context& context);
 
-/// Their definitions.
+/// Defines those functions.
 void emitClasses(Code& code, const Context& context);
 
 }  // namespace suture::compiler::emit

@@ -17,7 +17,7 @@ std::string argumentsSlot(const Context& context, const model::Interface& interf
   return command.parameters.empty() ? "NoSlot" : argumentsStruct(interface, command, context);
 }
 
-/// "ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot>".
+/// Returns "ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot>".
 std::string memberType(const Context& context, const model::Interface& interface,
                        const model::Command& command) {
   const std::string method = "&Contract::" + command.name;
@@ -49,7 +49,7 @@ void emitDeprecation(Code& code, const Member* member) {
   code.line("[[deprecated(", lock::quoted(member->lifecycle.deprecated), ")]]");
 }
 
-/// A constructor initialises all members, and shall not be warned of those that users should not
+/// Silences warnings in a constructor: it initialises all members, also those that users should not
 /// use.
 template <class Member, class EmitConstructor>
 void withoutWarning(Code& code, const std::vector<const Member*>& members,
@@ -77,7 +77,7 @@ void emitEvents(Code& code, const Context& context, const model::Interface& inte
   code.close("};").line("Events& on() { return events_; }");
 }
 
-/// A parameter's name that hides no command.
+/// Returns a name for a parameter that hides no command.
 std::string freeName(std::string name, const model::Interface& interface) {
   const auto& all = interface.commands;
   const auto isTaken = [&](const model::Command& command) { return command.name == name; };

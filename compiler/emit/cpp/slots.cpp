@@ -11,7 +11,7 @@ namespace {
 
 using Shape = model::Type::Shape;
 
-/// What the slot's type does not show: the C++ type where its form differs, and the unit.
+/// Says what the slot's type does not show: the C++ type where its form differs, and the unit.
 std::string remark(const model::Field& field, const std::string& home) {
   std::string text;
   std::string unit = field.unit;
@@ -107,7 +107,7 @@ void emitReserve(Code& code, const model::Struct& declaration, const model::Look
   code.close("}").blank();
 }
 
-/// Each type of the header, with its slot's name.
+/// Calls `emit` for each type of the header, with its slot's name.
 template <class Emit>
 void forEachSlot(const Context& context, const Emit& emit) {
   for (const model::Struct& declaration : context.header.structs) {

@@ -58,7 +58,7 @@ void emitUsings(Code& code, const Context& context) {
   code.blank();
 }
 
-/// True if anything of the header travels: then its schema has to be there.
+/// Returns true if anything of the header travels: then its schema has to be there.
 bool converts(const Context& context) {
   const model::Header& header = context.header;
   return !header.interfaces.empty() || !header.enums.empty() || !header.structs.empty();

@@ -25,7 +25,7 @@ bool holdsStamps(const Type& type, const model::Lookup& lookup) {
   return std::any_of(type.element.begin(), type.element.end(), holds);
 }
 
-/// In a source, which says "using suture::Duration".
+/// Spells the signature for a source, which says "using suture::Duration".
 std::string signature(const std::string& function, const std::string& slot) {
   return "void " + function + "(" + slot + "& slot, " + kBreak + "suture::Duration shift)";
 }
@@ -93,7 +93,7 @@ class ShiftEmitter {
   const Context& context_;
 };
 
-/// `stamped`: the values that have stamps.
+/// Emits the function; `stamped` are the values that have stamps.
 void emitFunction(Code& code, const std::string& signature, const std::vector<WireValue>& stamped,
                   const Context& context) {
   const WireValue& first = stamped.front();

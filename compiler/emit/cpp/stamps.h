@@ -11,7 +11,8 @@
 
 namespace suture::compiler::emit {
 
-/// True if a slot of a fixed size has any. One that owns memory is never received as bytes.
+/// Returns true if a slot of a fixed size has any. A slot that owns memory is never received as
+/// bytes.
 bool hasStamps(const model::Type& type, const model::Lookup& lookup);
 bool hasStamps(const std::vector<WireValue>& values, const model::Lookup& lookup);
 
@@ -22,10 +23,10 @@ void declareShift(Code& code, const std::vector<WireValue>& values, const std::s
 void emitShift(Code& code, const std::vector<WireValue>& values, const std::string& slot,
                const Context& context);
 
-/// How shiftSlot() is spelled for such a struct; "" where there are none.
+/// Returns how shiftSlot() is spelled for such a struct; "" where there are no stamps.
 std::string shiftOf(const std::string& slot, const std::vector<WireValue>& values,
                     const Context& context);
-/// The same of a single value, which needs a function called `name` unless it is a struct.
+/// Does the same for a single value, which needs a function called `name` unless it is a struct.
 std::string emitShiftOf(Code& code, const model::Type& type, const std::string& name,
                         const Context& context);
 

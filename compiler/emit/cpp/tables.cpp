@@ -30,7 +30,7 @@ std::string duration(const char* name, std::int64_t nanoseconds) {
   return std::string(name) + " = suture::Duration(" + grouped(nanoseconds) + ")";
 }
 
-/// The same JSON in as few lines as there have to be.
+/// Returns the same JSON in as few lines as there have to be.
 std::string packed(const std::string& json) {
   std::string text, line;
   std::istringstream lines(json);

@@ -1,4 +1,5 @@
-// Which numbers a provider may act on: NaN and what lies outside a range() stop at the border.
+// These emit which numbers a provider may act on: NaN and what lies outside a range() stop at the
+// border.
 
 #include <algorithm>
 
@@ -37,7 +38,7 @@ std::string allOf(const std::string& slot, const std::string& path, const std::s
   return "suture::rpc::allOf(" + slot + ", " + path + ", " + kBreak + lambda(parameter, each) + ")";
 }
 
-/// The condition under which the coefficients of an Eigen type are valid.
+/// Returns the condition under which the coefficients of an Eigen type are valid.
 std::string coefficientsCondition(const Type& type, const std::string& slot, const Range& range,
                                   unsigned depth) {
   const bool vector = type.shape == Shape::Matrix && (type.rows == 1 || type.columns == 1);
@@ -48,7 +49,7 @@ std::string coefficientsCondition(const Type& type, const std::string& slot, con
                within(item, range, 1));
 }
 
-/// True if anything in it has to be looked at.
+/// Returns true if anything in the type has to be looked at.
 bool isChecked(const Type& type) {
   switch (type.shape) {
     case Shape::Scalar:
@@ -65,13 +66,14 @@ bool isChecked(const Type& type) {
   return std::any_of(type.element.begin(), type.element.end(), isChecked);
 }
 
-/// The slot of an enum is a number, and only the enum's own check knows which of them it declares.
+/// Tells if the type has an enum: its slot is a number, and only the enum's own check knows which
+/// numbers it declares.
 bool holdsEnum(const Type& type) {
   return type.shape == Shape::Enum ||
          std::any_of(type.element.begin(), type.element.end(), holdsEnum);
 }
 
-/// The condition of a type that one overload of the runtime's isValid() judges as a whole.
+/// Returns the condition of a type that one overload of the runtime's isValid() judges as a whole.
 std::string wholeCondition(const Type& type, const std::string& slot) {
   return isChecked(type) ? "isValid(" + slot + ", path)" : "";
 }
@@ -91,7 +93,7 @@ std::string mapCondition(const Type& type, const std::string& slot, const Range&
                key + (key.empty() || value.empty() ? "" : " && ") + value);
 }
 
-/// Returns what can be called with a slot of the type and says whether that may be acted on.
+/// Returns what can be called with a slot of the type and tells if that may be acted on.
 std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   if (type.shape == Shape::Enum) return enumCheck(type.name, context);
   if (!holdsEnum(type)) return "suture::rpc::Valid{path}";
@@ -100,7 +102,7 @@ std::string checkOf(const Type& type, const Context& context, unsigned depth) {
   return lambda("const " + itemType + "& " + item, condition(type, item, {}, context, depth + 1));
 }
 
-/// A tuple or a variant is given one check for each thing that is, or may be, in it.
+/// Gives a tuple or a variant one check for each thing that is, or may be, in it.
 std::string eachCondition(const char* function, const Type& type, const std::string& slot,
                           const Context& context, unsigned depth) {
   if (!holdsEnum(type)) return wholeCondition(type, slot);
@@ -111,7 +113,7 @@ std::string eachCondition(const char* function, const Type& type, const std::str
   return function + ("(" + slot) + ", path" + checks + ")";
 }
 
-/// The condition of a number of seconds, whose slot holds its count or nanoseconds.
+/// Returns the condition of a number of seconds, whose slot holds its count or nanoseconds.
 std::string durationCondition(const Type& type, const std::string& slot, const Range& range) {
   if (!range) return isChecked(type) ? "isValid(" + slot + ")" : "";
   const double counts =
@@ -130,7 +132,7 @@ std::string sequenceCondition(const Type& type, const std::string& slot, const R
   return allOf(slot, "path", "const " + itemType + "& " + item, each);
 }
 
-/// An expression of type bool; empty when there is nothing to check.
+/// Returns an expression of type bool; it is empty when there is nothing to check.
 std::string condition(const Type& type, const std::string& slot, const Range& range,
                       const Context& context, unsigned depth) {
   switch (type.shape) {
@@ -165,7 +167,7 @@ std::string conditionOf(const WireValue& value, const Context& context) {
   return condition(value.type, value.slot, value.range, context, 0);
 }
 
-/// The expression that a check returns when it refuses the value.
+/// Returns the expression by which a check refuses the value.
 std::string refusalOf(const WireValue& value) {
   return value.member.empty() ? "false" : "suture::refusedAt(path, \"" + value.member + "\")";
 }

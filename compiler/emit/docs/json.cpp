@@ -1,4 +1,4 @@
-// The self-description: what the header declares, for people and for tools.
+// This writes the self-description: what the header declares, for people and for tools.
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -97,7 +97,7 @@ Json typeOf(const Type& type) {
   return compositeOf(type);
 }
 
-/// The numbers of bulk() are one block of bytes on the wire.
+/// Describes the type, and says that the numbers of bulk() are one block of bytes on the wire.
 Json wireTypeOf(const Type& type) {
   Json json = typeOf(type);
   if (type.bulk) json["bulk"] = true;
@@ -184,7 +184,7 @@ const char* kindName(model::CommandKind kind) {
 
 double seconds(std::int64_t nanoseconds) { return static_cast<double>(nanoseconds) * 1e-9; }
 
-/// Adds which contract declared it, since which version, and whether it is deprecated.
+/// Adds which contract declared it, since which version, and if it is deprecated.
 void addOrigin(Json& json, const std::string& inheritedFrom, const model::Lifecycle& lifecycle) {
   if (!inheritedFrom.empty()) json["from"] = inheritedFrom;
   addLifecycle(json, lifecycle);

@@ -21,7 +21,7 @@ std::string componentHeading(const std::string& name) {
   return model::unqualified(name) + " (component)";
 }
 
-/// The include root below which a header was found: pages of one root lie in one tree.
+/// Returns the include root below which a header was found: pages of one root lie in one tree.
 std::string_view rootOf(const model::Header& header) {
   const std::string_view file = header.file;
   return file.ends_with(header.path) ? file.substr(0, file.size() - header.path.size()) : file;
@@ -48,7 +48,7 @@ class Page {
   }
 
  private:
-  /// What contracts and components carry, then whatever else the header declares.
+  /// Returns what contracts and components carry, then whatever else the header declares.
   static Reached reached(const Context& context) {
     Reached result(context.lookup);
     for (const model::Interface& one : context.header.interfaces) result.add(one);
@@ -127,7 +127,7 @@ class Page {
     return table.text();
   }
 
-  /// A link to where the contract is described, if that is a page of the same tree.
+  /// Returns a link to where the contract is described, if that is a page of the same tree.
   std::string contractName(const std::string& name) const {
     std::string shown = inCode(relative(name, header_.cxxNamespace));
     const model::Header* const home = context_.lookup.headerOf(name);

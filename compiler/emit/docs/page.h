@@ -1,5 +1,5 @@
 #pragma once
-// The reference page of a header, for the people who use what it declares.
+// This writes the reference page of a header, for the people who use what it declares.
 
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace suture::compiler::emit {
 
-/// "arm/arm.suture.md": contracts with their commands, events and errors, components, and every
-/// type that these carry, in Markdown.
+/// Emits "arm/arm.suture.md": contracts with their commands, events and errors, components, and
+/// every type that these carry, in Markdown.
 std::string emitPage(const Context& context);
 
 }  // namespace suture::compiler::emit

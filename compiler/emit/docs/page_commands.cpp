@@ -32,7 +32,7 @@ bool isQueued(const model::Command& command) {
 
 bool isAnswered(const model::Command& command) { return command.result && !isRead(command); }
 
-/// How a command or an event waits for its turn.
+/// Says how a command or an event waits for its turn.
 template <class Waiting>
 std::string queueWords(const Waiting& one) {
   if (one.latest) return "a newer one replaces the one that waits.";

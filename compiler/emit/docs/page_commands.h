@@ -1,5 +1,5 @@
 #pragma once
-// The part of a reference page that tells of one contract: commands, events, errors.
+// This writes the part of a reference page that tells of one contract: commands, events, errors.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace suture::compiler::emit {
 std::string commandSections(const Context& context, const PageTypes& types,
                             const model::Interface& interface);
 
-/// "20 ms", "1.5 s".
+/// Returns "20 ms", "1.5 s".
 std::string durationWords(std::int64_t nanoseconds);
 
 }  // namespace suture::compiler::emit

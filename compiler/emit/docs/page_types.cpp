@@ -14,7 +14,7 @@ namespace {
 using model::Type;
 using Shape = Type::Shape;
 
-/// "int32", "double": as short as it can be said.
+/// Returns "int32", "double": the name is as short as it can be.
 std::string scalarWords(model::Scalar scalar) {
   if (scalar == model::Scalar::Float64) return "`double`";
   if (scalar == model::Scalar::Float32) return "`float`";
@@ -23,7 +23,7 @@ std::string scalarWords(model::Scalar scalar) {
   return inCode(name);
 }
 
-/// A part that consists of several words is set apart.
+/// Sets a part that consists of several words apart.
 std::string part(const std::string& words) {
   return words.find(", ") == std::string::npos ? words : "(" + words + ")";
 }
@@ -60,7 +60,7 @@ std::string duration(const Type& type) {
          std::to_string(type.periodDenominator) + " s";
 }
 
-/// An initialiser as a C++ programmer would say it.
+/// Says an initialiser as a C++ programmer would.
 std::string defaultWords(const model::Field& field) {
   const std::string& json = field.defaultJson;
   if (json.empty()) return "";

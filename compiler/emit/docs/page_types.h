@@ -1,5 +1,5 @@
 #pragma once
-// The types of a reference page: in words where they are used, and the section of each.
+// This writes the types of a reference page: in words where they are used, and the section of each.
 
 #include <string>
 
@@ -8,19 +8,19 @@
 
 namespace suture::compiler::emit {
 
-/// What a page knows of the types that it shows.
+/// Says what a page knows of the types that it shows.
 class PageTypes {
  public:
   PageTypes(const Context& context, const Reached& shown) : context_(context), shown_(shown) {}
 
-  /// "list of `double`, at most 8"; a type that the page shows is a link.
+  /// Returns "list of `double`, at most 8"; a type that the page shows is a link.
   std::string words(const model::Type& type) const;
-  /// The same by its qualified name.
+  /// Does the same for a type by its qualified name.
   std::string words(const std::string& name) const;
-  /// With unit and range behind it: "`double`, m/s, from 0 to 2".
+  /// Does the same with unit and range behind it: "`double`, m/s, from 0 to 2".
   std::string value(const model::Type& type, const model::Limits& limits) const;
 
-  /// The sections of all types that the page shows.
+  /// Returns the sections of all types that the page shows.
   std::string sections() const;
 
  private:
@@ -35,10 +35,10 @@ class PageTypes {
   const Reached& shown_;
 };
 
-/// "from -0.5 to 2"; "" without.
+/// Returns "from -0.5 to 2"; "" without a range.
 std::string rangeWords(const model::Limits& limits);
 
-/// "Since version 2. **Deprecated:** use move_jp." as far as something was said.
+/// Returns "Since version 2. **Deprecated:** use move_jp." as far as something was said.
 std::string lifecycleWords(const model::Lifecycle& lifecycle);
 
 }  // namespace suture::compiler::emit

@@ -22,7 +22,7 @@ std::string onOneLine(std::string_view text) {
   return line;
 }
 
-/// Where the body that begins at `open` ends.
+/// Returns where the body that begins at `open` ends.
 std::size_t endOfBody(std::string_view text, std::size_t open) {
   unsigned depth = 0;
   for (std::size_t i = open; i < text.size(); ++i) {
@@ -44,7 +44,7 @@ std::vector<std::string> split(std::string_view text, char at) {
   return parts;
 }
 
-/// The brackets that are open at the end of a line.
+/// Knows the brackets that are open at the end of a line.
 class Brackets {
  public:
   void read(std::string_view text, std::size_t column) {

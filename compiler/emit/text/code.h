@@ -8,12 +8,13 @@
 
 namespace suture::compiler::emit {
 
-/// Where a line that is too long may be broken; reads as nothing when it is not. The rest is set as
-/// clang-format sets it: under what follows the open bracket, or four deeper right behind a
+/// Marks where a line that is too long may be broken; reads as nothing when it is not. The rest is
+/// set as clang-format sets it: under what follows the open bracket, or four deeper right behind a
 /// bracket.
 inline constexpr char kBreak = '\v';
 
-/// Around the body of a lambda, inside its braces: a line that is too long becomes three there.
+/// These stand around the body of a lambda, inside its braces: a line that is too long becomes
+/// three there.
 inline constexpr char kBody = '\x0e';
 inline constexpr char kBodyEnd = '\x0f';
 
@@ -21,8 +22,8 @@ class Code {
  public:
   static constexpr std::size_t kColumns = 100;
 
-  /// One line of the concatenated pieces at the present indentation. Breaks at kBreak characters
-  /// when it is longer than kColumns; a blank before a break goes with it.
+  /// Writes one line of the concatenated pieces at the present indentation. It breaks at kBreak
+  /// characters when it is longer than kColumns; a blank before a break goes with it.
   template <class... Pieces>
   Code& line(const Pieces&... pieces) {
     std::string text;
@@ -31,12 +32,12 @@ class Code {
   }
 
   Code& blank();
-  /// Copied as it is, indentation and all.
+  /// Copies the text as it is, indentation and all.
   Code& verbatim(std::string_view text);
-  /// As a `///` comment of as many lines as it has; nothing when empty.
+  /// Writes a `///` comment of as many lines as the text has; nothing when it is empty.
   Code& doc(std::string_view text);
 
-  /// `line`, then everything one step deeper until close().
+  /// Writes `line`, then everything one step deeper until close().
   template <class... Pieces>
   Code& open(const Pieces&... pieces) {
     line(pieces...);
@@ -44,15 +45,15 @@ class Code {
     return *this;
   }
   Code& close(std::string_view text);
-  /// A function of one statement: one line if that is enough.
+  /// Writes a function of one statement, on one line if that is enough.
   Code& function(const std::string& signature, const std::string& statement);
-  /// A label of a switch and its one statement: one line if that is enough.
+  /// Writes a label of a switch and its one statement, on one line if that is enough.
   Code& choice(const std::string& label, const std::string& statement);
-  /// A label such as "public:" or "case x:", half a step out in a class.
+  /// Writes a label such as "public:" or "case x:", half a step out in a class.
   Code& label(std::string_view text);
 
   const std::string& text() const { return text_; }
-  /// The text without blank lines at its end.
+  /// Returns the text without blank lines at its end.
   std::string finished() const;
 
  private:
@@ -64,7 +65,7 @@ class Code {
   std::size_t depth_ = 0;
 };
 
-/// Lines that end in a comment, the comments in one column, as clang-format sets them.
+/// Writes lines that end in a comment, the comments in one column, as clang-format sets them.
 class CommentedLines {
  public:
   void add(std::string line, std::string comment);

@@ -220,7 +220,7 @@ std::string prefixOf(const model::Interface& interface, const Context& context) 
 
 namespace {
 
-/// "robots::ArmServoCp" + `ending`, of the contract that declares the member.
+/// Returns "robots::ArmServoCp" + `ending`, of the contract that declares the member.
 template <class Member>
 std::string memberStruct(const model::Interface& interface, const Member& member,
                          const char* ending, const Context& context) {

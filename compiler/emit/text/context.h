@@ -1,5 +1,5 @@
 #pragma once
-// What every emitter of one header needs: the model around it, and how names are spelled in
+// This is what every emitter of one header needs: the model around it, and how names are spelled in
 // generated C++.
 
 #include <map>
@@ -22,61 +22,63 @@ struct Context {
   const model::Header& header;                       ///< the one being written
 };
 
-/// "robots::arm::Pose" -> "Pose" within namespace "robots::arm"; unchanged elsewhere.
+/// Turns "robots::arm::Pose" into "Pose" within namespace "robots::arm"; elsewhere it is unchanged.
 std::string relative(const std::string& name, const std::string& inNamespace);
 
-/// Begins the names of all that is generated for a declaration, in its header's namespace:
-/// "robots::ArmState" for "robots::Arm::State", "robots::msgsPose" for "msgs::Pose".
+/// Returns how the names of all that is generated for a declaration begin, in its header's
+/// namespace: "robots::ArmState" for "robots::Arm::State", "robots::msgsPose" for "msgs::Pose".
 std::string generatedName(const std::string& declared, const model::Lookup& lookup);
 
-/// The slot struct of a SUTURE_TYPE, qualified: "robots::PoseStampedSlot".
+/// Names the slot struct of a SUTURE_TYPE, qualified: "robots::PoseStampedSlot".
 std::string slotStruct(const std::string& structName, const model::Lookup& lookup);
 
-/// The type of a value's slot: "std::array<double, 12>", spelled as within namespace `inNamespace`.
+/// Returns the type of a value's slot: "std::array<double, 12>", spelled as within namespace
+/// `inNamespace`.
 std::string slotType(const model::Type& type, const Context& context,
                      const std::string& inNamespace);
 
-/// The C++ type itself, spelled as within namespace `inNamespace`.
+/// Returns the C++ type itself, spelled as within namespace `inNamespace`.
 std::string cxxType(const model::Type& type, const std::string& inNamespace);
 
-/// "std::int32_t".
+/// Returns "std::int32_t".
 std::string cxxScalar(model::Scalar scalar);
 
-/// What a list or a map has in its slot, one each.
+/// Returns the slot type of one element of a list or a map.
 std::string elementSlot(const model::Type& type, const Context& context,
                         const std::string& inNamespace);
 
-/// How a field of `object`, an lvalue called so, is reached from namespace `inNamespace`; of a
-/// packed field a copy.
+/// Says how a field of `object`, an lvalue called so, is reached from namespace `inNamespace`; for
+/// a packed field that is a copy.
 std::string access(const model::Struct& owner, const model::Field& field, const std::string& object,
                    bool isConst, const std::string& inNamespace);
 
-/// A statement that changes a field of `value`, spelled as within namespace `inNamespace`: `before`
-/// and `after` stand around the field.
+/// Returns a statement that changes a field of `value`, spelled as within namespace `inNamespace`:
+/// `before` and `after` stand around the field.
 std::string changeField(const model::Struct& owner, const model::Field& field,
                         const std::string& before, const std::string& after,
                         const std::string& inNamespace);
 
-/// False if some level in it has no capacity, or it holds itself: then its slot owns memory.
+/// Returns false if some level in it has no capacity, or it holds itself: then its slot owns
+/// memory.
 bool isBounded(const model::Type& type, const model::Lookup& lookup);
-/// Does it hold one of its own kind, however deep?
+/// Tells if it holds one of its own kind, however deep.
 bool isRecursive(const model::Struct& declaration, const model::Lookup& lookup);
-/// Is it an optional value of such a type?
+/// Tells if it is an optional value of such a type.
 bool holdsRecursive(const model::Type& type, const model::Lookup& lookup);
 
-/// "servo_cp" -> "ServoCp": a part of the name of something generated.
+/// Turns "servo_cp" into "ServoCp": a part of the name of something generated.
 std::string pascalCase(const std::string& cxxName);
 
-/// The unqualified name that begins the names of what is generated for a contract.
+/// Returns the unqualified name that begins the names of what is generated for a contract.
 std::string prefixOf(const model::Interface& interface, const Context& context);
 
-/// "robots::ArmServoCpArguments": the slot of a command's parameters, of the contract that declares
-/// it.
+/// Names the slot of a command's parameters, of the contract that declares it:
+/// "robots::ArmServoCpArguments".
 std::string argumentsStruct(const model::Interface& interface, const model::Command& command,
                             const Context& context);
 
-/// The slot of an event's payload: the value's own, or "robots::ArmMovedPayload" when it has
-/// several. Spelled as within namespace `inNamespace`.
+/// Names the slot of an event's payload: the value's own, or "robots::ArmMovedPayload" when it has
+/// several. It is spelled as within namespace `inNamespace`.
 std::string payloadSlot(const model::Interface& interface, const model::Event& event,
                         const Context& context, const std::string& inNamespace);
 
@@ -84,16 +86,16 @@ std::string payloadSlot(const model::Interface& interface, const model::Event& e
 std::string openNamespace(const std::string& name);
 std::string closeNamespace(const std::string& name);
 
-/// "// Written by suturec from arm/arm.h. Do not edit.\n".
+/// Returns "// Written by suturec from arm/arm.h. Do not edit.\n".
 std::string banner(const model::Header& header);
 
-/// "50'000'000": a number as people group it in C++.
+/// Returns "50'000'000": a number as people group it in C++.
 std::string grouped(std::int64_t number);
 
-/// The value of an enumerator, as people read it: "18446744073709551615".
+/// Returns the value of an enumerator as people read it: "18446744073709551615".
 std::string valueText(const model::Enum& type, const model::Enumerator& enumerator);
 
-/// The same as a C++ constant of the underlying type: "18'446'744'073'709'551'615u".
+/// Returns the same as a C++ constant of the underlying type: "18'446'744'073'709'551'615u".
 std::string valueLiteral(const model::Enum& type, const model::Enumerator& enumerator);
 
 }  // namespace suture::compiler::emit

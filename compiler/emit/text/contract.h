@@ -1,5 +1,5 @@
 #pragma once
-// What Required, Provided and the tables of a contract share in their spelling.
+// Required, Provided and the tables of a contract share this spelling.
 
 #include <string>
 #include <vector>
@@ -9,27 +9,27 @@
 
 namespace suture::compiler::emit {
 
-/// kBreak, as a piece of Code::line().
+/// Is kBreak as a piece of Code::line().
 inline constexpr char kBreakText[] = {kBreak, '\0'};
 
-/// "robots::PoseStampedSlot, robots::PoseStamped": the template arguments of an Emitter or
-/// Subscription.
+/// Returns the template arguments of an Emitter or Subscription: "robots::PoseStampedSlot,
+/// robots::PoseStamped".
 std::string eventArguments(const Context& context, const model::Interface& interface,
                            const model::Event& event);
 
-/// "Required<robots::Arm>" for "Required" and a contract that derives from Arm; "RequiredBase"
-/// where it derives from none.
+/// Returns "Required<robots::Arm>" for "Required" and a contract that derives from Arm;
+/// "RequiredBase" where it derives from none.
 std::string baseClass(const char* kind, const model::Interface& interface);
 
 /// Opens "struct Events {", with the base's Events where it has inherited ones.
 void emitEventsHead(Code& code, const model::Interface& interface, const std::string& base);
 
-/// The constructor of an Events struct, which gives each event its number. `base`: the class whose
-/// Events has those that the contract inherits.
+/// Emits the constructor of an Events struct, which gives each event its number. `base` is the
+/// class whose Events has those that the contract inherits.
 void emitEventConstructor(Code& code, const model::Interface& interface, const std::string& base,
                           const std::string& parameter, const std::string& argument);
 
-/// "using Id = robots::ArmCommand;" and the same for events, where it adds any.
+/// Emits "using Id = robots::ArmCommand;" and the same for events, where it adds any.
 void emitNumberAliases(Code& code, const Context& context, const model::Interface& interface);
 
 /// Returns what the contract declares itself. For the rest its code calls that of its base, whose
@@ -37,38 +37,38 @@ void emitNumberAliases(Code& code, const Context& context, const model::Interfac
 std::vector<const model::Command*> ownCommands(const model::Interface& interface);
 std::vector<const model::Event*> ownEvents(const model::Interface& interface);
 
-/// Where the number of a contract's first own command or event is not 0, what follows its name in
-/// the enum: " = 11".
+/// Returns what follows the name of a contract's first own command or event in the enum where its
+/// number is not 0: " = 11".
 std::string startOf(std::size_t inherited);
 
 /// Emits a row of a table: on one line if it fits, else one member a line.
 void emitEntry(Code& code, const std::vector<std::string>& members);
 
-/// The read commands, in the order of their columns.
+/// Returns the read commands, in the order of their columns.
 std::vector<const model::Command*> readsOf(const model::Interface& interface);
 
-/// "ArmColumn::measured_cp": the place of a read's value in a row.
+/// Returns "ArmColumn::measured_cp": the place of a read's value in a row.
 std::string columnName(const model::Interface& interface, const model::Command& read,
                        const Context& context);
 
-/// The shortest spelling of a number that reads back as the same.
+/// Returns the shortest spelling of a number that reads back as the same.
 std::string number(double value);
-/// The same as C++ spells it.
+/// Does the same as C++ spells it.
 std::string cxxNumber(double value);
 
-/// Where value `index` of a payload lies: "slot" for a single value, else "slot.value2".
+/// Says where value `index` of a payload lies: "slot" for a single value, else "slot.value2".
 std::string payloadMember(const model::Event& event, const std::string& slot, std::size_t index);
 
-/// Has any command that the contract declares itself parameters?
+/// Tells if any command that the contract declares itself has parameters.
 bool hasOwnParameters(const model::Interface& interface);
 
-/// True if a value of the type takes its memory once, for its largest content: then reserve() of
-/// runtime/base gives it that.
+/// Returns true if a value of the type takes its memory once, for its largest content: then
+/// reserve() of runtime/base gives it that.
 bool reserves(const model::Type& type, const model::Lookup& lookup);
 bool reserves(const model::Struct& declaration, const model::Lookup& lookup);
 
-/// A parameter for which reserves() is true, with its command: one of those that the contract
-/// declares itself.
+/// Is a parameter for which reserves() is true, with its command, which the contract declares
+/// itself.
 struct Argument {
   const model::Command& command;
   const model::Parameter& parameter;
@@ -76,10 +76,10 @@ struct Argument {
 std::vector<Argument> reservedArguments(const model::Interface& interface,
                                         const model::Lookup& lookup);
 
-/// A parameter's name, in a comment where nothing uses it.
+/// Returns a parameter's name, in a comment where nothing uses it.
 std::string named(const char* name, bool used);
 
-/// "servo_cp_goal".
+/// Returns "servo_cp_goal".
 std::string scratchName(const model::Command& command, const model::Parameter& parameter);
 
 }  // namespace suture::compiler::emit

@@ -23,7 +23,7 @@ unsigned ordinalOf(const lock::Node& node, const std::string& name) {
   return kUnknown;
 }
 
-/// Where a command or event stands: what a base declares comes first, in the base's own order.
+/// Says where a command or event stands: what a base declares comes first, in the base's own order.
 struct Place {
   std::size_t depth;
   unsigned ordinal;
@@ -31,7 +31,7 @@ struct Place {
   auto operator<=>(const Place&) const = default;
 };
 
-/// The contracts that `interface` derives from, outermost first, and itself.
+/// Returns the contracts that `interface` derives from, outermost first, and itself.
 std::vector<const model::Interface*> lineage(const model::Interface& interface,
                                              const model::Lookup& lookup) {
   std::vector<const model::Interface*> line;

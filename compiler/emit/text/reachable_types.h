@@ -1,5 +1,5 @@
 #pragma once
-// Which declared types something is made of.
+// This finds which declared types something is made of.
 
 #include <set>
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace suture::compiler::emit {
 
-/// Declared types, each once, parts before what consists of them.
+/// Collects declared types, each once, parts before what consists of them.
 class Reached {
  public:
   /// `lookup` must outlive it.
   explicit Reached(const model::Lookup& lookup) : lookup_(lookup) {}
 
   void add(const model::Type& type);
-  /// A struct or enum by its qualified name.
+  /// Adds a struct or enum by its qualified name.
   void add(const std::string& name);
-  /// All that the commands and events of the contract carry.
+  /// Adds all that the commands and events of the contract carry.
   void add(const model::Interface& interface);
 
   const std::vector<const model::Enum*>& enums() const { return enums_; }

@@ -27,7 +27,7 @@ std::string wireRow(const model::Interface& interface) {
   return wireInterface(interface) + "StateRow";
 }
 
-/// A slot that travels as a message, and the functions between the two.
+/// Is a slot that travels as a message, with the functions between the two.
 struct Message {
   std::string name;    ///< what the functions are called behind "encode" and "decode"
   std::string slot;    ///< its type
@@ -35,7 +35,7 @@ struct Message {
   std::vector<WireValue> values;
 };
 
-/// Every provider sends this, so a message without it is wrong.
+/// Describes a value that every provider sends, so that a message without it is wrong.
 WireValue needed(const model::Type& type, const std::string& wireName) {
   return {.type = type, .wireName = wireName, .slot = "slot", .isNeeded = true};
 }
@@ -87,7 +87,7 @@ void emitMessage(Code& code, const Context& context, const Message& message) {
 
 // --- rows
 
-/// The column of a read's value, in a row.
+/// Returns the column of a read's value, in a row.
 Message columnOf(const Context& context, const model::Interface& interface,
                  const model::Command& read) {
   return {prefixOf(interface, context) + model::titleCase(read.wireName) + "Column",

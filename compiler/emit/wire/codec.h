@@ -1,5 +1,5 @@
 #pragma once
-// How a contract travels as Cap'n Proto, whatever carries its messages.
+// This emits how a contract travels as Cap'n Proto, whatever carries its messages.
 
 #include <string>
 
@@ -8,11 +8,11 @@
 
 namespace suture::compiler::emit {
 
-/// The functions between the slots of a contract and its messages, and the tables that lead to
-/// them.
+/// Emits the functions between the slots of a contract and its messages, and the tables that lead
+/// to them.
 void emitCodec(Code& code, const Context& context, const model::Interface& interface);
 
-/// "armCodec": the function that hands them out.
+/// Names the function that hands them out: "armCodec".
 std::string codecFunction(const Context& context, const model::Interface& interface);
 
 }  // namespace suture::compiler::emit

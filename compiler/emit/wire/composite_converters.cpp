@@ -13,7 +13,7 @@ namespace {
 using model::Type;
 using Shape = Type::Shape;
 
-/// Where the element of that number lies in the slot.
+/// Says where the element of that number lies in the slot.
 std::string place(const Type& type, std::size_t index, const model::Lookup& lookup) {
   const std::string number = std::to_string(index);
   switch (type.shape) {

@@ -1,5 +1,6 @@
 #pragma once
-// The functions between slots and Cap'n Proto for what travels as a struct that nobody declares.
+// These emit the functions between slots and Cap'n Proto for what travels as a struct that no
+// header declares.
 
 #include <set>
 #include <string>
@@ -14,7 +15,7 @@ class CompositeConverters {
  public:
   explicit CompositeConverters(const Context& context) : context_(context) {}
 
-  /// toWire() and fromWire() of every composite in the type, parts before wholes.
+  /// Emits toWire() and fromWire() of every composite in the type, parts before wholes.
   void emit(Code& code, const model::Type& type);
 
  private:

@@ -14,7 +14,7 @@
 namespace suture::compiler::emit {
 namespace {
 
-/// The enumerators that the schema still has and the header has no more.
+/// Returns the enumerators that the schema still has and the header has no more.
 std::vector<std::string> removedEnumerators(const Context& context, const model::Enum& type) {
   std::vector<std::string> names;
   const auto lock = context.locks.files.find(lock::lockPath(context.header.path));
@@ -97,7 +97,7 @@ void emitEnumDecoder(Code& code, const Context& context, const model::Enum& type
   code.close("}").blank();
 }
 
-/// The parameter's name, or nothing where the body does not use it.
+/// Returns the parameter's name, or nothing where the body does not use it.
 std::string named(const char* name, bool used) { return used ? std::string(" ") + name : ""; }
 
 void emitStruct(Code& code, const Context& context, const model::Struct& type) {
@@ -125,7 +125,8 @@ void emitStruct(Code& code, const Context& context, const model::Struct& type) {
   code.close("}").blank();
 }
 
-/// The declared types that the header's own slots and contracts are made of, in a stable order.
+/// Finds the declared types that the header's own slots and contracts are made of, in a stable
+/// order.
 class DirectlyUsed {
  public:
   explicit DirectlyUsed(const Context& context) {

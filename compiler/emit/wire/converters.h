@@ -1,5 +1,5 @@
 #pragma once
-// The functions between slots and Cap'n Proto, one set for each declared type.
+// These emit the functions between slots and Cap'n Proto, one set for each declared type.
 
 #include "compiler/emit/text/code.h"
 #include "compiler/emit/text/context.h"
@@ -9,7 +9,7 @@ namespace suture::compiler::emit {
 /// Declares the converters of other headers that this header's generated source calls.
 void emitForeignConverters(Code& code, const Context& context);
 
-/// Definitions of toWire(), fromWire() and isValid() of the header's own types.
+/// Defines toWire(), fromWire() and isValid() of the header's own types.
 void emitConverters(Code& code, const Context& context);
 
 }  // namespace suture::compiler::emit

@@ -8,8 +8,8 @@
 
 namespace suture::compiler::emit {
 
-/// The wire names of the parameters that came later than the command, which an older client does
-/// not send. All others it must send: nobody moves an arm to a goal that was left out.
+/// Returns the wire names of the parameters that came later than the command, which an older client
+/// does not send. It must send all others, because no arm may move to a goal that was left out.
 std::set<std::string> laterParameters(const Context& context, const model::Interface& interface,
                                       const model::Command& command);
 

@@ -6,7 +6,7 @@
 
 namespace suture::compiler::emit {
 
-/// A function for each message whose values may be such that the contract does not admit them.
+/// Emits a function for each message that may hold values which the contract does not admit.
 void emitValueChecks(Code& code, const Context& context, const model::Interface& interface);
 
 }  // namespace suture::compiler::emit

@@ -21,19 +21,19 @@ bool isSequence(const Type& type) {
   return type.shape == Shape::List || type.shape == Shape::Array || type.shape == Shape::Map;
 }
 
-/// True if the type travels as a capnp struct of its own.
+/// Returns true if the type travels as a capnp struct of its own.
 bool isRecord(const Type& type) {
   const bool composite = lock::isComposite(type) && type.shape != Shape::Map;
   return type.shape == Shape::Struct || composite || !lock::namedEigenType(type).empty();
 }
 
-/// True if generated code has a fromWire() for the type, which takes the shift.
+/// Returns true if generated code has a fromWire() for the type, which takes the shift.
 bool isGenerated(const Type& type) {
   return type.shape == Shape::Struct || type.shape == Shape::Optional ||
          type.shape == Shape::Tuple || type.shape == Shape::Variant;
 }
 
-/// True if the type travels as one number.
+/// Returns true if the type travels as one number.
 bool isNumber(const Type& type) {
   return type.shape == Shape::Scalar || type.shape == Shape::Duration ||
          type.shape == Shape::TimePoint;
@@ -43,27 +43,29 @@ bool isSteady(const Type& type) {
   return type.shape == Shape::TimePoint && type.clock == model::Clock::Steady;
 }
 
-/// True for a sequence that one overload of the runtime's toWire() converts as a whole.
+/// Returns true for a sequence that one overload of the runtime's toWire() converts as a whole.
 bool isPlainSequence(const Type& type) {
   if (type.shape == Shape::Map) return false;
   const Type& element = type.element.front();
   return isNumber(element) || (type.shape == Shape::List && element.shape == Shape::Text);
 }
 
-/// The type of a lambda's parameter; that of a composite is long, and its place says what it is.
+/// Returns the type of a lambda's parameter; that of a composite is long, and its place says what
+/// it is.
 std::string elementSlot(const Type& type, const Context& context) {
   const bool composite = type.shape == Shape::Map || lock::isComposite(type.element.front());
   return composite ? "auto" : elementSlot(type, context, context.header.cxxNamespace);
 }
 
-/// "robots::types::" in front of a function for a type of another namespace than the header's.
+/// Returns "robots::types::", which stands in front of a function for a type of another namespace
+/// than the header's.
 std::string qualifier(const std::string& declared, const Context& context) {
   const model::Header* const header = context.lookup.headerOf(declared);
   const bool here = header == nullptr || header->cxxNamespace == context.header.cxxNamespace;
   return here ? "" : header->cxxNamespace + "::";
 }
 
-/// Number of elements of its wire list or text.
+/// Returns the number of elements of its wire list or text.
 std::string lengthOf(const Type& type, const std::string& slot) {
   switch (type.shape) {
     case Shape::Array: return std::to_string(type.rows);
@@ -77,14 +79,14 @@ std::string lengthOf(const Type& type, const std::string& slot) {
   return size + " * " + std::to_string(type.element.front().rows);
 }
 
-/// A block of bytes is as long as its numbers are.
+/// Returns how many bytes a number has where the wire has them as one block; "" elsewhere.
 std::string bulkFactor(const Type& type) {
   const model::Scalar scalar = type.element.empty() ? type.scalar : type.element[0].scalar;
   const bool bytes = scalar == model::Scalar::UInt8 || scalar == model::Scalar::Int8;
   return type.bulk && !bytes ? " * sizeof(" + cxxScalar(scalar) + ")" : "";
 }
 
-/// Where a value goes: a field of a struct builder, or element i of a list builder.
+/// Is where a value goes: a field of a struct builder, or element i of a list builder.
 class Target {
  public:
   static Target field(const std::string& out, const std::string& wireName) {
@@ -109,7 +111,7 @@ class Target {
 std::string encodeInto(const Type& type, const std::string& slot, const Target& target,
                        const Context& context, unsigned depth);
 
-/// What turns one element of a sequence into its wire form.
+/// Returns what turns one element of a sequence into its wire form.
 std::string encodeElement(const Type& type, const std::string& slot, const Target& target,
                           const Context& context, unsigned depth) {
   if (type.shape == Shape::Map) return "toWire(" + slot + ", " + kBreak + target.record() + ")";
@@ -142,7 +144,7 @@ std::string encodeInto(const Type& type, const std::string& slot, const Target& 
          ") {" + lambdaBody(statement + ";") + "})";
 }
 
-/// A value is read by an assignment, which cannot fail, or by an expression of type Errc.
+/// Is an assignment, which cannot fail, or an expression of type Errc: either reads a value.
 struct Reading {
   bool canFail;
   std::string text;
@@ -184,18 +186,19 @@ Reading decodeFrom(const Type& type, const std::string& in, const std::string& s
   return whole ? Reading{true, both + ")"} : decodeSequence(type, in, slot, shift, context, depth);
 }
 
-/// True if an older sender leaves its wire form out; for one number the schema has the default.
+/// Returns true if an older sender leaves its wire form out; for one number the schema has the
+/// default.
 bool canBeMissing(const Type& type) {
   return !isNumber(type) && type.shape != Shape::Enum && type.shape != Shape::Nothing;
 }
 
-/// True if it reads as a value although nothing was sent.
+/// Returns true if it reads as a value although nothing was sent.
 bool wouldBeMadeUp(const Type& type) {
   if (type.shape == Shape::Array || type.shape == Shape::Matrix) return true;
   return isRecord(type) && type.shape != Shape::Optional && type.shape != Shape::AnyMatrix;
 }
 
-/// Asks whether the value was sent, or was not. No array is empty, so an empty list says nothing.
+/// Asks if the value was sent, or was not. No array is empty, so an empty list says nothing.
 std::string whether(bool sent, const WireValue& value, const std::string& in) {
   const bool isList = value.type.shape == Shape::Array ||
                       (value.type.shape == Shape::Matrix && !isRecord(value.type));

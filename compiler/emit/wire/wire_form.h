@@ -1,5 +1,5 @@
 #pragma once
-// The C++ of one value's way between its slot and its Cap'n Proto form.
+// This is the C++ of one value's way between its slot and its Cap'n Proto form.
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace suture::compiler::emit {
 
-/// A value that is a field, a parameter or a result: where it lies on both sides.
+/// Is a value that is a field, a parameter or a result, and says where it lies on both sides.
 struct WireValue {
   const model::Type& type;
   std::string wireName;  ///< capnp's: "measuredCp"
@@ -20,81 +20,84 @@ struct WireValue {
   /// A receiver takes this, as C++ says it, where the sender does not know the value. Where it is
   /// empty, the receiver takes what the type gives.
   std::string preset{};
-  /// Every sender knows it: where a struct or an array is missing, the message is wrong.
+  /// Says that every sender knows it: where a struct or an array is missing, the message is wrong.
   bool isNeeded = false;
-  /// How C++ calls it within the whole; empty where it is the whole, or a base class of it.
+  /// Says how C++ calls it within the whole; empty where it is the whole, or a base class of it.
   std::string member{};
 };
 
-/// What a type is made of, as the members of `slot`.
+/// Returns what a type is made of, as the members of `slot`.
 std::vector<WireValue> fieldValues(const model::Struct& type, const Context& context);
 
-/// What a command carries, as the members of `slot`.
+/// Returns what a command carries, as the members of `slot`.
 std::vector<WireValue> argumentValues(const model::Command& command);
 
-/// "acceptsArmMove": the check of a command's arguments; empty if any will do.
+/// Names the check of a command's arguments: "acceptsArmMove"; empty if any will do.
 std::string argumentsCheck(const model::Interface& interface, const model::Command& command,
                            const Context& context);
 
-/// True for the check of a struct, which is there for whatever has one in it.
+/// Returns true for the check of a struct, which is there for whatever has one in it.
 bool isStructCheck(const std::string& check);
 
-/// What a command that has a result answers: it lies in the slot "slot".
+/// Returns what a command that has a result answers: it lies in the slot "slot".
 std::vector<WireValue> resultValues(const model::Command& command);
 
-/// "acceptsArmDistanceResult": the check of a command's result, of a struct "isValid"; empty if any
-/// will do.
+/// Names the check of a command's result: "acceptsArmDistanceResult", for a struct "isValid"; empty
+/// if any will do.
 std::string resultCheck(const model::Interface& interface, const model::Command& command,
                         const Context& context);
 
-/// What an event carries, in the slot "slot".
+/// Returns what an event carries, in the slot "slot".
 std::vector<WireValue> payloadValues(const model::Event& event);
 
-/// "acceptsArmMovedEvent": the check of an event's payload, of one struct "isValid"; empty if any
-/// will do.
+/// Names the check of an event's payload: "acceptsArmMovedEvent", for one struct "isValid"; empty
+/// if any will do.
 std::string payloadCheck(const model::Interface& interface, const model::Event& event,
                          const Context& context);
 
-/// "toWire(slot.pose, out.initPose())": a statement without its end. `out` is a struct builder.
+/// Returns a statement without its end: "toWire(slot.pose, out.initPose())". `out` is a struct
+/// builder.
 std::string encode(const WireValue& value, const std::string& out, const Context& context);
 
-/// Reads `values` from struct reader `in`. Returns what there is to say about the outcome: an
-/// expression of type Errc, "Errc{}" when it cannot fail. `shift` is an expression of type
-/// Duration.
+/// Emits how `values` are read from struct reader `in`. Returns what there is to say about the
+/// outcome: an expression of type Errc, "Errc{}" when it cannot fail. `shift` is an expression of
+/// type Duration.
 std::string emitDecode(Code& code, const std::vector<WireValue>& values, const std::string& in,
                        const std::string& shift, const Context& context);
 
-/// The same, and the outcome is returned.
+/// Does the same, and emits that the outcome is returned.
 void emitDecodeAndReturn(Code& code, const std::vector<WireValue>& values, const std::string& in,
                          const std::string& shift, const Context& context);
 
-/// "const Errc error = ...;" of what emitDecode() returned, unless it is called so already.
+/// Emits "const Errc error = ...;" of what emitDecode() returned, unless it is called so already.
 void emitError(Code& code, const std::string& outcome);
 
-/// Does decoding it need the shift of steady stamps?
+/// Tells if decoding the type needs the shift of steady stamps.
 bool usesShift(const model::Type& type);
 
-/// Is there anything that emitValidity() would check?
+/// Tells if there is anything that emitValidity() would check.
 bool hasConditions(const std::vector<WireValue>& values, const Context& context);
 
-/// The parameters of such a function for `slot`, a type; named as far as it uses them.
+/// Returns the parameters of such a function for `slot`, a type; they are named as far as it uses
+/// them.
 std::string validityParameters(const std::string& slot, const std::vector<WireValue>& values,
                                const Context& context);
 
-/// Returns whether every number is finite and within its range, and every enum known; `path` is
-/// told which is the first that is not.
+/// Emits the return of a check: true if every number is finite and within its range, and every enum
+/// known; `path` is told which is the first that is not.
 void emitValidity(Code& code, const std::vector<WireValue>& values, const Context& context);
 
-/// "wireMode": the function from an enum's slot to capnp's enum, qualified where it is another
-/// namespace's than the header's.
+/// Names the function from an enum's slot to capnp's enum: "wireMode", qualified where it is
+/// another namespace's than the header's.
 std::string enumEncoder(const std::string& enumName, const Context& context);
-/// "isKnownMode", likewise: whether an enum's slot holds one of its values.
+/// Names the function that tells if an enum's slot holds one of its values, likewise:
+/// "isKnownMode".
 std::string enumCheck(const std::string& enumName, const Context& context);
 
-/// "2" for the second level of nested lambdas, whose parameters must not hide the first's.
+/// Returns "2" for the second level of nested lambdas, whose parameters must not hide the first's.
 std::string depthSuffix(unsigned depth);
 
-/// The body of a lambda, to stand between its braces.
+/// Returns the body of a lambda, to stand between its braces.
 std::string lambdaBody(const std::string& statements);
 
 }  // namespace suture::compiler::emit

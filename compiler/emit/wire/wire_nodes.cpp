@@ -21,7 +21,7 @@ const char* kindOf(const lock::Node& node) {
   return "";
 }
 
-/// "List(@0xf284...) unit \"m\" = 2.5"
+/// Returns "List(@0xf284...) unit \"m\" = 2.5".
 std::string meaningOf(const lock::WireContract& contract, const lock::Lock& lock,
                       const lock::Member& member) {
   std::string text = member.type;

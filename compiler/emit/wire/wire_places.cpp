@@ -42,7 +42,7 @@ std::vector<unsigned> placesOf(const std::vector<std::string>& names,
   return places == same ? std::vector<unsigned>{} : places;
 }
 
-/// The places in the lock, if they are others.
+/// Emits the places in the lock, if they are others.
 void emitPlaces(Code& code, const Context& context, const model::Interface& interface,
                 const char* table, const std::vector<unsigned>& places) {
   if (places.empty()) return;

@@ -1,5 +1,5 @@
 #pragma once
-// The places of events and columns in the lock, which name them between two processes.
+// These are the places of events and columns in the lock, which name them between two processes.
 
 #include <string>
 #include <vector>
