@@ -1,5 +1,5 @@
 #pragma once
-// A text that suturec writes, as a value: the driver alone touches files.
+// This is a text that suturec writes, as a value: the driver alone touches files.
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
-// A finding about the model. check/ and lock/ produce them; the frontend, which still has the
-// source, prints them in clang's form with caret and help.
+// This is a finding about the model. check/ and lock/ produce them; the frontend, which still has
+// the source, prints them in clang's form with caret and help.
 
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ struct Note {
   std::string text;
 };
 
-/// A change of the header that settles a finding.
+/// Is a change of the header that settles a finding.
 struct Fix {
   enum class Place { Before, After, Instead };  ///< of what `source` spans
 

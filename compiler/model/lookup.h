@@ -8,16 +8,16 @@
 
 namespace suture::compiler::model {
 
-/// Refers into the model, which must outlive it and stay unchanged.
+/// Finds declarations in the model, which must outlive it and stay unchanged.
 class Lookup {
  public:
   explicit Lookup(const Model& model);
 
-  /// Null when the model has no such declaration.
+  /// Returns null when the model has no such declaration.
   const Struct* findStruct(const std::string& name) const { return find(structs_, name); }
   const Enum* findEnum(const std::string& name) const { return find(enums_, name); }
   const Interface* findInterface(const std::string& name) const { return find(interfaces_, name); }
-  /// The header that declares it.
+  /// Returns the header that declares it.
   const Header* headerOf(const std::string& name) const { return find(headers_, name); }
 
  private:

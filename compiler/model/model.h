@@ -1,6 +1,6 @@
 #pragma once
-// What one set of annotated headers declares, as plain values. The frontend fills it from clang's
-// tree, check/ and lock/ judge it, emit/ writes it out. Nothing here knows clang.
+// This is what one set of annotated headers declares, as plain values. The frontend fills it from
+// clang's tree, check/ and lock/ judge it, emit/ writes it out. Nothing here knows clang.
 
 #include <cstdint>
 #include <optional>
@@ -12,18 +12,18 @@
 
 namespace suture::compiler::model {
 
-/// What may be said of any declaration.
+/// Is what may be said of any declaration.
 struct Documentation {
   std::string text;  ///< the doc comment, markers stripped, lines joined with '\n'
 };
 
-/// What a declaration says of its own history.
+/// Is what a declaration says of its own history.
 struct Lifecycle {
   std::optional<unsigned> since;  ///< the version that it came with
   std::string deprecated;         ///< why it should not be used any more; "" = it may be
 };
 
-/// What numbers mean, and which are allowed.
+/// Says what numbers mean, and which are allowed.
 struct Limits {
   std::string unit;  ///< "" = none said
   std::optional<std::pair<double, double>> range;
@@ -39,8 +39,8 @@ struct Field {
   std::string unit;       ///< "" = none said
   std::optional<std::pair<double, double>> range;
   std::optional<std::string> was;
-  /// The initialiser as JSON where it is a constant of a number, enum, duration (seconds, exact) or
-  /// string; "inf" and "-inf" are words; empty = zero.
+  /// Is the initialiser as JSON where it is a constant of a number, enum, duration (seconds, exact)
+  /// or string; "inf" and "-inf" are words; empty = zero.
   std::string defaultJson;
   bool isPreset = false;  ///< its struct's constructor may give it more than its type would
   Lifecycle lifecycle;
@@ -64,7 +64,7 @@ struct Enum {
   std::string wireName;
   Scalar underlying = Scalar::Int32;
   bool isOpen = false;  ///< no underlying type is declared, so that few integers are values of it
-  /// See Struct.
+  /// Is as in Struct.
   std::optional<std::string> foreignNamespace{};
   std::vector<Enumerator> enumerators;
   std::optional<std::string> was;  ///< its C++ name before, as written
@@ -76,7 +76,7 @@ struct Enum {
 struct Struct {
   std::string name;  ///< fully qualified; an instance of a template has its alias's
   std::string wireName;
-  /// Where functions on it are found by their argument, if that is not its header's namespace.
+  /// Says where functions on it are found by their argument, if that is not its header's namespace.
   std::optional<std::string> foreignNamespace;
   std::vector<Field> fields;
   std::optional<std::string> was;  ///< its C++ name before, as written
@@ -95,7 +95,7 @@ struct Parameter {
   Source source;
 };
 
-/// How many of a command or event may wait where its header does not say.
+/// Says how many of a command or event may wait where its header does not say it.
 inline constexpr unsigned kDefaultQueue = 16;
 
 enum class CommandKind { Void, Write, Read, QualifiedRead, VoidReturn, WriteReturn };
@@ -158,7 +158,7 @@ struct Interface {
   Source source;
 };
 
-/// A Provided<I> or Required<I> member of a component.
+/// Is a Provided<I> or Required<I> member of a component.
 struct Port {
   std::string member;
   std::string name;       ///< "Slave", where the member's initialiser says it; else ""
@@ -180,7 +180,7 @@ struct Component {
   Source source;
 };
 
-/// Everything one header declares, in the order of its text.
+/// Is everything one header declares, in the order of its text.
 struct Header {
   std::string path;          ///< "arm/arm.h": as included, and the stem of every artefact
   std::string file;          ///< where it was read, as clang opened it

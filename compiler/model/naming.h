@@ -1,5 +1,5 @@
 #pragma once
-// How names change between C++, Cap'n Proto and the C++ that capnp writes.
+// This is how names change between C++, Cap'n Proto and the C++ that capnp writes.
 
 #include <array>
 #include <string>
@@ -7,32 +7,32 @@
 
 namespace suture::compiler::model {
 
-/// What suturec itself puts among the methods, parameters, events and columns of every contract, by
-/// wire name.
+/// Is what suturec itself puts among the methods, parameters, events and columns of every contract,
+/// by wire name.
 inline constexpr std::string_view kBuiltInMethod = "subscribe";
 inline constexpr std::string_view kBuiltInParameter = "sent";
 inline constexpr std::array<std::string_view, 1> kBuiltInEvents{"state"};
 inline constexpr std::array<std::string_view, 3> kBuiltInColumns{"stamp", "evaluated", "tooLarge"};
 
-/// "servo_cp" -> "servoCp": what capnp demands of fields, methods and enumerators.
+/// Turns "servo_cp" into "servoCp": what capnp demands of fields, methods and enumerators.
 std::string camelCase(std::string_view cxxName);
 
-/// "servoCp" -> "ServoCp": as capnp spells it in accessors (getServoCp).
+/// Turns "servoCp" into "ServoCp": as capnp spells it in accessors (getServoCp).
 std::string titleCase(std::string_view wireName);
 
-/// "notReady" -> "NOT_READY": as capnp spells an enumerator in C++.
+/// Turns "notReady" into "NOT_READY": as capnp spells an enumerator in C++.
 std::string upperSnakeCase(std::string_view wireName);
 
-/// "robots::arm::PoseStamped" -> "PoseStamped".
+/// Turns "robots::arm::PoseStamped" into "PoseStamped".
 std::string unqualified(std::string_view cxxName);
 
-/// "robots::arm::PoseStamped" -> "robots::arm"; "" at global scope.
+/// Turns "robots::arm::PoseStamped" into "robots::arm"; "" at global scope.
 std::string namespaceOf(std::string_view cxxName);
 
-/// "robots::arm" -> "robots::arm::wire": where capnp's C++ of a header lives.
+/// Turns "robots::arm" into "robots::arm::wire": where capnp's C++ of a header lives.
 std::string wireNamespace(std::string_view cxxNamespace);
 
-/// "arm/arm.h" -> "arm/arm": what the names of all its artefacts begin with.
+/// Turns "arm/arm.h" into "arm/arm": what the names of all its artefacts begin with.
 std::string stemOf(std::string_view headerPath);
 
 }  // namespace suture::compiler::model

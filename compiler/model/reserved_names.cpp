@@ -8,18 +8,18 @@
 namespace suture::compiler::model {
 namespace {
 
-/// Types of Cap'n Proto's language, and two files that every schema of ours imports under these
-/// names.
+/// These are types of Cap'n Proto's language, and two files that every schema of ours imports under
+/// these names.
 constexpr std::array<std::string_view, 21> kLanguage{
     "Void",   "Bool",       "Int8",    "Int16",     "Int32",      "Int64", "UInt8",
     "UInt16", "UInt32",     "UInt64",  "Float32",   "Float64",    "Text",  "Data",
     "List",   "AnyPointer", "AnyList", "AnyStruct", "Capability", "Cxx",   "Meta"};
 
-/// What capnp's C++ declares in the class of each struct, and of each interface.
+/// These are what capnp's C++ declares in the class of each struct, and of each interface.
 constexpr std::array<std::string_view, 3> kInStructs{"Reader", "Builder", "Pipeline"};
 constexpr std::array<std::string_view, 2> kInInterfaces{"Client", "Server"};
 
-/// Macros of the C library, as capnp would spell an enumerator.
+/// These are macros of the C library, as capnp would spell an enumerator.
 constexpr std::array<std::string_view, 16> kMacros{
     "EOF",     "NAN",     "INFINITY", "BUFSIZ",   "SEEK_SET",  "SEEK_CUR", "SEEK_END", "RAND_MAX",
     "INT_MAX", "INT_MIN", "CHAR_BIT", "OVERFLOW", "UNDERFLOW", "DOMAIN",   "SIGINT",   "ERANGE"};

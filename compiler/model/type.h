@@ -1,5 +1,5 @@
 #pragma once
-// The wire view of a C++ type: what the frontend understood and every later stage works on.
+// This is the wire view of a C++ type: what the frontend understood and every later stage works on.
 
 #include <cstdint>
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace suture::compiler::model {
 
-/// Where something was declared. `handle` is opaque to all but the frontend, which turns it back
-/// into a clang location to draw the caret; `file` and `line` serve the artefacts.
+/// Says where something was declared. `handle` is opaque to all but the frontend, which turns it
+/// back into a clang location to draw the caret; `file` and `line` serve the artefacts.
 struct Source {
   std::uint32_t handle = 0;
   std::string file;  ///< as the target's include path spells it: "arm/arm.h"
@@ -32,7 +32,7 @@ enum class Scalar {
 
 enum class Clock { Steady, System };
 
-/// A closed set of shapes. Which members below `shape` count is told beside each.
+/// Is one of a closed set of shapes. Beside each shape stands which members below `shape` count.
 struct Type {
   enum class Shape {
     Scalar,      ///< scalar
