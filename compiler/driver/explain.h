@@ -1,5 +1,5 @@
 #pragma once
-// The reference pages of docs/diagnostics, which the build puts into suturec.
+// These are the reference pages of docs/diagnostics, which the build puts into suturec.
 
 #include <map>
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace suture::compiler::driver {
 
-/// The text of each page, by slug. Written by the build.
+/// Returns the text of each page, by slug. The build writes this function.
 const std::map<std::string_view, std::string_view>& diagnosticPages();
 
-/// Prints the page of a slug, with or without "suture-" before it. The exit status: 1, and the
-/// nearest slug on standard error, if there is none.
+/// Prints the page of a slug, with or without "suture-" before it. Returns the exit status; if
+/// there is no such page, that is 1, and the nearest slug is on standard error.
 int explain(std::string_view slug);
 
 }  // namespace suture::compiler::driver

@@ -1,5 +1,6 @@
 #pragma once
-// Writing without disturbing: no half-written file, and none touched whose text stays.
+// These write without disturbing: no file is left half-written, and a file whose text stays is not
+// touched.
 
 #include <filesystem>
 #include <optional>
@@ -8,11 +9,11 @@
 
 namespace suture::compiler::driver {
 
-/// None if the file cannot be read.
+/// Returns none if the file cannot be read.
 std::optional<std::string> readText(const std::filesystem::path& path);
 
-/// Files that appear together: each is written beside its place, and takes it when all are written.
-/// What was not placed is removed at the end.
+/// Lets files appear together: each is written beside its place, and takes it when all are written.
+/// The destructor removes what was not placed.
 class NewFiles {
  public:
   NewFiles() = default;
@@ -22,7 +23,7 @@ class NewFiles {
 
   /// Throws std::runtime_error naming the file that cannot be written.
   void add(const std::filesystem::path& path, const std::string& text);
-  /// False if the file has this text already and is left alone.
+  /// Returns false if the file has this text already and is left alone.
   bool addIfChanged(const std::filesystem::path& path, const std::string& text);
   /// Throws std::runtime_error naming the file that cannot take its place.
   void place();
@@ -34,10 +35,10 @@ class NewFiles {
   std::vector<File> files_;
 };
 
-/// One file, whatever it holds already: its date is of now.
+/// Writes one file whatever it holds already, so that its date is new.
 void writeText(const std::filesystem::path& path, const std::string& text);
 
-/// A Make rule: `target` depends on the files.
+/// Returns a Make rule: `target` depends on the files.
 std::string makeRule(const std::string& target, const std::vector<std::string>& files);
 
 }  // namespace suture::compiler::driver

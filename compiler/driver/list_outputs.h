@@ -1,5 +1,5 @@
 #pragma once
-// `suturec --list-outputs`.
+// This is `suturec --list-outputs`.
 
 namespace suture::compiler::driver {
 

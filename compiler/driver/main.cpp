@@ -1,4 +1,4 @@
-// suturec: from annotated C++ headers to everything that carries them over a wire.
+// This is suturec: it makes of annotated C++ headers everything that carries them over a wire.
 
 #include <exception>
 #include <iostream>

@@ -1,5 +1,5 @@
 #pragma once
-// The command line of suturec.
+// This reads the command line of suturec.
 
 #include <optional>
 #include <string>
@@ -30,8 +30,8 @@ struct Options {
   std::vector<std::string> clangArguments;
 };
 
-/// What to do with a command line: run with the options, or end with the exit status at once (the
-/// usage or an error has been printed).
+/// Says what to do with a command line: run with the options, or end with the exit status at once
+/// (the usage or an error has been printed).
 struct Parsed {
   std::optional<Options> options;
   int exitStatus = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Where clang's own headers (stddef.h and its like) are.
+// This finds the folder of clang's own headers (stddef.h and its like).
 
 #include <string>
 

@@ -37,7 +37,7 @@ void checkHeaders(const Options& options) {
   }
 }
 
-/// Every own header must have brought something, or it was not meant to be here.
+/// Refuses an own header that declares nothing, since it was not meant to be here.
 void checkDeclarations(const model::Model& model) {
   for (const model::Header& header : model.headers) {
     const bool empty = header.enums.empty() && header.structs.empty() &&
@@ -50,7 +50,8 @@ void checkDeclarations(const model::Model& model) {
   }
 }
 
-/// Where the lock of a header may be, best first. That of an installed header lies beside it.
+/// Returns where the lock of a header may be, best first. The lock of an installed header lies
+/// beside it.
 std::vector<fs::path> lockPlaces(const model::Header& header, const Options& options) {
   std::vector<fs::path> places;
   for (const std::string& directory : options.lockDirectories) {
@@ -104,7 +105,7 @@ class Run {
     return options_.fix || generate(locks);
   }
 
-  /// Writes the headers with all fix-its applied. True if that settles every error.
+  /// Writes the headers with all fix-its applied. Returns true if that settles every error.
   bool applyFixes() {
     const frontend::Fixes fixes = frontend_.fixes();
     for (const model::Artefact& file : fixes.files) {

@@ -6,8 +6,8 @@
 namespace suture::compiler::driver {
 namespace {
 
-// FNV-1a, with the top bit that capnp demands. Nothing refers to an empty file, so any distinct id
-// will do.
+// Returns the FNV-1a hash, with the top bit that capnp demands. Nothing refers to an empty file, so
+// any distinct id will do.
 std::uint64_t idOf(const std::string& path) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : path) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;

@@ -1,5 +1,5 @@
 #pragma once
-// The schema that a build compiles for a header.
+// This is the schema that a build compiles for a header.
 
 #include "compiler/lock/schema/lock.h"
 #include "compiler/model/artefact.h"
@@ -7,8 +7,9 @@
 
 namespace suture::compiler::driver {
 
-/// "arm/arm.capnp": the header's lock word for word, so that the build compiles what was checked;
-/// an empty schema for a header that declares nothing for a wire, so that all headers build alike.
+/// Returns "arm/arm.capnp": the header's lock word for word, so that the build compiles what was
+/// checked; an empty schema for a header that declares nothing for a wire, so that all headers
+/// build alike.
 model::Artefact wireSchema(const model::Header& header, const lock::Locks& locks);
 
 }  // namespace suture::compiler::driver
