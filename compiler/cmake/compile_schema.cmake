@@ -12,7 +12,7 @@ foreach(directory IN LISTS SCHEMAS IMPORTS)
 endforeach()
 list(REMOVE_DUPLICATES imports)
 
-# Aside first: a run that fails or is killed leaves no half of a file in place.
+# Write aside first, so that a run that fails or is killed leaves no half of a file in place.
 set(new "${OUT}/new")
 file(MAKE_DIRECTORY "${new}")
 execute_process(

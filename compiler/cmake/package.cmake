@@ -1,5 +1,5 @@
-# What find_package(Suture) finds: after `cmake --install`, in a folder that may be moved anywhere, and in
-# the build folder for work on Suture itself. Install components: suture, and robots on top of it.
+# This defines what find_package(Suture) finds: after `cmake --install`, in a folder that may be moved anywhere, and in the build folder for
+# work on Suture itself. The install components are suture, and robots on top of it.
 
 include(CMakePackageConfigHelpers)
 
@@ -17,7 +17,7 @@ if(TARGET suturec)
   list(APPEND programs suturec)
 endif()
 
-# The same two files, each beside its SutureTargets.cmake.
+# Writes the same two files into a folder, beside its SutureTargets.cmake.
 function(suture_write_config folder modules)
   set(SUTURE_MODULES "${modules}")
   configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/SutureConfig.cmake.in ${folder}/SutureConfig.cmake @ONLY)
@@ -46,7 +46,7 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/outputs.list
   ${CMAKE_CURRENT_LIST_DIR}/sync_generated.cmake
   DESTINATION ${package})
-# Schemas lie beside headers, as Cap'n Proto's own do: whoever finds one finds the other.
+# Schemas lie beside headers, as Cap'n Proto's own do, so that the path to the one also finds the other.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/suture/ ${PROJECT_SOURCE_DIR}/schemas/suture/
   ${PROJECT_BINARY_DIR}/schemas/suture/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.h" PATTERN "*.capnp"
@@ -55,7 +55,7 @@ install(FILES ${PROJECT_SOURCE_DIR}/schemas/deployment.schema.json ${PROJECT_SOU
   DESTINATION share/suture)
 install(FILES ${PROJECT_SOURCE_DIR}/runtime/gdb/suture_printers.py DESTINATION share/suture/gdb)
 if(TARGET suturec)
-  # Where suturec looks first: clang's own headers stay with it.
+  # This is where suturec looks first: clang's own headers stay with it.
   install(DIRECTORY ${SUTURE_CLANG_RESOURCE_DIR}/include DESTINATION lib/suture/clang)
 endif()
 
@@ -65,6 +65,6 @@ install(TARGETS suture-workstation suture-demo)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/teleoperation/
   DESTINATION share/suture/teleoperation FILES_MATCHING PATTERN "*.json")
 install(EXPORT SutureRobotsTargets NAMESPACE suture:: DESTINATION ${package})
-# Those that are not annotated; suture_generate() installs the others.
+# These are the headers that are not annotated; suture_generate() installs the others.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/components/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture-robots FILES_MATCHING PATTERN "*.h")

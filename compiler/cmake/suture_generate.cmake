@@ -73,7 +73,7 @@ function(suture_generate)
   if(arg_INSTALL_DIR)
     target_include_directories(${arg_TARGET} INTERFACE $<INSTALL_INTERFACE:${arg_INSTALL_DIR}>)
   endif()
-  # Capnp's output is nobody's interface: seen by generated code alone.
+  # Capnp's output is no interface of the target: generated code alone includes it.
   target_include_directories(${arg_TARGET} SYSTEM PRIVATE "${wire}")
   if(NOT arg_RUNTIME)
     set(arg_RUNTIME suture::suture)

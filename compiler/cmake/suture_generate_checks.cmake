@@ -1,4 +1,4 @@
-# What suture_generate() refuses, each with what to do instead.
+# These functions refuse what suture_generate() cannot do, each with what to do instead.
 
 function(suture_default variable value)
   if(NOT ${variable})
@@ -32,7 +32,7 @@ function(suture_check_lock_path directories)
   endforeach()
 endfunction()
 
-# The suturec to run; empty where there is none.
+# Finds the suturec to run; the result is empty where there is none.
 function(suture_find_compiler result)
   set(suturec "")
   if(TARGET suture::suturec)
@@ -77,7 +77,7 @@ function(suture_check_target target)
   set_property(GLOBAL PROPERTY SUTURE_GENERATE_${target} TRUE)
 endfunction()
 
-# The headers' paths below the base directory, without ".h".
+# Returns the headers' paths below the base directory, without ".h".
 function(suture_stems result target base headers)
   if(NOT headers)
     message(FATAL_ERROR "suture_generate(TARGET ${target}): no HEADERS; list the annotated headers.")

@@ -1,7 +1,7 @@
-# The build steps behind suture_generate().
+# These are the build steps behind suture_generate().
 
-# What suturec writes for the headers STEMS and a build uses so: include, compile, read or schema. The list is that
-# of suturec --list-outputs, kept beside this file because suturec may not be built yet, or not be there.
+# Lists what suturec writes for the headers STEMS and a build uses so: include, compile, read or schema. The list is that of suturec
+# --list-outputs, kept beside this file because suturec may not be built yet, or not be there.
 function(suture_outputs result stems)
   set(list ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/outputs.list)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${list})
@@ -18,7 +18,7 @@ function(suture_outputs result stems)
   set(${result} "${files}" PARENT_SCOPE)
 endfunction()
 
-# The directory of g++'s libraries, from which clang finds the same standard library.
+# Finds the directory of g++'s libraries, from which clang finds the same standard library.
 function(suture_gcc_install_dir result)
   if(NOT DEFINED CACHE{SUTURE_GCC_INSTALL_DIR})
     set(directory "")
@@ -32,7 +32,7 @@ function(suture_gcc_install_dir result)
   set(${result} "${SUTURE_GCC_INSTALL_DIR}" PARENT_SCOPE)
 endfunction()
 
-# What clang must know of the machine that is built for; nothing where it is this one.
+# Returns what clang must know of the machine that is built for; nothing where it is this one.
 function(suture_target_machine result)
   set(arguments "")
   if(CMAKE_CROSSCOMPILING)
@@ -49,7 +49,7 @@ function(suture_target_machine result)
   set(${result} "${arguments}" PARENT_SCOPE)
 endfunction()
 
-# One argument a line; lists of the target are complete only when the build files are written.
+# Writes one argument a line; lists of the target are complete only when the build files are written.
 function(suture_write_response_file file target base generated lock_dirs stems entry)
   set(own --target-name ${target} --project ${PROJECT_NAME} --base-dir ${base} --out ${generated})
   list(APPEND own --lock-command "cmake --build ${CMAKE_BINARY_DIR} --target update-lock"
@@ -79,7 +79,7 @@ function(suture_write_response_file file target base generated lock_dirs stems e
   file(GENERATE OUTPUT ${file} CONTENT "${text}" TARGET ${target})
 endfunction()
 
-# A run of suturec: the stamp says when, the generated files change only with their text.
+# Runs suturec: the stamp says when it ran, and the generated files change only with their text.
 function(suture_run_compiler suturec target base generated lock_dirs stems entry)
   set(work ${CMAKE_CURRENT_BINARY_DIR}/${target}.suture)
   suture_write_response_file(${work}.rsp ${target} ${base} ${generated} "${lock_dirs}" "${stems}" "${entry}")
@@ -104,8 +104,8 @@ function(suture_run_compiler suturec target base generated lock_dirs stems entry
 endfunction()
 
 function(suture_compile_schema target schemas stem wire lock_dirs)
-  # Not through capnp_generate_cpp(): it cannot write several folders into one include root.
-  # Where a header of another package is found, its schema is.
+  # This does not use capnp_generate_cpp(), which cannot write several folders into one include root. Where a header of another package is
+  # found, its schema is found too.
   set(imports ${lock_dirs} $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
   set(script ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/compile_schema.cmake)
   add_custom_command(
@@ -119,7 +119,7 @@ function(suture_compile_schema target schemas stem wire lock_dirs)
   target_sources(${target} PRIVATE ${wire}/${stem}.capnp.c++ ${wire}/${stem}.capnp.h)
 endfunction()
 
-# Ninja sees by itself that an output is gone.
+# Makes a build with Make notice an output that is gone; Ninja sees that by itself.
 function(suture_notice_removed target generated wire stems)
   if(NOT CMAKE_GENERATOR MATCHES "Makefiles")
     return()
@@ -139,12 +139,12 @@ function(suture_notice_removed target generated wire stems)
   endif()
 endfunction()
 
-# What generated code of other projects includes and imports lies beside the header.
+# Installs what generated code of other projects includes and imports beside the header.
 function(suture_install stem root base generated lock_dir wire)
   get_filename_component(folder ${root}/${stem} DIRECTORY)
   suture_outputs(included "${stem}" include)
   list(TRANSFORM included PREPEND ${generated}/)
   install(FILES ${base}/${stem}.h ${included} DESTINATION ${folder})
-  # A header that declares nothing for a wire has neither.
+  # A header that declares nothing for a wire has neither file, hence OPTIONAL.
   install(FILES ${lock_dir}/${stem}.capnp ${wire}/${stem}.capnp.h DESTINATION ${folder} OPTIONAL)
 endfunction()

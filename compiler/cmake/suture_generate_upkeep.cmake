@@ -1,6 +1,6 @@
-# Targets that keep what is committed in step with the headers: update-lock, accept-break (the same,
-# where old peers no longer count), update-generated, and the test check-generated. Each serves all suture_generate() calls of a project, so they are defined when
-# the project's own list file ends.
+# These targets keep what is committed in step with the headers: update-lock, accept-break (the same, where old peers no longer count),
+# update-generated, and the test check-generated. Each serves all suture_generate() calls of a project, so they are defined when the
+# project's own list file ends.
 
 function(suture_register_upkeep suturec target stems entry)
   set_property(GLOBAL APPEND PROPERTY SUTURE_UPKEEP_TARGETS ${target})

@@ -27,7 +27,7 @@ foreach(file IN LISTS committed)
     continue()
   endif()
   if(UPDATE)
-    # Not removed: another configuration, say one with tests, may still generate it.
+    # This file stays: another configuration, say one with tests, may still generate it.
     message(STATUS "left alone ${file}: this build generates no such file")
   else()
     string(APPEND differences "\n  ${file} is generated from no header any more")
