@@ -12,7 +12,7 @@ MOST_SHOWN = 12  # lines
 
 
 class PageError(Exception):
-    """What is wrong with a page, and in which line."""
+    """Says what is wrong with a page, and in which line."""
 
 
 @dataclasses.dataclass
@@ -62,7 +62,7 @@ def read(page):
 
 
 def judge(block, before):
-    """What is wrong with a block behind that one."""
+    """Says what is wrong with a block that stands behind the other."""
     directives = [word for word in block.words if word in DIRECTIVES]
     if len(directives) != 1:
         yield f"{block.where}: this block has to say one of {', '.join(DIRECTIVES)}"
@@ -88,7 +88,7 @@ def is_inside(file):
 
 
 def contains(said, expected):
-    """Whether these lines were said, one directly after the other; "..." stands for anything in a line, or for any lines."""
+    """Returns true if these lines were said, one directly after the other; "..." stands for anything in a line, or for any lines."""
     pattern = "^"
     for line in expected.rstrip("\n").split("\n"):
         if line.strip() == "...":

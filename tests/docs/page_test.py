@@ -52,7 +52,7 @@ class Reader:
         self._said = self._project.stop(block.value).said
 
     def output(self, block):
-        """What was said by now, or, of a process that runs, what it says soon."""
+        """Compares with what was said by now, or with what a process that still runs says soon."""
         said = self._said
         process = self._project.process(block.value) if block.value else self._running
         if process:
@@ -63,7 +63,7 @@ class Reader:
 
 
 def problems_of(page, project, patience):
-    """Nothing is left running behind a page."""
+    """Returns what is wrong with the page, and leaves nothing running behind it."""
     reader = Reader(project, patience)
     problems = []
     try:

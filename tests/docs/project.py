@@ -43,7 +43,7 @@ class Process:
         return self._bytes.decode(errors="replace")
 
     def says(self, is_enough, patience):
-        """Waits until it has said enough, has ended, or has no time left. Whether it has said enough."""
+        """Waits until it has said enough, has ended, or has no time left. Returns true if it has said enough."""
         with self._changed:
             self._changed.wait_for(lambda: is_enough(self.said) or self._ended, patience)
             return is_enough(self.said)
@@ -102,7 +102,7 @@ class Project:
             stream.write(text)
 
     def run(self, text):
-        """Its status and what it said."""
+        """Returns its status and what it said."""
         process = Process(text, self._options())
         return process.finish(LIMIT), process.said
 
@@ -128,7 +128,7 @@ class Project:
         return process
 
     def stop_all(self):
-        """What still runs, the latest first. What went wrong at that."""
+        """Stops what still runs, the latest first. Returns what went wrong at that."""
         problems = []
         for name in reversed(list(self._processes)):
             try:

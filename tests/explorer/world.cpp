@@ -179,7 +179,7 @@ class World {
     outcome_.broken.push_back("no call is answered within a second of the last fault");
   }
 
-  /// What the console's ledger says has become of its commands is what has become of them.
+  /// Requires of the console's ledger that it says of the commands what has really become of them.
   void balance() {
     // The robot may tell of the last answer after it, and a connection that ends may tell of it
     // only when it is there again.
@@ -227,7 +227,7 @@ class World {
     robot_ = nullptr;
   }
 
-  // In a thread of its own, beside the client's.
+  // A thread of its own runs this, beside the client's.
   void doHarm() {
     const suture::Time end = suture::now() + kHarm;
     Chance chance(chance_.below(UINT64_MAX)), more(more_.below(UINT64_MAX));
@@ -273,7 +273,7 @@ class World {
     robotsNetwork_.thaw();
     robotsProcess_.thaw();
   }
-  /// Neither process hears of the other, though both work.
+  /// Cuts the processes off from each other, though both work.
   void split(Chance& chance) {
     suture::TestClock::Process& network = chance.oneIn(2) ? robotsNetwork_ : consolesNetwork_;
     network.freeze();

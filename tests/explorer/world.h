@@ -1,5 +1,5 @@
 #pragma once
-// One system under the faults that one seed chooses.
+// This is one system under the faults that one seed chooses.
 
 #include <suture/testing/trace.h>
 
@@ -20,7 +20,7 @@ struct Outcome {
   suture::Trace trace;
 };
 
-/// Runs one on a clock of its own. The calling thread has none.
+/// Runs one on a clock of its own. The calling thread must have none.
 Outcome runWorld(std::uint64_t seed);
 
 }  // namespace explorer

@@ -23,13 +23,13 @@ namespace suture::fuzz {
 struct Decoder {
   const char* name;
   capnp::StructSchema schema;
-  /// A default value as a message.
+  /// Writes a default value as a message.
   void (*write)(capnp::MessageBuilder& out);
   /// Decodes `in`. Aborts when what was accepted does not survive being written and read again.
   void (*check)(capnp::MessageReader& in);
 };
 
-/// Those under test; each fuzzer links one list.
+/// Returns the decoders under test; each fuzzer links one list.
 std::span<const Decoder> decoders();
 
 /// The clock of a peer that was started a week later.

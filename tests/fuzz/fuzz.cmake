@@ -1,9 +1,9 @@
-# How a fuzzer is built and run: each source once with clang and the sanitizers, then a program of those that are right,
-# and one in which a part is replaced by one that is wrong, which the fuzzer must find.
+# This says how a fuzzer is built and run: each source is compiled once with clang and the sanitizers; one program has
+# all parts right, and in another a wrong part replaces one of them, which the fuzzer must find.
 
 set(SUTURE_FUZZ_FLAGS -std=c++20 -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all)
 
-# Compiles SOURCES; ${group}_objects lists the results, one a source.
+# Compiles SOURCES; ${group}_objects lists the results, one for each source.
 function(suture_fuzz_objects group)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;FLAGS")
   foreach(source IN LISTS arg_SOURCES)
@@ -61,8 +61,8 @@ function(suture_fuzzer name)
   set_tests_properties(fuzz.${name}.planted PROPERTIES PASS_REGULAR_EXPRESSION "libFuzzer: deadly signal")
 endfunction()
 
-# The fuzzer of all decoders that the generated files ROOT/STEM.suture.cpp define; OBJECTS: what their headers only declare.
-# TARGET has capnp write the headers of their schemas.
+# Makes the fuzzer of all decoders that the generated files ROOT/STEM.suture.cpp define; OBJECTS define what their
+# headers only declare. TARGET has capnp write the headers of their schemas.
 function(suture_decoders_fuzzer name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "ROOT;TARGET" "STEMS;FLAGS;OBJECTS;LIBRARIES")
   set(folder ${CMAKE_CURRENT_BINARY_DIR})

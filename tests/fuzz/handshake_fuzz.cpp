@@ -1,5 +1,5 @@
-// What a peer says first: the opening of a second connection, with its token, or the messages of a
-// link. The bytes come in any pieces, and then no more.
+// This fuzzes what a peer says first: the opening of a second connection, with its token, or the
+// messages of a link. The bytes come in any pieces, and then no more come.
 
 #include <suture/framing/message_stream.h>
 #include <suture/framing/preamble.h>
@@ -112,7 +112,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t first = input.byte();
   std::vector<std::byte> bytes = beginning(input);
   while (!input.ended()) bytes.push_back(static_cast<std::byte>(input.byte()));
-  // To refuse a peer is an exception.
+  // A refused peer is an exception.
   KJ_IF_MAYBE (refused, kj::runCatchingExceptions([&] { listen(bytes, first); })) {
     (void)refused;
   }

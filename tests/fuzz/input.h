@@ -1,5 +1,5 @@
 #pragma once
-// What a fuzzer is given, taken apart.
+// This takes apart what a fuzzer is given.
 
 #include <cstddef>
 #include <cstdint>

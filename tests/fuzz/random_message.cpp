@@ -111,7 +111,8 @@ class Filler {
     return capnp::DynamicEnum(type.asEnum(), ordinal);
   }
 
-  /// Most within what a container may hold, some beyond all; none any more when there are many.
+  /// Returns a length that a container may often hold, and sometimes one beyond what any may; it is
+  /// 0 once there are many elements.
   capnp::uint length() {
     const auto most = random_() % 8 == 0 ? 90u : 5u;
     const auto wanted = static_cast<capnp::uint>(random_() % most);

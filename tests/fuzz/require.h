@@ -1,5 +1,5 @@
 #pragma once
-// How a fuzzer says that something does not hold.
+// With this a fuzzer says that something does not hold.
 
 #include <cstdlib>
 

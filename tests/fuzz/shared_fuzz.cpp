@@ -55,7 +55,7 @@ std::shared_ptr<MemoryBlock> blockForQueues() {
   return std::make_shared<MemoryBlock>("fuzz", asked.used());
 }
 
-/// What was handed out is all there, and does not change with the memory.
+/// Requires that what was handed out is all there, and does not change with the memory.
 class Held {
  public:
   template <class Record>
@@ -108,7 +108,7 @@ class Processes {
     const std::uint64_t valid = input_.byte(), tooLarge = input_.byte();
     table_.publish(now(), {.valid = valid, .tooLarge = tooLarge});
   }
-  /// With what means something there more often than by chance.
+  /// Writes values that mean something there more often than chance would.
   void scribble(const MemoryBlock& block) {
     const std::uint64_t values[] = {
         0, 1, 7, ~std::uint64_t{0}, std::uint64_t{1} << 63, input_.eight()};

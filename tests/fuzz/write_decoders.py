@@ -16,7 +16,7 @@ NAMESPACE = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
 
 
 def decoders(source):
-    """(namespace, type, slot, message) of each struct of one generated file."""
+    """Returns (namespace, type, slot, message) of each struct of one generated file."""
     text = source.read_text(encoding="utf-8")
     header = source.with_suffix(".h").read_text(encoding="utf-8")
     types = {slot: value for value, slot in STORE.findall(header)}

@@ -1,4 +1,4 @@
-// Deployments that create components from a shared library.
+// These deployments create components from a shared library.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -41,7 +41,7 @@ std::vector<std::string> problemsOf(const Deployment& deployment) {
   return {};
 }
 
-/// What is said of a deployment with that one component.
+/// Returns what is said of a deployment with that one component.
 std::string problemOf(const std::string& type, const std::string& library) {
   const auto problems = problemsOf(deploymentOf(component("P", type, library)));
   return problems.size() == 1 ? problems[0] : std::to_string(problems.size()) + " problems";

@@ -1,4 +1,4 @@
-// As an earlier release of Suture would have left it.
+// This is a library as an earlier release of Suture would have left it.
 #include <suture/component/factory/component_library.h>
 
 extern "C" const suture::ComponentLibrary* suture_components() {

@@ -6,14 +6,15 @@
 
 namespace suture {
 
-/// How often the calling thread has allocated. Always 0 where countsAllocations() is false.
+/// Returns how often the calling thread has allocated. It is always 0 where countsAllocations() is
+/// false.
 std::uint64_t allocations();
 
-/// False under a sanitizer, which needs malloc for itself.
+/// Returns false under a sanitizer, which needs malloc for itself.
 bool countsAllocations();
 
-/// Counts, while it lives, what all threads of one name allocate. One at a time in a process; any
-/// thread.
+/// Any thread may make this; a process may have one at a time. Counts, while it lives, what all
+/// threads of one name allocate.
 class NamedThreadAllocations {
  public:
   /// `name`: at most 15 characters, kept by reference.

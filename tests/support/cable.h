@@ -1,6 +1,6 @@
 #pragma once
-// Two network namespaces and the cable between them: two machines as far as the network goes. As
-// root, with iproute2.
+// These are two network namespaces and the cable between them: two machines as far as the network
+// goes. They need root, and iproute2.
 
 #include <sched.h>
 #include <sys/types.h>
@@ -28,15 +28,15 @@ class Cable {
   static void leave() {
     if (unshare(CLONE_NEWNET) != 0) throw std::runtime_error("no network namespace of its own");
   }
-  /// To a process that has left.
+  /// Gives the far end to a process that has left.
   void stretchTo(pid_t process) const { run("ip link set there netns " + std::to_string(process)); }
-  /// The other process, once the cable has come.
+  /// Makes the far end ready; the other process calls it, once the cable has come.
   static void plugIn() { run(pluggingIn()); }
   static std::string pluggingIn() {
     return "ip addr add " + std::string(kThere) + "/24 dev there && ip link set there up";
   }
 
-  /// "thread-self", or a process's id.
+  /// Names the network namespace of "thread-self", or of a process by its id.
   static std::string namespaceOf(const std::string& process) {
     return std::filesystem::read_symlink("/proc/" + process + "/ns/net").string();
   }

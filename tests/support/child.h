@@ -58,7 +58,8 @@ class Child {
     waitid(P_PID, static_cast<id_t>(pid_), &stopped, WSTOPPED | WEXITED | WNOWAIT);
   }
   pid_t pid() const { return pid_; }
-  /// Its exit status, or minus the signal that ended it. `number` 0: waits for it to end by itself.
+  /// Ends it and returns its exit status, or minus the signal that ended it. With `number` 0 it
+  /// waits for it to end by itself.
   int end(int number) {
     if (number != 0) signal(number);
     int status = 0;

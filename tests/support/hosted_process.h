@@ -1,5 +1,5 @@
 #pragma once
-// What the processes have in common that tests start: they say "ready" and end on SIGTERM.
+// The processes that tests start have this in common: they say "ready" and end on SIGTERM.
 
 #include <suture/base/errors.h>
 
@@ -14,7 +14,7 @@ inline void say(const char* what) {
   std::fflush(stdout);
 }
 
-/// Keeps SIGTERM for awaitEnd(). To be made before any thread, which inherits that.
+/// Make this before any thread, since threads inherit the mask. Keeps SIGTERM for awaitEnd().
 class HostedProcess {
  public:
   HostedProcess() {
@@ -29,7 +29,7 @@ class HostedProcess {
     int received = 0;
     sigwait(&signals_, &received);
   }
-  /// True from when awaitEnd() would return at once.
+  /// Returns true from when awaitEnd() would return at once.
   bool ended() const {
     sigset_t pending;
     sigpending(&pending);

@@ -1,5 +1,5 @@
 #pragma once
-// Where a process listens, as its manager knows it.
+// This finds where a process listens, as its manager knows it.
 
 #include <suture/loop/control_thread.h>
 #include <suture/names/manager_link.h>

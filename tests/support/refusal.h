@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// What `attempt` is refused with: the text of what it throws; "" if it throws nothing.
+/// Returns what `attempt` is refused with: the text of what it throws; "" if it throws nothing.
 template <class Attempt>
 std::string refusal(const Attempt& attempt) {
   try {

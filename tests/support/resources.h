@@ -1,5 +1,5 @@
 #pragma once
-// What this process holds of the machine.
+// These tell what this process holds of the machine.
 
 #include <suture/base/sanitizers.h>
 #include <unistd.h>
@@ -36,7 +36,7 @@ inline std::size_t residentBytes() {
   return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// False under a sanitizer, which keeps what has been freed.
+/// Is false under a sanitizer, which keeps what has been freed.
 #if defined(SUTURE_ADDRESS_SANITIZER) || defined(SUTURE_THREAD_SANITIZER)
 constexpr bool kGivesMemoryBack = false;
 #else

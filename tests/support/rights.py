@@ -10,7 +10,8 @@ WITHOUT_REAL_TIME = [
 
 
 def may_be_real_time(priority):
-    """True if this process may have that priority and lock all of its memory. Asked in a child, which keeps neither."""
+    """Returns true if this process may have that priority and lock all of its memory. A child asks, since the rights that it takes end with
+    it."""
     child = os.fork()
     if child == 0:
         try:

@@ -1,5 +1,5 @@
 #pragma once
-// How the tests of this project make their clocks.
+// The tests of this project make their clocks with these options.
 
 #include <gtest/gtest.h>
 #include <suture/testing/test_clock.h>

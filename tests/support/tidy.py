@@ -16,22 +16,22 @@ import subprocess
 import sys
 
 TOOL = "clang-tidy-19"
-# As the root CMakeLists.txt has clang do, which includes it before anything else.
+# The root CMakeLists.txt has clang include this before anything else, and so must clang-tidy.
 FIRST = pathlib.Path(__file__).parents[2] / "runtime/suture/loop/kj_comparisons.h"
 FINDING = re.compile(r": (?:warning|error): ")
 INCLUDED = re.compile(r'^#include "(.+)"$', re.M)
 
 
 def units(build):
-    """The command of each file that the build compiles."""
+    """Returns the command of each file that the build compiles."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    # What g++ calls some warnings is an error for clang, and warnings are the build's business.
+    # Some warnings of g++ are errors for clang. Only findings count here, since a build shows the warnings.
     return [{**entry, "command": entry["command"].replace(" -Werror", "")} for entry in entries
             if not entry["file"].endswith(".capnp.c++")]
 
 
 def commands(build):
-    """The command of each source."""
+    """Returns the command of each source."""
     result = {}
     for entry in units(build):
         file = pathlib.Path(entry["file"])

@@ -1,6 +1,6 @@
-"""What tests/timing.sh prints: timing.py BUILD [--summary] [PRESET...]
+"""Prints what tests/timing.sh shows: timing.py BUILD [--summary] [PRESET...]
 
-run.sh leaves the seconds of each build and test in BUILD/PRESET/Testing, ctest those of each test, and run_gtest.py has gtest
+run.sh leaves the seconds of each build and test in BUILD/PRESET/Testing, ctest leaves those of each test, and run_gtest.py has gtest
 write those of each case.
 """
 

@@ -31,7 +31,7 @@ def page_of(name):
 
 
 def rows(readme):
-    """Of the table: the enumerator, its page and the text."""
+    """Returns each row of the table: the enumerator, its page and the text."""
     return re.findall(r"^\| \[(\w+)\]\(([^)]*)\) \| (.*?) \|", readme, re.M)
 
 

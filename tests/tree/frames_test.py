@@ -1,7 +1,7 @@
-"""In the deployments that are shipped, each connection that carries places or poses has its coordinate frames declared at
+"""Checks the deployments that are shipped: each connection that carries places or poses has its coordinate frames declared at
 both ends, so that one which is wired to the wrong provider is refused and does not move.
 
-  frames_test.py ROOT      checks those of that tree, and that what is planted in one of them is found
+  frames_test.py ROOT      checks the deployments of that tree, and that it finds what is planted in one of them
 """
 
 import json
@@ -16,7 +16,7 @@ OF_SEVERAL_FRAMES = {"robots::Registration", "robots::Teleoperation"}
 
 
 class Contracts:
-    """What `suturec` has written of the tree's types, contracts and component classes."""
+    """Knows what `suturec` has written of the tree's types, contracts and component classes."""
 
     def __init__(self, root):
         self.structs, self.components, self.frames = {}, {}, {}
@@ -28,7 +28,7 @@ class Contracts:
             self.frames.update({one["name"]: self.frames_of(one) for one in header["interfaces"]})
 
     def frames_of(self, contract):
-        """Which frames whoever knows a value of it has to know: a place has a reference, a pose a moving frame too."""
+        """Returns which frames a reader of its values has to know: a place has a reference, a pose a moving frame too."""
         found = set()
         for one in contract["commands"] + contract["events"]:
             for value in [one.get("result"), one.get("payload"), *one.get("parameters", [])]:
@@ -46,7 +46,7 @@ class Contracts:
                 self.look(field["type"], field.get("unit"), found)
 
     def of(self, component, interface):
-        """Nothing of an interface that the class has in a part of itself: the other end tells."""
+        """Returns the frames of an interface; none of one that the class has in a part of itself, since the other end tells them."""
         known = self.components[component["class"]]
         sides = known.get("required", []) + known.get("provided", [])
         return next((self.frames[one["interface"]] for one in sides if one["name"] == interface), set())

@@ -35,7 +35,7 @@ def includes(path):
 
 
 def folder_of(path):
-    """Of a path below runtime/suture/; None if no such folder is known."""
+    """Returns the folder of a path below runtime/suture/; None if no such folder is known."""
     folder = path.rpartition("/")[0]
     return RUNTIME[0] if path in BASIC_CONTRACTS else folder if folder in RUNTIME else None
 
@@ -61,8 +61,8 @@ def check_layers(root):
                 yield f"{path.relative_to(root)}: {folder_of(name)} includes {include}; dependencies point the other way"
 
 
-# Nothing above the lanes names one, so that a new lane is a folder and a line in lane/lanes.cpp. A plain Cap'n Proto client is served
-# as the client of a connection by calls is, without a connection.
+# Code above the lanes names no lane, so that a new lane is a folder and a line in lane/lanes.cpp. A plain Cap'n Proto client is served as
+# the client of a connection by calls is, without a connection.
 LANE = re.compile(r"suture/lane/(shm|frame|rpc)/|\bLane::(Shm|Frame|Rpc)\b|\"(shm|frame|rpc)\"")
 SERVES_PLAIN_CLIENTS = {"session/provider/peer_server.cpp", "session/provider/explain.cpp"}
 
@@ -139,7 +139,7 @@ def check_waits(root):
                 yield f"{name}: waits by {found[0]}; only a doorbell may (rt/doorbell.h), so that a stepped clock knows of it"
 
 
-# What KJ alone observes, the stepped clock does not find: its time goes on past what has arrived.
+# The stepped clock does not find what KJ alone observes: its time would go on past what has arrived.
 def check_observers(root):
     for path in sources(root, "runtime"):
         name = path.relative_to(root)
@@ -196,7 +196,7 @@ def check_format(root):
         yield "clang-format-14 is missing: run .ci/install tests"
         return
     files = [p for folder in ("compiler", "runtime", "components", "examples", "tests") for p in sources(root, folder)]
-    # Not ours to lay out: expected outputs, deliberately broken inputs, generated code.
+    # These are not ours to lay out: expected outputs, deliberately broken inputs, generated code.
     files = [p for p in files if not {"golden", "errors"} & set(p.parts) and ".suture." not in p.name]
     for i in range(0, len(files), 100):
         result = subprocess.run([tool, "--dry-run", "--style=file", *map(str, files[i : i + 100])],
