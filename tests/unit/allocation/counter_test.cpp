@@ -1,4 +1,4 @@
-// What the counter must not miss, or every other test here would pass for nothing.
+// These show that the counter misses nothing, or every other test here would pass for nothing.
 
 #include <gtest/gtest.h>
 #include <pthread.h>

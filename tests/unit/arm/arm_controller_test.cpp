@@ -1,4 +1,4 @@
-// An arm, called directly: readiness, motion, refusal, what it announces.
+// These call an arm directly: readiness, motion, refusal, what it announces.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// An arm whose client is gone holds, if it followed that client's stream.
+// An arm whose client is gone holds its place if it followed that client's stream.
 #include <gtest/gtest.h>
 
 #include "unit/arm/crtk_arm_fixture.h"

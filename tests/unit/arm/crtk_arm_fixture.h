@@ -1,5 +1,5 @@
 #pragma once
-// A simulated arm whose contract a test calls directly.
+// This is a simulated arm whose contract a test calls directly.
 
 #include "arm_control/crtk_arm.h"
 
@@ -43,7 +43,7 @@ struct HeardOfArm : Deaf {
   }
 };
 
-/// Obeys whom the test says.
+/// Obeys the commander that the test sets.
 struct CommandedArm final : ArmController<6> {
   using ArmController::ArmController;
   const suture::ConnectedClient* commander = nullptr;

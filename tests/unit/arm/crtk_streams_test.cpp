@@ -1,4 +1,4 @@
-// Velocities, twists, efforts and forces: the commands that have to be repeated.
+// These test the commands that have to be repeated: velocities, twists, efforts and forces.
 #include <gtest/gtest.h>
 
 #include "unit/arm/crtk_arm_fixture.h"
@@ -8,7 +8,7 @@ namespace {
 
 class CrtkStreamsTest : public CrtkArmTest {
  protected:
-  /// How far the first joint goes in so many cycles of the stream.
+  /// Returns how far the first joint goes in so many cycles of the stream.
   double travel(const JointVelocityGoal& goal, int count) {
     const double before = setpoint(0);
     for (int i = 0; i < count; ++i) {
@@ -95,7 +95,7 @@ TEST_F(CrtkStreamsTest, AVelocityIsReachedAndLeftWithTheAccelerationsAskedFor) {
   goal.goal[0] = 0.1;
   goal.acceleration.assign(6, 10.0);
   goal.deceleration.assign(6, 5.0);
-  // 0.01 rad/s more each ms: 0.01 + ... + 0.1
+  // The joint is 0.01 rad/s faster each ms: 0.01 + ... + 0.1.
   EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
   EXPECT_NEAR(travel(goal, 10), 1e-3, 1e-9);
   goal.goal[0] = -0.1;

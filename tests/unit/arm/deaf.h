@@ -7,7 +7,7 @@
 
 namespace robots::test {
 
-/// Hears nothing. What a test wants to hear it declares in a class of its own that derives from it.
+/// Hears nothing. A test declares what it wants to hear in a class of its own that derives from it.
 struct Deaf {
   void desired_state(ArmState) {}
   void operating_state(const OperatingState&) {}

@@ -1,4 +1,4 @@
-// Drives that measure what cannot be put an arm in FAULT.
+// Drives put an arm in FAULT when they measure what cannot be.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The gripper of a master, as its drives measure it.
+// These test the gripper of a master, as its drives measure it.
 
 #include "arm_control/gripper_reading.h"
 

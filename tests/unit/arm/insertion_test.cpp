@@ -1,4 +1,4 @@
-// Cartesian control of an arm that works through a cannula.
+// These control an arm that works through a cannula by Cartesian goals.
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ class InsertionTest : public CrtkArmTest {
 
   InsertionTest() : CrtkArmTest(cannulaModel()) {}
 
-  /// By a joint move.
+  /// Moves the insertion by a joint move.
   void insert(double wristBeyondCentre) {
     JointGoal goal = joints(0.1);
     goal.position[2] = wristBeyondCentre + kShaft;

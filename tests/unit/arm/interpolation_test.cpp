@@ -8,7 +8,8 @@ namespace {
 
 class InterpolationTest : public CrtkArmTest {
  protected:
-  /// By that much of the first joint, which can do 4 rad/s and a servo step of 0.4 rad.
+  /// Returns a goal with that much of the first joint, which can do 4 rad/s and a servo step of 0.4
+  /// rad.
   static JointGoal yaw(double by) { return {{by, 0, 0, 0, 0, 0}, {}}; }
 };
 

@@ -1,4 +1,4 @@
-// The jaw on the arm that holds it, called directly.
+// These call the jaw on the arm that holds it directly.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Goals beyond a joint limit, and goals that lie too far away for one step.
+// These send goals beyond a joint limit, and goals that lie too far away for one step.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,4 +1,4 @@
-// What an arm measures at its tip, of what its drives measure of its joints.
+// These test what an arm measures at its tip, of what its drives measure of its joints.
 
 #include <gtest/gtest.h>
 
@@ -116,7 +116,7 @@ TEST(TipForce, OfSevenJointsIsTheNearest) {
   const auto told = tipForce<7>(jacobian, effort);
   ASSERT_TRUE(told);
   EXPECT_LT((*told - wrench).norm(), 1e-9);
-  // What turns the arm about its tip without moving that presses with nothing.
+  // These efforts turn the arm about its tip without moving the tip, so they press with nothing.
   const Eigen::Matrix<double, 7, 1> still = jacobian.fullPivLu().kernel().col(0);
   const auto same = tipForce<7>(jacobian, effort + still);
   ASSERT_TRUE(same);

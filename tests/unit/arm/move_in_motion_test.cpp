@@ -1,4 +1,4 @@
-// Moves that begin while the set-point moves.
+// These moves begin while the set-point moves.
 
 #include <gtest/gtest.h>
 

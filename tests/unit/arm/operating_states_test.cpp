@@ -1,4 +1,4 @@
-// The state machine of CRTK: every command in every state.
+// These run the state machine of CRTK: every command in every state.
 #include "arm_control/operating_states.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(OperatingStates, AreLeftByTheCommandsThatCrtkNames) {
 class OperatingStatesTest : public CrtkArmTest {
  protected:
   ArmState state() const { return crtk_.operating_state().state; }
-  /// A goal that the joints cannot follow as closely as they are to.
+  /// Sends a goal that the joints cannot follow as closely as they must.
   void fault() {
     JointGoal far{positions(), {}};
     far.position[0] += 0.38;

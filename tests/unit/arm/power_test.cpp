@@ -15,7 +15,7 @@ class PowerTest : public CrtkArmTest {
     ASSERT_FALSE(heard_.errors.empty());
     EXPECT_NE(heard_.errors.back().find(part), std::string::npos) << heard_.errors.back();
   }
-  /// As if the drives had not answered.
+  /// Steps the arm as if the drives had not answered.
   void silence() {
     time_ += 1ms;
     arm_.step(time_, std::nullopt);

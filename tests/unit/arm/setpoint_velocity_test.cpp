@@ -24,7 +24,7 @@ class SetpointVelocityTest : public CrtkArmTest {
 
   static constexpr int kBegun = 12;  // cycles: goals that come slowly are a stream from then on
 
-  /// Compares with how far set-point and tip come in each of some cycles.
+  /// Compares the velocity with how far set-point and tip come in each of some cycles.
   void expectIsThatOfTheSetpoint(const char* what, const std::function<void()>& follow) {
     Eigen::Isometry3d before = crtk_.setpoint_cp().pose;
     double fastest = 0;

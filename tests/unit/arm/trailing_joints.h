@@ -1,5 +1,5 @@
 #pragma once
-// Stands in for the drives of an arm that a test steps itself.
+// This stands in for the drives of an arm that a test steps itself.
 
 #include <chrono>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace robots::test {
 
-/// Joints that trail the arm's set-points by 10 ms, and that brakes hold without power. Never
+/// Moves joints that trail the arm's set-points by 10 ms, and that brakes hold without power. Never
 /// allocates.
 template <int N>
 class TrailingJoints {
@@ -35,20 +35,20 @@ class TrailingJoints {
       dynamics_.brake();
     }
   }
-  /// Where the joints are, whatever their encoders say.
+  /// Returns where the joints are, whatever their encoders say.
   const Joints& position() const { return dynamics_.measured(); }
-  /// The drives say so from now on, whatever the arm wants.
+  /// Makes the drives say so from now on, whatever the arm wants.
   void force(std::optional<DrivePower> power) { forced_ = power; }
   /// Its encoder is off by so much from now on.
   void displace(int joint, double by) { displaced_[joint] = by; }
   /// Its motor gives so much, N.m.
   void draw(int joint, double effort) { drawn_[joint] = effort; }
   void draw(const Joints& efforts) { drawn_ = efforts; }
-  /// Nobody measures what the motors give.
+  /// Leaves out from now on what the motors give.
   void measureNoEffort() { measuresEffort_ = false; }
-  /// Something holds the joints from now on.
+  /// Makes something hold the joints from now on.
   void block() { blocked_ = true; }
-  /// As if they had stopped, and been permitted again, between two cycles of the arm.
+  /// Does as if they had stopped, and been permitted again, between two cycles of the arm.
   void permitAnew() { permitted_ += std::chrono::milliseconds(1); }
 
  private:

@@ -1,7 +1,7 @@
 # cmake -DBENCH=program -DJSON=file -DBOUNDS=file -P smoke.cmake
 #
-# A short run of table2 ends well and leaves every figure; a bound that nothing can keep makes --check
-# fail. How fast it was is not judged here.
+# A short run of table2 ends well and leaves every figure; a bound that no machine can keep makes --check
+# fail. This does not judge how fast it was.
 
 file(REMOVE ${JSON})
 execute_process(COMMAND ${BENCH} table2 --quick --json ${JSON} RESULT_VARIABLE status OUTPUT_VARIABLE output
@@ -49,7 +49,8 @@ foreach(figure IN LISTS values)
   require(${figure} "unit;value")
 endforeach()
 
-# The same loops over other lanes, and between two machines as far as the network goes, for which it takes root.
+# These runs take the same loops over other lanes, and between two machines as far as the network goes, which takes
+# root.
 execute_process(COMMAND id -u OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)
 set(ways "--lane frame" "--lane shm" "--lane frame --tcp")
 if(user EQUAL 0)

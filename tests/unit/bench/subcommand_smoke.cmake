@@ -1,7 +1,8 @@
-# cmake -DBENCH=program -DSUBCOMMAND=name -DJSON=file -DBOUNDS=file -DPLANTED=figure "-DFIGURES=a;b" -P subcommand_smoke.cmake
+# cmake -DBENCH=program -DSUBCOMMAND=name -DJSON=file -DBOUNDS=file -DPLANTED=figure "-DFIGURES=a;b" -P
+# subcommand_smoke.cmake
 #
-# A short run ends well and leaves every figure; a bound that nothing can keep makes --check fail. How fast it was is
-# not judged here.
+# A short run ends well and leaves every figure; a bound that no machine can keep makes --check fail. This does not
+# judge how fast it was.
 
 file(REMOVE ${JSON})
 file(WRITE ${BOUNDS} "${SUBCOMMAND}.${PLANTED} <= 0 ns | nothing takes no time\n")

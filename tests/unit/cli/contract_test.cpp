@@ -9,7 +9,8 @@
 namespace suture::cli {
 namespace {
 
-/// The bit of the gripper's second event, whose description says `number` unless it is null.
+/// Returns the bit of the gripper's second event, whose description says `number` unless it is
+/// null.
 std::uint64_t bitWith(const nlohmann::json& number) {
   Explained explained;
   auto description = nlohmann::json::parse(explained.get().getDescription().cStr());

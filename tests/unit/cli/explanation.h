@@ -1,5 +1,5 @@
 #pragma once
-// What a process says of an interface robots::Gripper, to be spoilt.
+// This is what a process says of an interface robots::Gripper; tests spoil it.
 
 #include <capnp/message.h>
 #include <suture/session/provider/explain.h>
@@ -8,7 +8,7 @@
 
 namespace suture::cli {
 
-/// A message that explains the interface.
+/// Is a message that explains the interface.
 class Explained {
  public:
   Explained() { explain(interfaceInfo<robots::Gripper>(), message_.initRoot<wire::Explanation>()); }

@@ -1,5 +1,5 @@
-// Schemas with random bytes in them: refused, or used without harm. What harm is, the sanitizers
-// say.
+// Schemas with random bytes in them are refused, or used without harm. The sanitizers tell what
+// harm is.
 
 #include <capnp/dynamic.h>
 #include <capnp/serialize.h>
@@ -37,7 +37,7 @@ void spoil(kj::ArrayPtr<kj::byte> bytes, std::mt19937& random) {
   }
 }
 
-/// Both directions, with memory of a struct that is none of these types.
+/// Converts in both directions, with memory of a struct that is none of these types.
 void use(const Contract& contract) {
   capnp::MallocMessageBuilder any;
   auto filled = any.initRoot<robots::wire::Everything>();
@@ -54,9 +54,9 @@ void use(const Contract& contract) {
           arguments.initRoot<capnp::DynamicStruct>(command.method.getParamType());
       fill(parameters, toJson(parameters.asReader(), Labels::Names), "");
     } catch (const SetupError&) {
-      // Refused in words.
+      // A refusal in words is right.
     } catch (const kj::Exception&) {
-      // The same by the library.
+      // The library may refuse it too.
     }
   }
 }

@@ -21,7 +21,7 @@ TEST(SchemaGuard, LetsARealSchemaPass) {
 }
 
 TEST(SchemaGuard, RefusesANumberBehindItsStruct) {
-  // The first offset that is outside, and one that is inside again in 32 bits.
+  // These are the first offset that is outside, and one that is inside again in 32 bits.
   for (const unsigned offset : {2u, 1u << 26}) {
     Explained explained;
     explained.node<PoseStamped>().getStruct().getFields()[1].getSlot().setOffset(offset);

@@ -1,5 +1,5 @@
 #pragma once
-// The smallest models that pass every check.
+// These are the smallest models that pass every check.
 
 #include <string>
 #include <vector>
@@ -82,7 +82,7 @@ inline model::Event event(const std::string& name, model::Type type) {
   return result;
 }
 
-/// A task that requires the contract of header().
+/// Returns a task that requires the contract of header().
 inline model::Component task() {
   model::Component result;
   result.name = "demo::Task";
@@ -110,7 +110,7 @@ inline model::Header header() {
   return result;
 }
 
-/// The slugs of what the checks find, in order.
+/// Returns the slugs of what the checks find, in order.
 inline std::vector<std::string> slugs(std::vector<model::Header> headers) {
   std::vector<std::string> result;
   for (const model::Diagnostic& finding : check(model::Model{std::move(headers)})) {

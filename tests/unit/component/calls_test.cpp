@@ -1,4 +1,4 @@
-// Calls that end without an answer, and clients that do not wait for theirs; cycle after cycle.
+// These calls end without an answer, or their clients do not wait for it; cycle after cycle.
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/wiring/connect.h>

@@ -1,4 +1,4 @@
-// What a provider's component learns of its clients: that they came, that they are gone, and whose
+// A provider's component learns of its clients: that they came, that they are gone, and whose
 // command it executes.
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// Writes down what it is told, in its cycles, which are the test's.
+/// Writes down what it is told in its cycles, which the test runs.
 struct HostingArm final : Task, StillArm {
   void start() override {
     prepare();

@@ -1,4 +1,5 @@
-// What a connection's contract makes of values that are too old, and of a provider that is lost.
+// These tests say what a connection's contract makes of values that are too old, and of a provider
+// that is lost.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -65,7 +66,7 @@ class Contract : public testing::Test {
   std::shared_ptr<ConnectionWatch> watch_;
 };
 
-// Nothing is as young as that, and everything is younger than the other.
+// No value is as young as the first of these, and every value is younger than the other.
 constexpr Duration kNothing = 1ns, kAnything = 24h;
 
 TEST_F(Contract, AValueWithinItsMaxAgeIsAsEver) {

@@ -1,4 +1,4 @@
-// Handlers that come and go while others call them.
+// These handlers come and go while other threads call them.
 #include <gtest/gtest.h>
 #include <suture/component/channel/direct_handlers.h>
 #include <suture/component/device.h>

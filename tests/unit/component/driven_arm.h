@@ -1,5 +1,5 @@
 #pragma once
-// A task whose cycles the test itself runs, with one automatic and one manual state table.
+// This is a task whose cycles the test itself runs, with one automatic and one manual state table.
 
 #include <suture/component/own_state.h>
 #include <suture/component/task/task.h>

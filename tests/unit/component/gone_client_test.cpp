@@ -1,4 +1,4 @@
-// A client that ends in the middle of its provider's cycle.
+// This client ends in the middle of its provider's cycle.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -20,7 +20,7 @@ struct GoneListener final : Device {
   Required<reference::ArmLike> arm{*this, "Arm"};
 };
 
-// AddressSanitizer sees it: the provider is about to ring a doorbell that nobody else keeps.
+// AddressSanitizer sees the fault: the provider is about to ring a doorbell that only it keeps.
 TEST(GoneClient, WhoseDoorbellIsDueIsRungNoMore) {
   DrivenArm arm;
   arm.start();

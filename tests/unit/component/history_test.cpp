@@ -1,4 +1,4 @@
-// The past of a state table, as a client and as its provider read it.
+// A client and a provider read the past of a state table.
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 #include <suture/component/device.h>
@@ -30,7 +30,7 @@ struct History : testing::Test {
     EXPECT_EQ(client.arm.measured_js().error(), Errc::NotYet);
     EXPECT_EQ(manualClient.arm.measured_cp().error(), Errc::NotYet);
   }
-  /// One cycle; when its row was published.
+  /// Runs one cycle; returns when its row was published.
   Time cycle() {
     arm.cycle();
     return client.arm.measured_cp().stamp();

@@ -1,4 +1,5 @@
-// Sets, maps, optionals, tuples, variants, matrices and types that hold themselves, from JSON.
+// These read sets, maps, optionals, tuples, variants, matrices and types that hold themselves from
+// JSON.
 
 #include <gtest/gtest.h>
 #include <suture/component/factory/json_reader.h>
@@ -35,7 +36,7 @@ struct suture::Wire<hooked::Celsius> {
 namespace suture {
 namespace {
 
-/// The problems, each as "pointer: text".
+/// Returns the problems, each as "pointer: text".
 template <class T>
 std::vector<std::string> read(const std::string& text, T& value) {
   std::vector<JsonProblem> problems;

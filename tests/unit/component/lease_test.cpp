@@ -1,4 +1,4 @@
-// Until when a provider may execute what a client has sent.
+// The lease says until when a provider may execute what a client has sent.
 #include <gtest/gtest.h>
 #include <suture/component/channel/lease.h>
 

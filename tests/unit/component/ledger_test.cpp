@@ -1,4 +1,4 @@
-// Where the commands of a connection are, over all channels that it has had.
+// The ledger knows where the commands of a connection are, over all channels that it has had.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -19,12 +19,12 @@ std::shared_ptr<Channel> makeChannel() {
 
 void send(Channel& channel, std::uint64_t commands) { channel.commands.counters.sent += commands; }
 
-/// Each command that was accepted is in one place.
+/// Expects each command that was accepted in one place.
 void expectBalance(const Sums& sums) {
   EXPECT_EQ(sums.accepted, sums.tally.commands() + sums.lost + sums.unknown + sums.underWay);
 }
 
-/// Commands without an outcome.
+/// Counts commands without an outcome.
 struct Open {
   std::uint64_t lost = 0, unknown = 0, underWay = 0;
 };
@@ -39,7 +39,8 @@ class ClientsLedger : public testing::Test {
  protected:
   ~ClientsLedger() override { expectBalance(ledger_.sums()); }
 
-  /// The client hears of ten commands that six were executed and one came too late.
+  /// Makes a channel whose client hears of ten commands that six were executed and one came too
+  /// late.
   std::shared_ptr<Channel> tenOfWhichThreeAreUnderWay() {
     auto channel = makeChannel();
     ledger_.begin(channel, kRobot);
@@ -79,7 +80,7 @@ TEST_F(ClientsLedger, TheSameProcessBackMakesTheUnknownExact) {
   send(*next, 5);
   next->counts->told.store({.executed = 4});
   EXPECT_EQ(ledger_.sums().tally.executed, 11u);
-  // Something of the first channel may still be executed.
+  // The provider may still execute commands of the first channel.
   expectOpen(ledger_.sums(), {.unknown = 2, .underWay = 1});
 
   ledger_.tell({{.executed = 8, .late = 1}, true});

@@ -1,4 +1,5 @@
-// The life of components: what leads where, the hooks and their threads, and what is refused.
+// These test the life of components: what leads where, the hooks and their threads, and what is
+// refused.
 
 #include <gtest/gtest.h>
 #include <suture/wiring/connect.h>

@@ -20,7 +20,7 @@
 
 namespace suture {
 
-/// What has happened, in order, and in which threads. Any thread.
+/// Any thread may use this. Keeps what has happened, in order, and in which threads.
 class Diary {
  public:
   void note(const std::string& what) {

@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-/// A connection whose provider has published one row.
+/// Returns a connection whose provider has published one row.
 std::shared_ptr<Channel> channelWithRow(Time stamp) {
   auto channel = reference::armChannel(reference::playedEnds(), "frame");
   channel->state->draft(0);

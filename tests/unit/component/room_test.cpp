@@ -1,4 +1,4 @@
-// A task that has more to send than a queue holds.
+// This task has more to send than a queue holds.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>

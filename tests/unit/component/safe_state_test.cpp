@@ -1,4 +1,4 @@
-// What a task does once it has been faulted: its safe state, and restarts.
+// A task that has been faulted goes to its safe state, and is restarted.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>

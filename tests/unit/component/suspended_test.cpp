@@ -1,4 +1,4 @@
-// What a suspended component does not do, and what its clients are told meanwhile.
+// These tests say what a suspended component does not do, and what its clients are told meanwhile.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -26,7 +26,7 @@ using namespace std::chrono_literals;
 using State = ComponentState;
 using reference::ArmLike;
 
-/// Nothing for a while, and yet no answer has to be awaited.
+/// Counts cycles in a time in which nothing happens, and no answer has to be awaited.
 template <class Kind>
 int cyclesDuring(const Living<Kind>& task, Duration time) {
   const int before = task.cycles;
@@ -94,7 +94,7 @@ TEST(Suspended, WhatWasSentBeforeTheResumeIsRefusedHoweverLateItArrives) {
   task.request(Transition::Resume);
   task.trigger();
   EXPECT_EQ(task.state(), State::Running);
-  // As a lane does with what comes out of a network.
+  // A lane claims so what comes out of a network.
   ASSERT_TRUE(channel->commands.claim(static_cast<std::uint16_t>(reference::ArmLikeCommand::hold),
                                       sent, 0));
   channel->commands.commit();
@@ -157,7 +157,7 @@ TEST(Suspended, EventsWaitUntilItIsResumed) {
   EXPECT_TRUE(eventually([&] { return listener.stops == 2; }));
 }
 
-/// Processor time of the calling process.
+/// Returns the processor time of the calling process.
 Duration processorTime() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -172,7 +172,7 @@ void expectItSleeps(Living<Kind>& task) {
   EXPECT_TRUE(reaches(task, State::Running));
   task.request(Transition::Suspend);
   EXPECT_TRUE(reaches(task, State::Suspended));
-  // What keeps arriving must not keep it busy either.
+  // Commands that keep arriving must not keep it busy either.
   channel->status = ChannelStatus::Connected;
   EXPECT_EQ(client.arm.hold.start().within(kPatience).error(), Errc::Suspended);
   const Duration before = processorTime();

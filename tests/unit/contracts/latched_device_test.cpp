@@ -1,4 +1,4 @@
-// Latched events that a device emits from several threads at once.
+// A device emits these latched events from several threads at once.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>

@@ -1,5 +1,5 @@
-// The standard messages: offered by a port, sent by a contract that derives from them, heard here
-// and over Cap'n Proto RPC.
+// A port offers the standard messages, a contract that derives from them sends them, and clients
+// hear them here and over Cap'n Proto RPC.
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
@@ -35,7 +35,7 @@ TEST(MessageDraft, KeepsAWholeText) {
 TEST(MessageDraft, CutsALongTextSoThatItShows) {
   suture::MessageDraft draft;
   EXPECT_EQ(draft.write(std::string(256, 'x'), 0, 1).text, std::string(252, 'x') + "...");
-  // Two bytes each: the one that would be halved goes.
+  // Each accent has two bytes, so the one that would be halved goes.
   std::string accents = "x";
   for (int i = 0; i < 200; ++i) accents += "\u00e9";
   const std::string& cut = draft.write(accents, 0, 2).text;
@@ -75,7 +75,7 @@ class Speaker final : public suture::EventTask {
   suture::MessagePort messages_{*this};
 };
 
-/// Writes down what it hears, "warning 2 (4): text".
+/// Writes down what it hears: "warning 2 (4): text".
 class Listener final : public suture::EventTask {
  public:
   Listener() : EventTask({}) {
@@ -191,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, StandardMessages, testing::Values(Lane::Auto, La
                            return lane.param == Lane::Auto ? "Local" : "Rpc";
                          });
 
-/// Tells how many messages have come, and whether one was a mixture of two.
+/// Tells how many messages have come, and if one was a mixture of two.
 struct Counter final : suture::EventTask {
   Counter() : EventTask({}) {
     from.on().warning([this](const Message& message) {

@@ -76,7 +76,7 @@ struct Client final : Device {
   Time heardAt{};
 };
 
-/// An arm, and clients that are connected to it as each test says.
+/// Has an arm, and clients that are connected to it as each test says.
 struct Delayed : testing::Test {
   Delayed() {
     manager.add("PSM", arm);
@@ -214,7 +214,7 @@ TEST_F(Delayed, BothEndsOfAConnectionAreReported) {
   EXPECT_GE(merged[0].commandAge.max, 1ms);
 }
 
-// What keeps a call's place is its answer, and either may be lost.
+// The answer gives a call's place back, and either the call or the answer may be lost.
 TEST_F(Delayed, EveryCallEndsThoughMessagesAreLost) {
   connect("A", {.faults = {.seed = 1, .loss = 0.5}});
   int ended = 0, lost = 0;

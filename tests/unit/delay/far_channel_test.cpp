@@ -23,11 +23,11 @@ using reference::kStopped;
 
 constexpr std::uint16_t kMoved = 3;
 
-/// A delayed connection both of whose ends are played.
+/// Is a delayed connection both of whose ends the test plays.
 struct FarChannel : testing::Test {
   /// Takes what there is.
   void turn() { connection.pump(now()); }
-  /// Everything that is under way arrives.
+  /// Lets everything that is under way arrive.
   void arrive() {
     turn();
     connection.pump(now() + 1s);
@@ -128,7 +128,7 @@ TEST_F(FarChannel, ACreditComesBackWhenTheProviderHasTakenTheCommand) {
   EXPECT_EQ(near->commands.waiting(kHold), 0u);
 }
 
-// Its provider may be beyond another lane, whose thread rings whoever gets credits.
+// Its provider may be beyond another lane, whose thread rings the client that gets credits.
 TEST_F(FarChannel, WhoeverWaitsForRowsIsRungForCredits) {
   near->client.askForRows();
   send(kHold, 0);

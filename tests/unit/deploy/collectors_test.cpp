@@ -1,4 +1,4 @@
-// Collectors that a deployment file asks for.
+// A deployment file asks for these collectors.
 
 #include <gtest/gtest.h>
 #include <suture/deploy/host.h>
@@ -50,7 +50,7 @@ std::vector<nlohmann::json> linesOf(const std::string& file) {
   return lines;
 }
 
-/// Every second state of the arm, into arm.jsonl of `folder`.
+/// Collects every second state of the arm into arm.jsonl of `folder`.
 Deployment everySecondState(const std::string& folder) {
   return deploymentOf(
       folder,
@@ -64,7 +64,7 @@ TEST(DeployedCollectors, RowsComeToTheFile) {
   const Deployment deployment = everySecondState(directory.file(""));
   Host host(deployment, "all", kClasses);
   host.start();
-  // In the file while it runs, not only at its end.
+  // The states are in the file while the collector runs, not only at its end.
   EXPECT_TRUE(eventually([&] {
     std::ifstream in(file);
     std::string line;

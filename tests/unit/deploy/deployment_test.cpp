@@ -31,7 +31,7 @@ constexpr const char* kSound = R"({
   ]
 })";
 
-/// kSound with one piece replaced.
+/// Returns kSound with one piece replaced.
 std::string with(std::string_view piece, std::string_view replacement) {
   std::string text = kSound;
   const std::size_t at = text.find(piece);
@@ -224,11 +224,11 @@ TEST(Deployment, ContractsThatAreNone) {
   }
 }
 
-/// kSound, whose PSM1 has one key more.
+/// Returns kSound with one key more in PSM1.
 std::string psmWith(const std::string& key) {
   return with("\"class\": \"Psm\"", "\"class\": \"Psm\", " + key);
 }
-/// kSound, whose process right has one key more.
+/// Returns kSound with one key more in the process "right".
 std::string rightWith(const std::string& key) {
   return with("\"name\": \"right\"", "\"name\": \"right\", " + key);
 }

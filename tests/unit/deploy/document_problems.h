@@ -10,7 +10,7 @@ namespace suture {
 
 using Texts = std::vector<std::string>;
 
-/// The problems of the DocumentError that `work` throws; none if it throws nothing.
+/// Returns the problems of the DocumentError that `work` throws; none if it throws nothing.
 inline Texts problemsOf(const std::function<void()>& work) {
   try {
     work();

@@ -109,7 +109,7 @@ Deployment deploymentOf(const std::string& components, const std::string& connec
                                         "d.json"));
 }
 
-/// One component that throws and one that does not, under a black box.
+/// Deploys one component that throws and one that does not, under a black box.
 Deployment boxed(const std::string& folder, const std::string& more = "") {
   return Deployment(
       JsonDocument::parse("{\"processes\": [{\"name\": \"all\",\n"
@@ -226,7 +226,7 @@ TEST(Host, UnknownParametersComeBeforeWhatAConstructorThrew) {
   EXPECT_TRUE(contains(problems[1], "cannot be created: no such device")) << problems[1];
 }
 
-/// A gripper that is not there.
+/// Is a gripper that is not there.
 class Unplugged final : public suture::PeriodicTask {
  public:
   Unplugged() : PeriodicTask({.period = 1ms}) {}

@@ -1,4 +1,4 @@
-// What a deployment says of the coordinate frames of interfaces.
+// A deployment says the coordinate frames of interfaces.
 
 #include <gtest/gtest.h>
 #include <suture/component/required.h>

@@ -1,4 +1,4 @@
-// Deployments with keys: making them, and processes that use them.
+// These make keys of deployments, and run processes that use them.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>

@@ -1,4 +1,5 @@
-// What a deployment says about scheduling and locked memory, and what a process makes of it.
+// A deployment says what it wants of scheduling and locked memory, and a process makes something of
+// it.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>

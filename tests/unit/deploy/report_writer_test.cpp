@@ -1,4 +1,4 @@
-// Reports to a reader that does not read.
+// These reports go to a reader that does not read.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ class Pipe {
     }
     fcntl(writer(), F_SETFL, flags);
   }
-  /// All that is there, as soon as there is something.
+  /// Takes all that is there, as soon as there is something.
   std::string take() const {
     std::string text(1 << 20, ' ');
     const ssize_t size = read(ends_[0], text.data(), text.size());
@@ -54,7 +54,7 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// The kinds of the messages in `text`, each of which must be whole.
+/// Returns the kinds of the messages in `text`, each of which must be whole.
 std::vector<std::string> kindsIn(const std::string& text) {
   std::vector<std::string> kinds;
   std::istringstream in(text);

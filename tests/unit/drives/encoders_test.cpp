@@ -59,7 +59,7 @@ TEST(Encoders, StillTellWholeCountsOfNoise) {
   }
 }
 
-// A velocity that begins is told by 1 - 1/e after one time constant, and at last entirely.
+// Encoders tell 1 - 1/e of a velocity that begins after one time constant, and at last all of it.
 TEST(Encoders, TellVelocitiesAsLateAsTheFilterIs) {
   constexpr double kPeriod = 1e-5, kFilter = 0.005, kSpeed = 0.3;
   Encoders<2> encoders({.step = kCounts, .quantisation = false, .velocity_filter = kFilter},

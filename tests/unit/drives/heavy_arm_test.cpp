@@ -1,4 +1,4 @@
-// Arms whose drives simulate joints with mass, as a deployment has them.
+// These arms have drives that simulate joints with mass, as a deployment has them.
 
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
@@ -27,7 +27,7 @@ struct Panel final : suture::Device {
   suture::Required<Arm> arm{*this, "Arm"};
 };
 
-/// An enabled arm in a process with its drives.
+/// Is an enabled arm in a process with its drives.
 template <class AnArm, class Drives>
 class Robot {
  public:
@@ -58,7 +58,7 @@ class Robot {
     return drives_.feedback().position[0] - before;
   }
 
-  /// What the arm answers now.
+  /// Returns what the arm answers now.
   template <class Read>
   auto ask(Read& read) {
     auto call = read.fresh();
@@ -105,8 +105,8 @@ TEST(HeavyArm, IsWhatTheParameterChooses) {
   EXPECT_LT(std::abs(Robot(another, lagging).move(0.2) - 0.2), 1e-9);
 }
 
-// Its motors carry it, and rub: neither is a force at its tip, but friction cannot be told from
-// one.
+// Its motors carry it, and rub. The weight is no force at its tip, and friction is none either, but
+// friction cannot be told from one.
 TEST(HeavyArm, AtRestPressesNoHarderThanItsFriction) {
   Psm psm(PsmParameters{});
   PsmDrives drives({.permit = {}, .dynamics = DriveDynamics::RigidBody});
@@ -148,7 +148,7 @@ TEST(HeavyArm, WithoutBrakesSinksWhenItIsDisabled) {
   EXPECT_NEAR(shoulder(), held, 1e-3);
 }
 
-// What carries its weight seems to be more than its motors can.
+// The effort that carries its weight seems to be more than its motors can give.
 TEST(HeavyArm, WhoseCurrentSensorsTellTooMuchIsInFault) {
   Psm psm(PsmParameters{});
   PsmDrives drives(

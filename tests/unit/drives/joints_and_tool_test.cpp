@@ -1,4 +1,4 @@
-// The joint of a tool behind those of its arm, and the gripper that a hand holds.
+// These test the joint of a tool behind those of its arm, and the gripper that a hand holds.
 
 #include "drives/joints_and_tool.h"
 

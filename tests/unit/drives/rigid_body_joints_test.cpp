@@ -1,4 +1,4 @@
-// Motors, controllers and brakes around joints that have mass.
+// These test motors, controllers and brakes around joints that have mass.
 
 #include "drives/rigid_body_joints.h"
 
@@ -52,8 +52,7 @@ TEST(ReleasedMtm, FallsWithoutGravityCompensationAndIsCaughtByItsStops) {
   EXPECT_GT(moved, 0.1);
 }
 
-// A smooth motion of all joints at once, 0.2 rad far (20 mm of the insertion), there and back in 2
-// s.
+// Moves all joints smoothly at once, 0.2 rad far (20 mm of the insertion), there and back in 2 s.
 template <int N>
 typename RigidBodyModel<N>::Joints worstOfAMotion(const RigidBodyModel<N>& model,
                                                   const typename RigidBodyModel<N>::Joints& far) {

@@ -1,4 +1,4 @@
-// The Drives contract on simulated drives, called directly: power, brakes, streams.
+// These call the Drives contract on simulated drives directly: power, brakes, streams.
 
 #include "drives/simulated_drives.h"
 

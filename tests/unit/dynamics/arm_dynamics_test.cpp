@@ -1,4 +1,4 @@
-// The equations of motion of both arms against KDL.
+// These compare the equations of motion of both arms with KDL.
 
 #include "dynamics/arm_dynamics.h"
 
@@ -104,7 +104,7 @@ void expectForwardUndoesInverse(const Arm<N>& arm) {
 TEST(ForwardDynamics, UndoesTheInverseForThePsm) { expectForwardUndoesInverse(psm()); }
 TEST(ForwardDynamics, UndoesTheInverseForTheMtm) { expectForwardUndoesInverse(leftMtm()); }
 
-// What holds an arm is how its potential energy changes with each joint.
+// The effort that holds an arm is the slope of its potential energy along each joint.
 template <int N>
 void expectGravityIsTheSlopeOfPotentialEnergy(const Arm<N>& arm) {
   constexpr double kStep = 1e-5;

@@ -1,4 +1,5 @@
-// What is said of the da Vinci arms is possible: bodies that exist, and motors that can hold them.
+// The figures of the da Vinci arms are possible: they describe bodies that exist, and motors that
+// can hold them.
 
 #include "dynamics/davinci_inertia.h"
 

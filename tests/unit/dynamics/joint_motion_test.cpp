@@ -17,7 +17,7 @@ using Joints = JointMotion<6>::Joints;
 constexpr double kCycle = 1.0 / 1500;
 constexpr int kYaw = 0, kInsertion = 2, kRoll = 3;
 
-// Without gravity, so that nothing moves a joint but what a test does.
+// There is no gravity here, so that nothing moves a joint but what a test does.
 class JointMotionTest : public ::testing::Test {
  protected:
   void cycles(int count) {

@@ -18,7 +18,7 @@ inline KDL::RigidBodyInertia kdlBody(const LinkInertia& link) {
       KDL::RotationalInertia(i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)));
 }
 
-/// A body for each moving segment; that of the last one is given in the frame of the tip.
+/// Adds a body to each moving segment; that of the last one is given in the frame of the tip.
 template <int N>
 KDL::Chain withBodies(const KDL::Chain& chain, const typename ArmDynamics<N>::Links& links) {
   KDL::Chain heavy;

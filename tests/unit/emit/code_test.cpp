@@ -1,4 +1,4 @@
-// How generated lines are set.
+// These test how generated lines are set.
 
 #include "compiler/emit/text/code.h"
 

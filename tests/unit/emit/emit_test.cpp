@@ -1,4 +1,4 @@
-// Emitters on a hand-made model.
+// These run the emitters on a hand-made model.
 
 #include "compiler/emit/emit.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 class EmitTest : public testing::Test {
  protected:
-  /// The generated text of `path`.
+  /// Returns the generated text of `path`.
   std::string text(const std::string& path) {
     model::Diagnostics none;
     const lock::Locks locks = lock::read(lock::update(model_, {}).files, none);

@@ -1,4 +1,4 @@
-// The pieces that reference pages are made of.
+// These test the pieces that reference pages are made of.
 
 #include "compiler/emit/docs/markdown.h"
 

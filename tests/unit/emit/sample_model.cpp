@@ -347,7 +347,7 @@ model::Header contractHeader() {
   return header;
 }
 
-/// Members that are called as arguments of the annotations are.
+/// Has members that are called as arguments of the annotations are.
 model::Interface names() {
   model::Interface result;
   result.name = "robots::Names";

@@ -32,12 +32,12 @@ model::Command read(const std::string& name, model::Type result);
 model::Command write(const std::string& name, const std::string& parameter, model::Type type);
 model::Event event(const std::string& name, std::vector<model::Type> payload = {});
 
-/// "robots/geometry.h" (foreign, with robots::PoseStamped) and "robots/arm.h" (own: every supported
-/// type, an enum with values that are not ordinals, a contract with every kind of command and
-/// event, a component with parameters).
+/// Returns "robots/geometry.h" (foreign, with robots::PoseStamped) and "robots/arm.h" (own: every
+/// supported type, an enum with values that are not ordinals, a contract with every kind of command
+/// and event, a component with parameters).
 model::Model robots();
 
-/// The own header of robots().
+/// Returns the own header of robots().
 model::Header& armHeader(model::Model& model);
 
 }  // namespace suture::compiler::sample

@@ -1,4 +1,4 @@
-// The passivity observer's account, and the damping that the controller adds.
+// These test the passivity observer's account, and the damping that the controller adds.
 
 #include "force_feedback/passivity.h"
 

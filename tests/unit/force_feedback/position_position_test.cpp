@@ -1,5 +1,5 @@
-// Position-position feedback with equal gains over 50 ms each way: the hand gets energy out of it
-// that nobody put in, unless the passivity controller is there.
+// This is position-position feedback with equal gains over 50 ms each way: the hand gets more
+// energy out of it than was put in, unless the passivity controller is there.
 
 #include "force_feedback/position_position.h"
 
@@ -23,22 +23,22 @@ constexpr int kDelay = 50;      // cycles of 1 ms
 constexpr double kMost = 1e-3;  // J, that may be missing
 constexpr double kWall = 0.02;  // m, along x
 
-/// What the hand wants, m, after `t` seconds.
+/// Returns what the hand wants, m, after `t` seconds.
 using Wish = Vector3d (*)(double t);
 
-/// In 0.2 s to another place, and there it stays.
+/// Goes in 0.2 s to another place, and stays there.
 Vector3d reach(double t) {
   const double s = std::min(t / 0.2, 1.0);
   return s * s * s * (10 - 15 * s + 6 * s * s) * Vector3d(0.05, -0.03, 0.02);
 }
-/// To and fro, three times a second.
+/// Goes to and fro, three times a second.
 Vector3d sway(double t) {
   return 0.01 * (1 - std::cos(6 * std::numbers::pi * t)) * Vector3d(1, 0.5, -0.7);
 }
 Vector3d rest(double) { return Vector3d::Zero(); }
 
-/// J, of the axis that had least: what the hand had given to its master, and what it had given to
-/// the motors.
+/// Tells of the axis that had least, J: what the hand had given to its master, and what it had
+/// given to the motors.
 struct Outcome {
   double hand, observed;
 };
@@ -100,7 +100,7 @@ TEST(PositionPosition, IsPassiveByItselfWithoutADelay) {
 TEST(PositionPosition, LetsTheHandFeelAWallThatTheSlavePushes) {
   TwoArms arms(with(300, true), kDelay, kWall);
   for (int i = 0; i < 10'000; ++i) arms.cycle(reach(i * TwoArms::kCycle));
-  // The springs of wall, coupling and hand in a row: 1/2000, 1/300 and 1/400 m/N.
+  // The springs of wall, coupling and hand stand in a row: 1/2000, 1/300 and 1/400 m/N.
   const double force = (0.05 - kWall) / (1 / 2000.0 + 1 / 300.0 + 1 / 400.0);
   EXPECT_NEAR(0.05 - arms.hand().position().x(), force / 400, 0.001);
   EXPECT_NEAR(arms.hand().position().y(), -0.03, 0.001) << "there is no wall";

@@ -1,5 +1,5 @@
 #pragma once
-// A hand, a master and a slave that feel each other over a link.
+// These are a hand, a master and a slave that feel each other over a link.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -21,7 +21,7 @@ class TwoArms {
   static constexpr double kCycle = 0.001;               // s
   static constexpr double kMaster = 1.0, kSlave = 0.9;  // kg
 
-  /// `delay`: cycles, each way. `wall`: the slave's x beyond which there is a wall, m.
+  /// `delay` is in cycles, each way. `wall` is the slave's x beyond which there is a wall, m.
   TwoArms(const PositionPositionModel& model, int delay,
           double wall = std::numeric_limits<double>::infinity())
       : gains_(model.gains),
@@ -44,7 +44,8 @@ class TwoArms {
     lowestObserved_ = std::min(lowestObserved_, feedback_.energy().minCoeff());
   }
 
-  /// J, along each axis: what the hand has given to the master, its own motion not counted.
+  /// Returns what the hand has given to the master along each axis, J; its own motion is not
+  /// counted.
   Eigen::Vector3d energyOfHand() const { return given_ - kHand / 2 * hand_.velocity().cwiseAbs2(); }
   double lowest() const { return lowest_; }                  ///< J, of that, of any axis
   double lowestObserved() const { return lowestObserved_; }  ///< J, at the motors
@@ -64,7 +65,7 @@ class TwoArms {
     link.pop_front();
     return arrived;
   }
-  /// By the implicit midpoint rule, as the hand.
+  /// Moves the slave by the implicit midpoint rule, as the hand does.
   void moveSlave(const Eigen::Vector3d& pull) {
     constexpr double kWall = 2000;  // N/m
     for (int i = 0; i < 3; ++i) {

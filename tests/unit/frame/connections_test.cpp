@@ -1,4 +1,4 @@
-// What becomes of connections that might use frames.
+// These tests say what becomes of connections that might use frames.
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <suture/frame.capnp.h>
@@ -111,7 +111,7 @@ TEST_F(FrameConnections, ShareASocketWhenTheyComeBack) {
   EXPECT_TRUE(eventually([&] { return openSockets() <= before; })) << openSockets();
 }
 
-/// A client of the robot that the test plays.
+/// Is a client of the robot that the test plays.
 class Caller : public reference::PlayedClient {
  public:
   explicit Caller(const std::string& manager) : PlayedClient(manager, "robot") {}
@@ -156,7 +156,7 @@ class Caller : public reference::PlayedClient {
       });
     });
   }
-  /// What the frames of that connection say.
+  /// Returns the number that the frames of that connection carry.
   std::uint32_t number() const { return number_; }
 
  private:
@@ -164,7 +164,7 @@ class Caller : public reference::PlayedClient {
   kj::Maybe<wire::Connection::Client> connection_;
 };
 
-/// A second connection, blocking, that shows the token.
+/// Opens a second connection, blocking, that shows the token.
 kj::AutoCloseFd secondConnection(const rpc::Address& provider, const rpc::Token& token) {
   const rpc::SocketAddress target(provider);
   kj::AutoCloseFd socket(::socket(AF_INET, SOCK_STREAM, 0));
@@ -184,7 +184,7 @@ void subscribe(int socket, std::uint32_t epoch, std::uint32_t connection) {
   rpc::sendAll(socket, writer.unsent());
 }
 
-/// That the token is good; or, later, a row.
+/// Tells if the provider answers that the token is good; or, later, if it sends a row.
 bool isServed(int socket) {
   std::byte answer[sizeof(rpc::Token) + 8];
   return recv(socket, answer, sizeof(answer), MSG_WAITALL) == sizeof(answer);
@@ -215,7 +215,8 @@ TEST_F(FrameConnections, OnlyThoseOfOneSessionShareASocket) {
   EXPECT_EQ(other.connect(socket.number), "the session's frames have ended");
 }
 
-// Of a stranger only a little is read; on a second connection nothing would bound it.
+// The provider reads only a little of a stranger, and nothing would bound what it reads of a second
+// connection.
 TEST_F(FrameConnections, ATokenIsForWhoHasSaidHello) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());

@@ -10,7 +10,7 @@ namespace {
 
 std::span<const std::byte> bytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
 
-// RFC 3720, B.4.
+// The values are those of RFC 3720, B.4.
 TEST(Crc32c, IsThatOfTheStandard) {
   const std::vector<std::byte> zeros(32), ones(32, std::byte{0xff});
   EXPECT_EQ(crc32c(zeros), 0x8a9136aau);

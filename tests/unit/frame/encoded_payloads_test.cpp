@@ -83,7 +83,7 @@ TEST(EncodedPayloads, OfASenderThatSendsNothingAreDefaults) {
   EncodedPayloads payloads(armContract());
   EXPECT_EQ(payloads.open({Kind::Command, kHoldCommand}, {}, Duration{0}).error, Errc{});
   EXPECT_EQ(payloads.open({Kind::Reply, kResetCommand}, {}, Duration{0}).error, Errc{});
-  // A pose that every client knows is wrong when it is missing.
+  // Every client knows the pose, so a message without it is wrong.
   EXPECT_EQ(payloads.open({Kind::Command, kDistanceCommand}, {}, Duration{0}).error, Errc::Invalid);
 }
 
@@ -99,7 +99,7 @@ TEST(EncodedPayloads, AllocateOnlyForWhatIsLargerThanAllBefore) {
   EXPECT_EQ(allocations(), before);
 }
 
-/// A client that knows a command more than its provider, which has another number there.
+/// Joins a provider to a client that knows a command more, which has another number there.
 struct Strangers {
   Strangers() {
     std::vector<std::uint16_t> numbers(armContract().commands.size(), ProviderSide::kUnknown);

@@ -26,7 +26,7 @@ Bytes bytesOf(const FrameWriter& writer) {
   return {unsent.begin(), unsent.end()};
 }
 
-/// A command without a payload, an event of seven bytes and a row of 200.
+/// Returns a command without a payload, an event of seven bytes and a row of 200.
 Bytes threeFrames() {
   FrameWriter writer(kEpoch);
   write(writer, Kind::Command, 1, 0);
@@ -100,7 +100,8 @@ TEST(FrameReader, GoesOnForEver) {
   }
 }
 
-// What fills a payload up to words means nothing: whatever else is damaged ends it.
+// The bytes that fill a payload up to words mean nothing; whatever else is damaged ends the
+// connection.
 TEST(FrameReader, FindsEveryBitThatIsWrong) {
   const Bytes right = threeFrames();
   const std::size_t padding = 2 * sizeof(Header) + 7;

@@ -21,12 +21,12 @@ constexpr unsigned kSessions = 2000;
 
 const InterfaceInfo& contract() { return interfaceInfo<reference::ArmLike>(); }
 
-/// A channel in which everything is played by the test.
+/// Is a channel in which the test plays everything.
 struct Played {
   std::shared_ptr<Channel> channel = reference::armChannel(reference::playedEnds(), "frame");
 };
 
-/// A peer that knows the form of frames.
+/// Is a peer that knows the form of frames.
 class Peer {
  public:
   explicit Peer(kj::AutoCloseFd socket) : socket_(kj::mv(socket)) {}
@@ -48,7 +48,7 @@ class Peer {
   FrameWriter writer_{kHostileEpoch};
 };
 
-/// As a peer's own, then with a number or two that are any.
+/// Writes headers as a peer does, then changes a number or two at random.
 class Liar {
  public:
   Liar(unsigned seed, Form form) : random_(seed), form_(form) {}
@@ -64,7 +64,8 @@ class Liar {
     header.stamp = any(2) == 0 ? toNanoseconds(now()) : static_cast<std::int64_t>(word()) << 32;
     return header;
   }
-  /// Often of the right size, so that more than the first check is reached.
+  /// Returns a payload that is often of the right size, so that more than the first check is
+  /// reached.
   std::span<const std::byte> payload(const Header& header) {
     if (form_ == Form::Encoded && any(4) != 0 && isValue(header)) return damagedMessage(header);
     std::size_t size = any(300);
@@ -92,7 +93,7 @@ class Liar {
     return (event || header.kind == Kind::Command || header.kind == Kind::Reply) &&
            header.number < (event ? contract().events.size() : contract().commands.size());
   }
-  /// A right message, or one of which a byte or two are any.
+  /// Returns a right message, or one in which a byte or two are random.
   std::span<const std::byte> damagedMessage(const Header& header) {
     const std::vector<std::uint64_t> zeros(largestSlot(contract()) / 8 + 1);
     const auto right = payloads_->pack({header.kind, header.number},
@@ -110,7 +111,7 @@ class Liar {
   std::vector<std::byte> bytes_;
 };
 
-/// What a provider's thread does: nothing that it is given may be outside of what its header says.
+/// Does what a provider's thread does: all that it is given must lie within what its header says.
 void serve(Channel& channel, unsigned& executed) {
   channel.commands.fixCut();
   while (const rt::CommandRecord* const record = channel.commands.next()) {

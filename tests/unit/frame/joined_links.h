@@ -9,7 +9,7 @@
 
 namespace suture::frame {
 
-/// The client's link and the provider's.
+/// Holds the client's link and the provider's.
 struct JoinedLinks {
   JoinedLinks() : JoinedLinks(rpc::makeSocketPair()) {}
   explicit JoinedLinks(rpc::SocketPair pair)
@@ -23,7 +23,7 @@ struct JoinedLinks {
       one->turn();
     }
   }
-  /// Gives them as many as a question and its answer take.
+  /// Gives them as many turns as a question and its answer take.
   void exchange() {
     for (int lap = 0; lap < 3; ++lap) turn();
   }

@@ -1,4 +1,4 @@
-// Values that are larger than a frame.
+// These values are larger than a frame.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Several connections on one socket.
+// Several connections share one socket.
 #include <gtest/gtest.h>
 #include <suture/lane/frame/lane_thread.h>
 #include <suture/lane/frame/link.h>
@@ -83,7 +83,8 @@ TEST_F(LinkTest, CarriesEachConnectionsOwn) {
   EXPECT_EQ(other.heard(), 1);
 }
 
-/// What has become of the commands is larger than anything that such a contract has.
+/// The message of what has become of the commands is larger than anything else that such a contract
+/// has.
 TEST_F(LinkTest, TellsWhatHasBecomeOfTheCommandsOfATinyContract) {
   const std::vector<CommandInfo> commands{{.name = "press", .kind = CommandKind::Void, .depth = 4}};
   InterfaceInfo contract{};
@@ -137,7 +138,7 @@ TEST_F(LinkTest, ProviderIsSilentUntilItsClientIsThere) {
   EXPECT_EQ(pair.heard(), 1);
 }
 
-// Whoever joins is given the last value of a latched event, which comes no second time.
+// A client that joins is given the last value of a latched event, which comes no second time.
 TEST_F(LinkTest, WhoSubscribesWhileTheLaneLooksIsToldOfAsJoining) {
   constexpr EventSet kEvent = EventSet{1} << kStopped;
   Pair& pair = add(1);
@@ -222,7 +223,7 @@ TEST_F(LinkTest, NobodyTakesAllTheRoom) {
   }
 }
 
-// More than a link sends at once; there is nothing else that would wake its thread.
+// There is more than a link sends at once, and nothing else would wake its thread.
 TEST(LaneThread, LeavesNothingBehindForWantOfRoom) {
   auto sockets = rpc::makeSocketPair();
   const auto near = std::make_shared<Link>(rpc::ByteStream(kj::mv(sockets.ours)), 1);
@@ -263,8 +264,8 @@ TEST(LaneThread, StopsWheneverItIsTold) {
   }
 }
 
-// Acknowledgements and frames of nobody's count in no window: the other links have their turns all
-// the same.
+// Acknowledgements, and frames of no connection, count in no window: the other links have their
+// turns all the same.
 TEST(Link, TakesNoMoreThanItsTurnFromAPeerThatSendsWithoutEnd) {
   auto sockets = rpc::makeSocketPair();
   const int room = 8 << 20;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kWhole = 2 * kMostPayload + 1000, kLimit = 3 * kMostPayload;
 
-/// A sender cuts this up.
+/// Is a value that a sender cuts up.
 struct Value {
   Value() : bytes(kWhole) {
     for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i * i / 7);
@@ -133,7 +133,7 @@ TEST(Pieces, AnEndOfAnotherSizeIsNotTheirs) {
   }
 }
 
-// What a contract has here, its connection has memory for; the rest is bounded for all of a link.
+// A connection has memory for what its contract has here; the rest is bounded for all of a link.
 TEST(Pieces, MayTakeSoMuchMoreThanTheirContractSays) {
   const Value value;
   Surplus surplus;

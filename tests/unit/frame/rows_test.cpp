@@ -38,7 +38,7 @@ const InterfaceInfo& album() {
   return info;
 }
 
-/// A provider's table, and the payloads of a side that sends it.
+/// Has a provider's table, and the payloads of a side that sends it.
 class Rows : public testing::Test {
  protected:
   /// All bytes of column i are `value` + i.
@@ -54,7 +54,7 @@ class Rows : public testing::Test {
     while (!copy.go()) ++parts;
     return parts;
   }
-  /// What a reader gets of each column; "-" for no value, "?" for one that is torn.
+  /// Returns what a reader gets of each column; "-" for no value, "?" for one that is torn.
   std::string arrived() {
     const auto row = there->openRow(sent(), Duration{0}, mirror);
     if (!row) return "no row";
@@ -72,7 +72,7 @@ class Rows : public testing::Test {
     return whole ? std::to_string(static_cast<int>(*value)) : "?";
   }
 
-  /// The row that has been copied, as its bytes arrive.
+  /// Returns the row that has been copied, as its bytes arrive.
   std::span<std::byte> sent() {
     const auto packed = payloads->packRow(copy.row());
     words.resize(packed.size() / 8);
@@ -138,7 +138,7 @@ TEST_F(Rows, CloseUpWhereAColumnHasNoValue) {
   EXPECT_EQ(arrived(), "30 31 32");
 }
 
-// The row that has been begun stays whole for as long as the provider does not come round to it.
+// The row that has been begun stays whole until the provider comes round to it.
 TEST_F(Rows, AreOfOneMoment) {
   publish(10);
   begin();
@@ -248,7 +248,7 @@ class LargeRows : public testing::Test {
     std::memset(table.draft(2), 5, kTitle);
     table.publish(now(), {.valid = kAll});
   }
-  /// The newest row, as its bytes arrive; how many they are.
+  /// Sends the newest row; returns how many bytes of it arrive.
   std::size_t send() {
     copy.begin(here->slotsOf(kAll), kAll);
     while (!copy.go()) continue;
@@ -348,7 +348,7 @@ TEST_F(LargeRows, OfWhichTheEndIsMissingOrTooLongAreNone) {
   EXPECT_TRUE(arrive()) << "what came before is forgotten";
 }
 
-// What is being sent in pieces stays as it is while other values arrive.
+// A value that is being sent in pieces stays as it is while other values arrive.
 TEST_F(LargeRows, DoNotShareMemoryWithArguments) {
   constexpr ValueName kPaste{Kind::Command, 3};
   const std::uint32_t pixels = 2 * kMostPayload;

@@ -9,7 +9,7 @@
 
 namespace suture::frame {
 
-/// `rest`: what the side's constructor takes behind the number.
+/// Makes a side; `rest` is what its constructor takes behind the number.
 template <class Side, class... Rest>
 std::shared_ptr<Side> makeSide(std::shared_ptr<Channel> channel, std::uint32_t number,
                                Form form = Form::Slots, Rest&&... rest) {

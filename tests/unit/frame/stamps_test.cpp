@@ -1,4 +1,4 @@
-// Where clocks differ, a stamp is on the reader's.
+// Where clocks differ, a stamp is given on the reader's clock.
 #include <gtest/gtest.h>
 
 #include "reference/played_channel.h"
@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr std::uint16_t kHoldMethod = 2, kStoppedMethod = 2;
 
-/// A channel to a process whose clock stands so to this one's.
+/// Makes a channel to a process whose clock stands so to this one's.
 std::shared_ptr<Channel> makeChannel(Duration shift) {
   return reference::armChannel(reference::playedEnds(reference::peerWithClock(shift)), "frame");
 }

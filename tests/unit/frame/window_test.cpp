@@ -34,7 +34,7 @@ TEST(Window, AStoppedPeerFindsSoManyFramesAndNoMore) {
   EXPECT_EQ(send(near, far), Window::kFrames);
 }
 
-/// A frame each millisecond, over a link where each way takes a quarter of a second.
+/// This sends a frame each millisecond over a link where each way takes a quarter of a second.
 TEST(Window, ALongLinkLeavesNoGaps) {
   constexpr int kWay = 250;
   Window near, far;

@@ -1,4 +1,4 @@
-// What the fixtures permit, and that they never move an arm by themselves.
+// These tests say what the fixtures permit, and that they never move an arm by themselves.
 
 #include "guidance/fixtures.h"
 
@@ -23,7 +23,7 @@ FixtureModel model() {
   return model;
 }
 
-/// Two tips 80 mm apart, whose mean has the knot below it.
+/// Has two tips 80 mm apart, whose mean has the knot below it.
 class Fixtures : public testing::Test {
  protected:
   /// The knot is so far before the target, and so far from the line.
@@ -43,7 +43,7 @@ class Fixtures : public testing::Test {
     return step;
   }
 
-  /// m from the corridor's edge, below zero within it.
+  /// Returns how far the knot is outside the corridor, m; below zero within it.
   double outOfCorridor() const {
     return fixtures_.lateralError(knot_) - model().radius -
            model().slope * fixtures_.distanceToTarget(knot_);
@@ -119,9 +119,8 @@ TEST_F(Fixtures, ATipStopsAtTheTissue) {
   EXPECT_NEAR(tips_.right.z(), model().tissue, 1e-6);
 }
 
-// Whatever the hands do, no row is missed: by what its step leads to, not by what the solver says.
-// And the solver answers: a step of none for such wishes would be a failure that it keeps to
-// itself.
+// Whatever the hands do, no row is missed: what its step leads to counts, not what the solver says.
+// And the solver answers: a step of none for such wishes would be a failure that it hides.
 TEST_F(Fixtures, HoldForRandomWishes) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> wild(0, 3e-4);
@@ -141,7 +140,7 @@ TEST_F(Fixtures, HoldForRandomWishes) {
   }
 }
 
-/// A hand of which nobody knows where it is moves nothing.
+/// A hand whose place is unknown moves nothing.
 TEST_F(Fixtures, NothingMovesByAWishThatIsNotFinite) {
   place(0.01, Vector3d::Zero());
   const Vector3d wild(std::numeric_limits<double>::quiet_NaN(), 0, 0);

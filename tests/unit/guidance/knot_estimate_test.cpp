@@ -1,4 +1,4 @@
-// Late and noisy sightings of a knot that moves with the tips.
+// These give the estimate late and noisy sightings of a knot that moves with the tips.
 
 #include "guidance/knot_estimate.h"
 
@@ -73,7 +73,7 @@ TEST(KnotEstimate, AfterBlindnessCountsWhatIsSeenAndNotWhatWas) {
   EXPECT_TRUE(estimate.knot(now)->isApprox(2 * kOffset, 1e-12));
 }
 
-/// As a guide of 10 kHz needs it.
+/// A guide of 10 kHz needs this.
 TEST(KnotEstimate, RemembersTheTipsForAsLongAsASightingCountsAtAnyPeriod) {
   KnotEstimate estimate(kAge, 100us);
   suture::Time now{1s};

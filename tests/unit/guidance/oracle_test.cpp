@@ -1,5 +1,5 @@
-// The solver against CGAL's, which computes with exact numbers, on 10^5 random problems. It takes
-// minutes, so tests/long.sh runs it.
+// This compares the solver with CGAL's, which computes with exact numbers, on 10^5 random problems.
+// It takes minutes, so tests/long.sh runs it.
 
 #include <CGAL/Gmpzf.h>
 #include <CGAL/QP_functions.h>

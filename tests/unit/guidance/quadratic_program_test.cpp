@@ -1,5 +1,5 @@
-// The solver against every combination of active rows, and against the conditions that make a
-// point the minimum.
+// These compare the solver with every combination of active rows, and with the conditions that make
+// a point the minimum.
 
 #include "guidance/quadratic_program.h"
 
@@ -14,7 +14,7 @@
 namespace robots::test {
 namespace {
 
-/// The minimum with the rows of `chosen` as equations.
+/// Returns the minimum with the rows of `chosen` as equations.
 Program::Vector withActive(const Problem& problem, unsigned chosen) {
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(kUnknowns + kRows, kUnknowns + kRows);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(kUnknowns + kRows);
@@ -64,7 +64,7 @@ TEST(QuadraticProgram, AgreesWithATrialOfEveryActiveSet) {
   }
 }
 
-// As in a guide's consecutive cycles, in which little changes.
+// The problems change as little as in a guide's consecutive cycles.
 TEST(QuadraticProgram, BeginsWithTheRowsThatWereActive) {
   Problems problems;
   Program program;
@@ -101,7 +101,8 @@ TEST(QuadraticProgram, SaysThatTwoRowsContradictEachOther) {
             SolveStatus::Infeasible);
 }
 
-/// Nothing of it may count as a permitted step, and nothing may be written beyond the active set.
+/// None of its answer may count as a permitted step, and it may write nothing beyond the active
+/// set.
 TEST(QuadraticProgram, RefusesFiguresThatItCannotComputeWith) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto statusOf = [](const auto& spoil) {
@@ -121,7 +122,7 @@ TEST(QuadraticProgram, RefusesFiguresThatItCannotComputeWith) {
   EXPECT_EQ(statusOf([](Problem& problem) { problem.H.setZero(); }), SolveStatus::Invalid);
 }
 
-// Rows that say the same twice are common: two limits that meet.
+// Two rows often say the same, where two limits meet.
 TEST(QuadraticProgram, TakesARowThatIsThereTwice) {
   Problem problem = Problems().next();
   problem.C.row(1) = problem.C.row(0) = -problem.g.normalized().transpose();

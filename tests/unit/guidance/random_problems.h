@@ -1,5 +1,5 @@
 #pragma once
-// Random problems for the solver, and the conditions that make a point their minimum.
+// These are random problems for the solver, and the conditions that make a point their minimum.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ struct Problem {
   Program::Bounds d;
 
   double cost(const Program::Vector& x) const { return 0.5 * x.dot(H * x) + g.dot(x); }
-  /// By how much the worst row is missed.
+  /// Returns by how much the worst row is missed.
   double violation(const Program::Vector& x) const { return (d - C * x).maxCoeff(); }
 };
 
@@ -42,7 +42,7 @@ class Problems {
   std::normal_distribution<double> normal_;
 };
 
-/// The largest error among the conditions of Karush, Kuhn and Tucker.
+/// Returns the largest error among the conditions of Karush, Kuhn and Tucker.
 inline double residual(const Problem& problem, const Program::Solution& solution) {
   const Program::Vector gradient = problem.H * solution.x + problem.g;
   const Program::Bounds slack = problem.C * solution.x - problem.d;

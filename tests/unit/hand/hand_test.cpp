@@ -24,8 +24,8 @@ HandModel withoutTremor() {
 
 const Vector3d kNone = Vector3d::Zero();
 
-/// From rest, `t` seconds after a force of 1 N has begun: the closed form of an underdamped
-/// oscillator.
+/// Returns the answer `t` seconds after a force of 1 N has begun, from rest: the closed form of an
+/// underdamped oscillator.
 double answer(const HandModel& model, double t) {
   const double decay = model.damping / (2 * model.mass);
   const double swing = std::sqrt(model.stiffness / model.mass - decay * decay);
@@ -43,7 +43,7 @@ TEST(Hand, AnswersAForceAsItsEquationSays) {
   }
 }
 
-// At the frequency of crossover it is where the muscles want it, to a hundredth.
+// The hand is where the muscles want it at the frequency of crossover, to a hundredth.
 TEST(Hand, FollowsItsTargetWithoutDelayWhereOperatorsWork) {
   constexpr double kCrossover = 3, kPeriod = 0.001;
   Hand hand(withoutTremor());
@@ -71,7 +71,7 @@ TEST(Hand, IsStableAtAnyStep) {
   }
 }
 
-// Neither is a force lost between two steps, nor does one appear.
+// No force is lost between two steps, and none appears.
 TEST(Hand, KeepsTheAccountOfEnergy) {
   const HandModel model;
   Hand hand(model);

@@ -22,14 +22,14 @@ TEST(Tremor, HasTheDeclaredSize) {
   EXPECT_NEAR(std::sqrt(squares / kCount), 2e-4, 2e-6);
 }
 
-/// One axis of a tremor, for so long that the edges of the band are seen.
+/// Records one axis of a tremor, for so long that the edges of the band are seen.
 class Record {
  public:
   Record(const Tremor& tremor, int axis) {
     for (int i = 0; i < kSamples; ++i) samples_.push_back(tremor.at(i * kPeriod).offset[axis]);
   }
 
-  /// What of it is at `frequency` (Hz), m, through a window with soft edges.
+  /// Returns how much of it is at `frequency` (Hz), m, through a window with soft edges.
   double shareAt(double frequency) const {
     constexpr double kTurn = 2 * std::numbers::pi;
     std::complex<double> sum = 0;

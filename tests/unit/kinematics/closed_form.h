@@ -1,5 +1,5 @@
 #pragma once
-// What every closed form must keep, whichever arm it is of.
+// Every closed form must keep these rules, whichever arm it belongs to.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ typename Chain<N>::Joints near(const Chain<N>& chain, const typename Chain<N>::J
   return chain.clamp(start);
 }
 
-/// Weighted as the answers are.
+/// Returns the error with the weights of the answers.
 inline double missedBy(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
   const auto error = poseError(from, to);
   return std::sqrt(error.dot(poseWeights().cwiseProduct(error)));
@@ -37,7 +37,7 @@ void expectFound(const Chain<N>& chain, const InverseSolution<N>& solution,
   ASSERT_LE(error.template tail<3>().norm(), 1e-9) << solution.q.transpose();
 }
 
-/// From anywhere to anywhere, by KDL's word too.
+/// Expects an answer from anywhere to anywhere, which KDL confirms.
 template <int N>
 void expectReachesAll(const Chain<N>& chain, const KDL::Chain& oracle, InverseFunction<N> solve,
                       int samples) {
@@ -69,7 +69,7 @@ void expectStaysNear(const Chain<N>& chain, InverseFunction<N> solve) {
   }
 }
 
-/// With every joint at one of its limits.
+/// Expects an answer with every joint at one of its limits.
 template <int N>
 void expectReachesAllCorners(const Chain<N>& chain, InverseFunction<N> solve) {
   std::mt19937 random(13);
@@ -85,8 +85,8 @@ void expectReachesAllCorners(const Chain<N>& chain, InverseFunction<N> solve) {
   }
 }
 
-/// Along a path whose joints keep to the limits the answers move as slowly as those do. Returns the
-/// largest step of a joint, with 0.1 m as one radian; those of the path are below 0.01.
+/// Follows a path whose joints keep to the limits: the answers move as slowly as those do. Returns
+/// the largest step of a joint, with 0.1 m as one radian; those of the path are below 0.01.
 template <int N>
 double largestStep(const Chain<N>& chain, InverseFunction<N> solve,
                    const typename Chain<N>::Joints& centre,

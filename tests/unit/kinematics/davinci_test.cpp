@@ -1,4 +1,4 @@
-// Forward kinematics and Jacobian of the da Vinci arms against KDL.
+// These compare forward kinematics and Jacobian of the da Vinci arms with KDL.
 
 #include "kinematics/davinci.h"
 
@@ -29,8 +29,8 @@ TEST(DaVinci, PsmAgreesWithKdl) { expectSameAsKdl(psm(), kdlPsm()); }
 TEST(DaVinci, LeftMtmAgreesWithKdl) { expectSameAsKdl(mtmLeft(), kdlMtm()); }
 TEST(DaVinci, RightMtmAgreesWithKdl) { expectSameAsKdl(mtmRight(), kdlMtm()); }
 
-// With the roll frame 0.4162 m beyond a carriage that starts 0.4318 m behind, the wrist reaches the
-// remote centre when the insertion makes up the difference.
+// The roll frame is 0.4162 m beyond a carriage that starts 0.4318 m behind, so the wrist reaches
+// the remote centre when the insertion makes up the difference.
 TEST(DaVinci, PsmWristMeetsTheRemoteCentreAtItsInsertion) {
   const double wristAtCentre = 0.4318 - 0.4162;
   Chain<6>::Joints q = Chain<6>::Joints::Zero();

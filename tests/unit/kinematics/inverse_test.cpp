@@ -79,13 +79,13 @@ TEST(Inverse, ReportsAPoseThatOnlyALimitForbids) {
   EXPECT_TRUE(solution.limited);
 }
 
-// What the search minimises: 0.1 m weigh as much as 1 rad.
+// Returns what the search minimises: 0.1 m weigh as much as 1 rad.
 double distance(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
   const auto error = poseError(from, to);
   return std::hypot(error.head<3>().norm() / 0.1, error.tail<3>().norm());
 }
 
-// Goals that one joint would have to leave its limits for.
+// One joint would have to leave its limits for these goals.
 TEST(Inverse, LeavesThePsmNearestToAGoalThatALimitForbids) {
   constexpr int N = 6;
   const auto chain = psm();

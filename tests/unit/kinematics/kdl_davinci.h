@@ -1,5 +1,5 @@
 #pragma once
-// The da Vinci arms a second time, as KDL has them.
+// These are the da Vinci arms a second time, as KDL has them.
 
 #include "kinematics/davinci_links.h"
 #include "unit/kinematics/kdl_oracle.h"

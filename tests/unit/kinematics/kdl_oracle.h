@@ -1,5 +1,6 @@
 #pragma once
-// The same DH tables, built a second time from KDL's own link frames: an independent oracle.
+// This builds the same DH tables a second time from KDL's own link frames, as an independent
+// oracle.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -27,7 +28,7 @@ KDL::Chain kdlStandard(const std::array<Row, N>& rows) {
   return chain;
 }
 
-// Craig's link frame in two halves, because KDL moves a joint before its segment's frame.
+// Craig's link frame is in two halves, because KDL moves a joint before its segment's frame.
 template <int N>
 KDL::Chain kdlModified(const std::array<Row, N>& rows, const KDL::Rotation& tip) {
   KDL::Chain chain;

@@ -39,7 +39,7 @@ TEST(MtmInverse, IsContinuousAlongAPath) {
   EXPECT_LT(largestStep<7>(mtmLeft(), mtmInverse, centre, amplitude), 0.1);
 }
 
-// Axes of platform and roll in line: one of the two turns for the other.
+// The axes of platform and roll are in line, so that one of the two could turn for the other.
 TEST(MtmInverse, KeepsPlatformAndRollWhereTheirAxesAreInLine) {
   const auto chain = mtmLeft();
   std::mt19937 random(31);

@@ -10,7 +10,7 @@ namespace {
 
 using Psm = Chain<6>::Joints;
 
-// Insertion at which the wrist stands in the remote centre (m).
+// This is the insertion at which the wrist stands in the remote centre (m).
 constexpr double kInCentre = kPsmCarriage - kPsmShaft;
 
 TEST(PsmInverse, ReachesAllThatTheLimitsAdmit) {
@@ -42,7 +42,7 @@ TEST(PsmInverse, FindsItsOwnJointsAgain) {
   }
 }
 
-// Beyond the limit of the roll the other turn would do.
+// The goal is beyond the limit of the roll, and the other turn would reach it.
 TEST(PsmInverse, SlidesInAStreamWhereAnotherTurnReachesTheGoal) {
   const auto chain = psm();
   Psm q = Psm::Constant(0.1);
@@ -86,7 +86,7 @@ TEST(PsmInverse, KeepsTheShaftWhereTheWristIsInTheRemoteCentre) {
   }
 }
 
-// The insertion, above the remote centre, at which the wrist's yaw axis leads through that.
+// Returns the insertion, above the remote centre, at which the wrist's yaw axis leads through that.
 double insertionWithYawAxisThroughCentre(double wristPitch) {
   return kInCentre - kPsmWrist / std::cos(wristPitch);
 }

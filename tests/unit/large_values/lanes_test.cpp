@@ -83,7 +83,7 @@ TEST_P(LargeValuesBy, AreSentAnsweredReadAndHeard) {
   }
 }
 
-// What an earlier, larger one has left behind is not seen.
+// Nothing is seen of what an earlier, larger value has left behind.
 TEST_P(LargeValuesBy, AreOfAnySizeFromOneToTheNext) {
   for (const std::size_t size : {kPixels, std::size_t{120}, kPixels / 2, std::size_t{0}, kPixels}) {
     Picture picture{std::vector<std::uint8_t>(size, 80)};
@@ -100,7 +100,7 @@ TEST_P(LargeValuesBy, AreOfAnySizeFromOneToTheNext) {
   }
 }
 
-/// Has one connection over a wire, of which all bytes are counted.
+/// Has one connection over a wire, and counts all of its bytes.
 using SmallValuesBy = LargeValuesBy;
 
 INSTANTIATE_TEST_SUITE_P(EachWire, SmallValuesBy, testing::Values(Lane::Frame, kEncoded, Lane::Rpc),

@@ -53,7 +53,7 @@ void withSmallStack(const std::function<void()>& work) {
   pthread_join(thread, nullptr);
 }
 
-/// A visitor of a device and one of a task, both in this process.
+/// Has a visitor of a device and one of a task, both in this process.
 class LargeValues : public testing::Test {
  protected:
   LargeValues() {
@@ -111,8 +111,8 @@ TEST_F(LargeValues, AreEmittedInAThreadWithASmallStack) {
   }));
 }
 
-// Each end of a connection has a table of them, whose memory is touched when it is made: a process
-// that made one of 64 pairs of images answered nobody for seconds.
+// Each end of a connection has a table of the rows, and making it touches its memory: a process
+// that made one of 64 pairs of images gave no answers for seconds.
 TEST_F(LargeValues, AreKeptInFewRows) { EXPECT_EQ(task_.gallery.state()->capacity(), 4u); }
 
 TEST_F(LargeValues, AreAnsweredToFewCallsAtATime) {
@@ -134,7 +134,7 @@ TEST_F(LargeValues, AreAnsweredToFewCallsAtATime) {
       << "their places are free again";
 }
 
-/// Answers nobody before it is opened.
+/// Gives no answers before it is opened.
 struct ClosedWall final : WallTask {
   ~ClosedWall() override {
     letIn();
@@ -151,8 +151,8 @@ struct ClosedWall final : WallTask {
   std::atomic<bool> open = false;
 };
 
-/// A plain Cap'n Proto client sends as many as it likes. Those for whose answers there is no memory
-/// are refused, and none is left without an answer.
+/// A plain Cap'n Proto client sends as many as it likes. Calls for whose answers there is no memory
+/// are refused, and each gets an answer.
 TEST(LargeAnswers, AreOwedToAPlainClientOnlyWithinTheLimit) {
   constexpr unsigned kCalls = 16;
   const unsigned limit = suture::callLimitOf(suture::interfaceInfo<Gallery>()).calls;
@@ -206,7 +206,7 @@ TEST_F(LargeValues, AreEmittedByATaskWithoutAnAllocation) {
   EXPECT_EQ(task_.firstEmission, 0u);
 }
 
-/// Its thread is that of whoever triggers it, and known at the first cycle.
+/// Its thread is the one that triggers it, and is known at the first cycle.
 TEST(LargeValuesOfACallbackTask, AreEmittedWithoutAnAllocationInItsCycle) {
   if (!suture::countsAllocations()) GTEST_SKIP() << "a sanitizer needs malloc for itself";
   struct Driven final : suture::CallbackTask, Wall {

@@ -1,4 +1,4 @@
-// Locks that cannot be read: what is reported, and at which line.
+// These locks cannot be read: the tests say what is reported, and at which line.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Breaks on purpose, and ids given anew.
+// These break a contract on purpose, and give ids anew.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class BreakTest : public testing::Test {
     return locks;
   }
 
-  /// The locks after an update that takes breaks.
+  /// Returns the locks after an update that takes breaks.
   Locks accept(const Locks& old) {
     const Update taken = update(model_, old, {.acceptBreaks = true});
     EXPECT_TRUE(taken.diagnostics.empty());

@@ -1,4 +1,5 @@
-// Types that travel as a struct that nobody declares: their names, and that the lock guards them.
+// These types travel as a struct that no header declares: the tests compare their names, and check
+// that the lock guards them.
 
 #include "compiler/lock/schema/composites.h"
 

@@ -1,4 +1,4 @@
-// What `suturec diff` says of two schemas.
+// These compare what `suturec diff` says of two schemas.
 
 #include "compiler/lock/differences.h"
 

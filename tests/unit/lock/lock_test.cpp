@@ -1,4 +1,5 @@
-// The lock from the outside: what a build accepts, what it refuses, what an update writes.
+// These see the lock from the outside: what a build accepts, what it refuses, what an update
+// writes.
 
 #include "compiler/lock/schema/lock.h"
 

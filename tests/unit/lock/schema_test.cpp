@@ -1,4 +1,4 @@
-// What update() writes is a schema that capnp itself accepts.
+// Capnp itself accepts the schema that update() writes.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -16,7 +16,7 @@
 namespace suture::compiler::lock {
 namespace {
 
-/// Whether capnp takes what update() writes for the model.
+/// Expects that capnp takes what update() writes for the model.
 void compile(model::Model model) {
   for (model::Header& header : model.headers) header.own = true;
   // The folder is this process's own, for CTest runs the tests beside each other.

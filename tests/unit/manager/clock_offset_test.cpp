@@ -32,7 +32,7 @@ TEST(ClockOffset, IsThatOfTheFastestQuestion) {
   EXPECT_EQ(clock.error(kAsked + 5200us), 100us);
 }
 
-// They drift apart by no more than 100 us in a second.
+// The clocks drift apart by no more than 100 us in a second.
 TEST(ClockOffset, IsKnownWorseAsTimeGoesBy) {
   ClockOffset clock;
   ask(clock, 100us, 0ms, 100us);
@@ -55,7 +55,7 @@ TEST(ClockOffset, ASlowQuestionTellsMoreThanOneOfLongAgo) {
   EXPECT_EQ(clock.error(kAsked + 10s + 1ms), 500us);
 }
 
-// As when a machine was held up, or its clock is slewed faster than quartz drifts.
+// This happens when a machine was held up, or its clock is slewed faster than quartz drifts.
 TEST(ClockOffset, IsGivenUpForOneThatContradictsIt) {
   ClockOffset clock;
   ask(clock, 100us, 0ms, 100us);

@@ -1,4 +1,4 @@
-// Events of a device, which its own thread handles whenever it likes.
+// A device's own thread handles these events whenever it likes.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>

@@ -1,4 +1,4 @@
-// Connections of one required interface that reach the provider in another order than they were
+// The connections of one required interface reach the provider in another order than they were
 // made.
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ class Notices final : public wire::Notices::Server {
   std::atomic<int>& closed_;
 };
 
-/// A link whose caller says what he likes of himself.
+/// Is a link whose caller says any name and number of its process.
 class Caller {
  public:
   /// `incarnation`: of its process; 0: it does not say.
@@ -73,7 +73,7 @@ class Caller {
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
 
-  /// Connects "left:Teleop/Slave" to PSM/Arm: the refusal, or "".
+  /// Connects "left:Teleop/Slave" to PSM/Arm. Returns the refusal, or "".
   std::string connect(std::int64_t epoch, Lane lane = Lane::Rpc) {
     return control_.run(kPatience,
                         [=, this] { return greet().then([=, this] { return ask(epoch, lane); }); });
@@ -90,7 +90,7 @@ class Caller {
     });
   }
 
-  /// Says hello in `version` of the protocol: the refusal, or "".
+  /// Says hello in `version` of the protocol. Returns the refusal, or "".
   std::string hello(std::uint16_t version) {
     return control_.run(kPatience, [this, version] {
       auto hello = link_->bootstrap<wire::Peer>().helloRequest();
@@ -165,7 +165,7 @@ class Epochs : public testing::Test {
           .attach(kj::mv(link));
     });
   }
-  /// The number of connections that stand.
+  /// Returns the number of connections that stand.
   std::size_t standing() const {
     std::size_t count = 0;
     for (const auto& channel : there_.channels()) count += channel->status != ChannelStatus::Closed;

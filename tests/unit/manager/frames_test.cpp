@@ -1,5 +1,5 @@
-// Two processes whose interfaces declare different coordinate frames are not connected, whatever
-// lane is to be between them.
+// Two processes whose interfaces declare different coordinate frames are not connected, whichever
+// lane is asked for.
 #include <gtest/gtest.h>
 #include <suture/component/task/event_task.h>
 #include <suture/names/describe.h>

@@ -1,6 +1,6 @@
-// After a loss nothing of the old connection is executed, whichever process stood still, or was cut
-// off from the other while its tasks ran: commands may have waited for longer than the client was
-// willing to.
+// After a loss no process executes anything of the old connection, whichever process stood still,
+// or was cut off from the other while its tasks ran: commands may have waited for longer than the
+// client was willing to.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -89,8 +89,8 @@ struct NumberingClient final : PeriodicTask {
   Required<reference::ArmLike> slave{*this, "Slave"};
 };
 
-/// Of a network that is frozen the other process hears nothing, as if a cable was pulled; the tasks
-/// of its process run, and on `shm` reach each other.
+/// Says what stands still. If a network is frozen the other process hears nothing of it, as if a
+/// cable was pulled; the tasks of its process run, and on `shm` reach each other.
 enum class Frozen {
   Provider,
   Client,
@@ -163,7 +163,7 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
     clientsNetwork_.thaw();
     client_.thaw();
   }
-  /// The only connection of this process, as it sees it.
+  /// Returns the only connection of this process, as it sees it.
   static ConnectionReport ledger(const Manager& manager) {
     const Report report = observe(manager, {});
     return report.connections.empty() ? ConnectionReport{} : report.connections.front();
@@ -259,7 +259,7 @@ TEST_P(FrozenProcess, KnowsInTheEndWhatBecameOfEachCommand) {
   EXPECT_EQ(provider.sent, provider.executed + provider.refused + provider.lost);
 }
 
-// What a client sends before it knows that it has stood still comes too late.
+// A command that a client sends before it knows that it has stood still comes too late.
 TEST_P(FrozenProcess, IsConnectedAnew) {
   connect();
   freeze();
@@ -271,7 +271,7 @@ TEST_P(FrozenProcess, IsConnectedAnew) {
   EXPECT_LT(now() - begun, 1s);
 }
 
-// What was accepted before the loss does not pass the gate that the loss has closed.
+// A command that was accepted before the loss does not pass the gate that the loss has closed.
 TEST_P(FrozenProcess, ExecutesNothingWhileItsOperatorIsAwaited) {
   connect(Resume::Operator);
   arm_.slow = inADrain();

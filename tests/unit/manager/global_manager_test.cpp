@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A process as the manager sees it.
+/// Is a process as the manager sees it.
 class Peer {
  public:
   Peer(const std::string& name, const std::string& manager)
@@ -176,7 +176,7 @@ TEST_P(GlobalManagerTest, SoManyMayWaitAndNoMore) {
   const std::string limit = "find process 'nobody': 4096 wait for names here, and no more may";
   EXPECT_TRUE(contains(answer, limit)) << answer;
   EXPECT_TRUE(contains(told, "suture-manager: refused ") && contains(told, limit)) << told;
-  // Those who have gone leave their places to others.
+  // Processes that have gone leave their places to others.
   std::unique_ptr<Peer> late;
   TestThread other([&] {
     pass(50ms);

@@ -1,4 +1,4 @@
-// What threads that are none of the tasks' hold.
+// Threads other than the tasks' hold these handles.
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
@@ -40,12 +40,12 @@ struct BusyArm final : PeriodicTask, StillArm {
   Provided<ArmLike> port{*this, "Arm", *this};
 };
 
-/// What a handle that cannot be made says.
+/// Returns what a handle that cannot be made says.
 std::string handleRefusal(Manager& manager, std::string_view name, std::string_view provided) {
   return refusal([&] { Handle<ArmLike> handle(manager, name, provided, {.patience = 100ms}); });
 }
 
-/// One process, or two of which the second has the arm.
+/// Has one process, or two of which the second has the arm.
 class Handles : public testing::TestWithParam<bool> {
  protected:
   Handles() {

@@ -16,8 +16,8 @@ using namespace std::chrono_literals;
 
 constexpr Heartbeat::Bounds kBounds{.silence = 5s, .hang = 100ms};
 
-/// What a process tells of its task "Arm": one answer after the other, the last again and again.
-/// Any other task is in time.
+/// Holds what a process tells of its task "Arm": one answer after the other, the last again and
+/// again. Any other task is in time.
 struct Answers {
   std::vector<Duration> overdue;
   unsigned silentAfter = std::numeric_limits<unsigned>::max();
@@ -58,7 +58,7 @@ class AnsweringPeer final : public wire::Peer::Server {
   Time due_{};
 };
 
-/// One watch, and what it says of its loss.
+/// Holds one watch, and what it says of its loss.
 class Watched {
  public:
   Watched(Heartbeat& heartbeat, std::string component, Heartbeat::Bounds bounds) {
@@ -86,7 +86,7 @@ class HeartbeatTest : public testing::Test {
   ~HeartbeatTest() noexcept override {}
 
  protected:
-  /// Which comes first: the component is well, or lost and why.
+  /// Returns what comes first: that the component is well, or that it is lost and why.
   std::string firstOf(std::vector<Duration> overdue) {
     answers_.overdue = std::move(overdue);
     auto well = watch_->whenItWorks().then([] { return std::string("well"); });
@@ -159,7 +159,7 @@ TEST_F(HeartbeatTest, EachWatchJudgesBySilenceOfItsOwn) {
   EXPECT_TRUE(heartbeat_.silent());
 }
 
-// A connection that is taken down does not make those wait that have been lost.
+// A connection that is taken down must not delay the loss of the others.
 TEST_F(HeartbeatTest, IsSilentAsSoonAsNoWatchBearsItAnyMore) {
   answers_.silentAfter = 1;
   Watched strict(heartbeat_, "Arm", {.silence = 200ms, .hang = 5s});

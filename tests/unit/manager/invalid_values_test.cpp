@@ -51,7 +51,8 @@ void fillIn(wire::Pose::Builder pose) {
   pose.setM22(1);
 }
 
-/// Why what `send` sends is refused; "" if it is taken, for which an answer may have to wait.
+/// Returns why what `send` sends is refused; "" if it is taken, for which an answer may have to
+/// wait.
 template <class Send>
 std::string answerTo(rpc::ControlThread& control, const Send& send) {
   return control.run(kPatience, [&control, &send] {
@@ -84,7 +85,7 @@ class InvalidEvents : public testing::Test {
   bool isSubscribed() {
     return control_.run(kPatience, [this] { return kj::Promise<bool>(subscriber_ != nullptr); });
   }
-  /// Emits moved().
+  /// Emits moved(). Returns the refusal.
   std::string refusalOf(double speed) {
     return answerTo(control_, [this, speed] {
       auto request = KJ_ASSERT_NONNULL(subscriber_).movedRequest();
@@ -167,7 +168,7 @@ class InvalidCommands : public testing::Test {
     });
   }
 
-  /// Sends limit().
+  /// Sends limit(). Returns the refusal.
   std::string refusalOf(double speed) {
     return answerTo(control_, [this, speed] {
       auto request = KJ_ASSERT_NONNULL(arm_).limitRequest();
@@ -175,7 +176,8 @@ class InvalidCommands : public testing::Test {
       return request.send().ignoreResult();
     });
   }
-  /// Calls distance(), whose answer is refused: the last that was is of command `last`.
+  /// Calls distance(), whose answer is refused: the last answer was of command `last`. Returns the
+  /// refusal.
   std::string refusalOfDistance(const char* last) {
     return answerTo(control_, [this, last] {
       auto request = KJ_ASSERT_NONNULL(arm_).distanceRequest();
@@ -185,7 +187,7 @@ class InvalidCommands : public testing::Test {
           .then([call = kj::mv(call)]() mutable { return kj::mv(call); });
     });
   }
-  /// As a provider does: notes what is wrong, then answers.
+  /// Does as a provider does: notes what is wrong, then answers.
   void refuseAnswer(const char* last) {
     channel_->commands.fixCut();
     const rt::CommandRecord* const record = channel_->commands.next();

@@ -1,4 +1,4 @@
-// What a manager does with the lives of its components, and what the interface "component" tells.
+// A manager runs the lives of its components, and the interface "component" tells of them.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -46,7 +46,7 @@ struct Watcher final : Device {
     for (const StateChange& change : changes) names.emplace_back(toString(change.state));
     return names;
   }
-  /// True once `states()` is that.
+  /// Returns true once `states()` is that.
   bool hears(const std::vector<std::string>& expected) {
     return eventually([&] {
       (void)component.connected();  // takes over the connection

@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-/// A manager and a session with it.
+/// Holds a manager and a session with it.
 class Service {
  public:
   Service() {

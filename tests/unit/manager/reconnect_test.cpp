@@ -1,4 +1,4 @@
-// Connections that are taken down and made anew while tasks run.
+// Connections are taken down and made anew while tasks run.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -82,7 +82,7 @@ struct Busy final : PeriodicTask, StillArm {
   Provided<reference::ArmLike> port{*this, "Arm", *this};
 };
 
-/// How many of the channels that it has been shown still exist.
+/// Counts how many of the channels that it has been shown still exist.
 struct Census {
   void note(const Manager& manager) {
     for (const auto& channel : manager.channels()) seen.push_back(channel);
@@ -94,7 +94,7 @@ struct Census {
   std::vector<std::weak_ptr<Channel>> seen;
 };
 
-/// An arm and its client, running in one process.
+/// Has an arm and its client, running in one process.
 template <class Arm>
 struct OneProcess {
   OneProcess() {
@@ -172,7 +172,8 @@ void reconnectOften() {
     census.note(here.manager);
     if (i % 100 == 99) {
       ASSERT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
-      // The present one, and what nobody has looked at since it was closed.
+      // The present channel may be alive, and those that no thread has looked at since they were
+      // closed.
       ASSERT_TRUE(eventually([&] { return census.alive() <= 3; })) << census.alive();
     }
     here.disconnect();
@@ -248,7 +249,7 @@ TEST(Reconnect, AfterALossOverRpcTheNewChannelIsShown) {
       [&] { return channels.front()->counts->heard(ConnectionEnd::Client).executed > 0; }));
 }
 
-/// Without a lane provider and client are of one process.
+/// If no lane is given, provider and client are in one process.
 class StartedAgain : public testing::TestWithParam<std::optional<Lane>> {};
 
 INSTANTIATE_TEST_SUITE_P(Lanes, StartedAgain,
@@ -331,7 +332,7 @@ TEST(Reconnect, TheOperatorAsksTheComponentItself) {
   EXPECT_TRUE(eventually([&] { return here.client.error == Errc{}; }));
 }
 
-/// A client without a thread of its own.
+/// Is a client without a thread of its own.
 struct DeviceClient final : Device {
   Required<reference::ArmLike> slave{*this, "Slave"};
 };

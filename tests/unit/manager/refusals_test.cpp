@@ -1,4 +1,4 @@
-// Whoever refuses hears of it as the client does.
+// The process that refuses hears of it as the client does.
 #include <gtest/gtest.h>
 #include <suture/base/virtual_time.h>
 #include <suture/component/task/event_task.h>

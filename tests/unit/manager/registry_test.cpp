@@ -51,7 +51,7 @@ TEST(Registry, ALateRemovalDoesNotTakeTheNameFromItsNextHolder) {
   EXPECT_TRUE(registry.find("left")->components.empty());
 }
 
-/// As often as it takes until who does not renew is silent.
+/// Lets so much time pass that a process which does not renew is silent.
 void ageBeyondLeases(Registry& registry) {
   for (int i = 0; i <= wire::MISSABLE_RENEWALS; ++i) registry.age();
 }
@@ -115,7 +115,7 @@ TEST(Registry, AnUnknownNameIsAnsweredWithWhatThereIs) {
   }
 }
 
-/// A record that takes about `bytes`.
+/// Returns a record that takes about `bytes`.
 ProcessRecord recordOfSize(const std::string& name, std::size_t bytes) {
   ProcessRecord record = recordOf(name);
   record.components.push_back({std::string(bytes - 1000, 'x'), {}, {}});

@@ -25,7 +25,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Takes until somebody ends it.
+/// Runs until the test ends it.
 struct LongHandler {
   void stay() {
     begun = true;
@@ -71,7 +71,7 @@ void stopIn(LongHandler& handler, Task& task) {
   stopping.join();
 }
 
-/// Without a lane provider and client are of one process.
+/// If no lane is given, provider and client are in one process.
 class Stop : public testing::TestWithParam<std::optional<Lane>> {
  protected:
   Stop() {
@@ -125,8 +125,8 @@ struct OccupiedDevice final : Device, StillArm {
   Provided<reference::ArmLike> port{*this, "Arm", *this};
 };
 
-/// A device does not wait for its handler when it stops. Who called it must not be told that
-/// nothing was executed.
+/// A device does not wait for its handler when it stops. Its caller must not be told that nothing
+/// was executed.
 class StopOfADevice : public testing::TestWithParam<Lane> {
  protected:
   StopOfADevice() {

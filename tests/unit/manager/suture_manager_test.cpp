@@ -1,4 +1,4 @@
-// The executable suture-manager.
+// These test the executable suture-manager.
 
 #include <gtest/gtest.h>
 #include <suture/manager/manager.h>
@@ -19,7 +19,7 @@
 namespace suture {
 namespace {
 
-/// suture-manager, with what it prints, errors too.
+/// Is suture-manager, with what it prints, errors too.
 class Program final : public Child {
  public:
   explicit Program(const std::string& listen, const std::vector<std::string>& more = {})

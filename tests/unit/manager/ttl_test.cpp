@@ -51,7 +51,7 @@ struct SendingClient final : PeriodicTask {
   Required<reference::ArmLike> slave{*this, "Slave"};
 };
 
-/// Without a lane provider and client are of one process.
+/// If no lane is given, provider and client are in one process.
 class Ttl : public testing::TestWithParam<std::optional<Lane>> {
  protected:
   /// Returns when the provider has executed what was sent last.

@@ -8,7 +8,8 @@
 
 namespace suture {
 
-/// Two managers that are two processes to each other. What is added to them is declared before.
+/// Holds two managers that are two processes to each other. Declare before it what is added to
+/// them.
 struct TwoProcesses {
   void start() {
     there.start();

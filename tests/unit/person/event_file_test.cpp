@@ -1,4 +1,4 @@
-// Events through a real FIFO.
+// These events go through a real FIFO.
 
 #include "person/event_file.h"
 
@@ -14,7 +14,7 @@
 namespace robots::test {
 namespace {
 
-/// What came, by the codes.
+/// Returns the codes of what came.
 std::vector<int> codes(std::span<const input_event> events) {
   std::vector<int> result;
   for (const input_event& one : events) result.push_back(one.code);

@@ -1,5 +1,5 @@
 #pragma once
-// A FIFO in place of an input device.
+// This is a FIFO in place of an input device.
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 
 namespace robots::test {
 
-/// There is one, which nobody writes to until plugIn().
+/// Makes the FIFO, to which nothing is written until plugIn().
 class Fifo {
  public:
   Fifo() { EXPECT_EQ(mkfifo(path().c_str(), 0600), 0); }
@@ -24,7 +24,7 @@ class Fifo {
   Fifo& operator=(const Fifo&) = delete;
 
   std::string path() const { return folder_.file("event0"); }
-  /// O_RDWR, for nobody may be reading yet.
+  /// Opens it with O_RDWR, since the reader may not be there yet.
   void plugIn() {
     pullOut();
     writer_ = open(path().c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
@@ -38,7 +38,7 @@ class Fifo {
   void write(const std::vector<input_event>& events) const {
     write(events, 0, events.size() * sizeof(input_event));
   }
-  /// The bytes of `events` from `first` up to, and without, `last`.
+  /// Writes the bytes of `events` from `first` up to, and without, `last`.
   void write(const std::vector<input_event>& events, std::size_t first, std::size_t last) const {
     const auto* const bytes = reinterpret_cast<const char*>(events.data());
     const auto count = static_cast<ssize_t>(last - first);

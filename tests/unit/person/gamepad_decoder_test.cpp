@@ -1,4 +1,4 @@
-// What a gamepad's events come to.
+// These tests say what a gamepad's events come to.
 
 #include "person/gamepad_decoder.h"
 

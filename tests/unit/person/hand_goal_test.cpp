@@ -1,4 +1,4 @@
-// Where velocities lead a goal.
+// These tests say where velocities lead a goal.
 
 #include "person/hand_goal.h"
 
@@ -31,7 +31,7 @@ TEST(HandGoal, DoesNotRunAwayFromAnArmThatDoesNotCome) {
   EXPECT_NEAR(AngleAxisd(goal.linear()).angle(), kWidestLead, 1e-3);
 }
 
-// So an arm at a limit slides along it.
+// This lets an arm at a limit slide along it.
 TEST(HandGoal, TurnsAsideWhereItLeadsAsFarAsItMay) {
   Isometry3d goal = Isometry3d::Identity();
   goal.translation().z() = kFurthestLead;

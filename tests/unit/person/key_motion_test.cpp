@@ -1,4 +1,4 @@
-// Keys and the motion that they mean, at stated times.
+// These press keys at stated times and compare the motion that they mean.
 
 #include "person/key_motion.h"
 
@@ -88,7 +88,7 @@ TEST_F(KeyMotionTest, IgnoresWhatHasNoMeaning) {
   EXPECT_FALSE(at(1ms).opening);
 }
 
-// An arrow with Shift of one terminal, one with Ctrl of others, Alt and a letter.
+// These are an arrow with Shift of one terminal, one with Ctrl of others, Alt and a letter.
 TEST_F(KeyMotionTest, IgnoresSequencesThatEndInALetterOfItsOwn) {
   press(
       "\x1b[d\x1bOd\x1b[1;5d\x1b"

@@ -1,5 +1,5 @@
 #pragma once
-// A pseudo terminal, whose keys a test presses.
+// This is a pseudo terminal, whose keys a test presses.
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -27,8 +27,8 @@ class PseudoTerminal {
   PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Once they can be read: the kernel hands them over when it likes. A terminal that waits for the
-  /// end of a line has nothing to read before that.
+  /// Types the keys, and returns when they can be read: the kernel hands them over when it likes. A
+  /// terminal that waits for the end of a line has nothing to read before that.
   void type(std::string_view keys) const {
     EXPECT_EQ(write(person_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
     if (handsOverKeys()) awaitNews();
@@ -39,13 +39,13 @@ class PseudoTerminal {
     person_ = -1;
     awaitNews();
   }
-  /// One by one, without showing them.
+  /// Tells if the terminal hands keys over one by one, without showing them.
   bool handsOverKeys() const {
     termios mode{};
     EXPECT_EQ(tcgetattr(program_, &mode), 0);
     return (mode.c_lflag & (ICANON | ECHO)) == 0;
   }
-  /// As a shell does that has taken it.
+  /// Sets the terminal as a shell does that has taken it.
   void waitForLines() const {
     termios mode{};
     EXPECT_EQ(tcgetattr(program_, &mode), 0);

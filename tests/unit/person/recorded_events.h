@@ -1,5 +1,5 @@
 #pragma once
-// Events of a gamepad, as the kernel's evdev writes them.
+// These are events of a gamepad, as the kernel's evdev writes them.
 
 #include <linux/input.h>
 
@@ -20,9 +20,10 @@ inline input_event button(std::uint16_t code, bool pressed) {
 inline input_event report() { return event(EV_SYN, SYN_REPORT, 0); }
 inline input_event dropped() { return event(EV_SYN, SYN_DROPPED, 0); }
 
-/// What a pad with sticks of 16 bits says when the left one is pushed all the way to the right.
+/// Returns what a pad with sticks of 16 bits says when the left one is pushed all the way to the
+/// right.
 inline std::vector<input_event> stickToTheRight() { return {axis(ABS_X, 32767), report()}; }
-/// What it says when it is let go: such sticks come back near to their middle.
+/// Returns what it says when it is let go: such sticks come back near to their middle.
 inline std::vector<input_event> stickReleased() { return {axis(ABS_X, 391), report()}; }
 
 }  // namespace robots::test

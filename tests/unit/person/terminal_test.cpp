@@ -1,4 +1,4 @@
-// Keys of a pseudo terminal, and how that is left behind.
+// These read keys of a pseudo terminal, and look at how it is left behind.
 
 #include "person/terminal.h"
 

@@ -1,4 +1,4 @@
-// What is left of a component's last seconds when it has been faulted.
+// A black box leaves a component's last seconds when it has been faulted.
 
 #include <gtest/gtest.h>
 #include <suture/component/provided.h>

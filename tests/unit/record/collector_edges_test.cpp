@@ -1,4 +1,4 @@
-// Where collecting begins and ends: no row and no event is lost there.
+// No row and no event is lost where collecting begins and ends.
 
 #include <gtest/gtest.h>
 #include <suture/component/provided.h>
@@ -80,7 +80,7 @@ class States final : public Sink {
   std::atomic<ComponentState> last_{ComponentState::Constructed};
 };
 
-// By their names, the collectors of these would stop first.
+// The names of these collectors are such that they would stop first.
 class UntilTheEnd : public testing::Test {
  protected:
   void begin(Component& collector, const char* provider) {

@@ -1,4 +1,4 @@
-// Collectors as others see them: switched, paced and asked through their interface "Collecting".
+// Others see collectors so: they switch, pace and ask them through their interface "Collecting".
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>

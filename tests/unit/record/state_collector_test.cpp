@@ -20,7 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 using reference::ArmLike;
 
-/// An arm at 1 kHz and a collector, connected.
+/// Has an arm at 1 kHz and a collector, connected.
 struct CollectedStates {
   CollectedStates(const StateCollectorOptions& options, Sink& sink)
       : collector(interfaceInfo<ArmLike>(), options, sink) {

@@ -1,4 +1,4 @@
-// The judge of a break: what it accepts, and each fault that it has to find.
+// This is the judge of a break: the tests say what it accepts, and each fault that it has to find.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 const suture::Time kBroken{10s}, kMended{11s};
 
-/// Three seconds of an arm that moves by `step` in the cycle at that time.
+/// Returns three seconds of an arm that moves by `step` in the cycle at that time.
 std::vector<ArmRow> armThatMoves(const std::function<double(suture::Time)>& step) {
   std::vector<ArmRow> rows;
   double x = 0;

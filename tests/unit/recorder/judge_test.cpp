@@ -155,7 +155,7 @@ TEST(Judge, TellsByHowMuchALateSlaveIsOffAtEqualTimeAndWhy) {
   EXPECT_GT(before, 0.005);
 }
 
-// From 4 s to 5 s the slave stands 5 mm off, without power; then it follows again.
+// The slave stands 5 mm off, without power, from 4 s to 5 s; then it follows again.
 TEST(Judge, AsksForNothingOfADisabledSlaveUntilFollowingBeginsAnew) {
   Recorded run = makeRun({});
   for (ArmRow& row : run.slave) {
@@ -179,8 +179,7 @@ TEST(Judge, AsksForNothingOfADisabledSlaveUntilFollowingBeginsAnew) {
 
 TEST(Judge, HoldsTheSlaveToTheAnchorsOfEachEntry) {
   Recorded run = makeRun({});
-  // From 5 s on, another entry with a slave set-point 5 mm off: the recorded slave does not go
-  // there.
+  // Another entry has a slave set-point 5 mm off from 5 s on: the recorded slave does not go there.
   FollowAnchors again = run.followed.front();
   again.master_stamp = at(5);
   again.slave_setpoint.translation().x() += 0.005;
@@ -201,7 +200,7 @@ TEST(Judge, SaysWhenThereIsNothingToCompare) {
   EXPECT_FALSE(violations(judgement).empty());
 }
 
-// As the demo does it: pieces of recordings that are written at different speeds.
+// The demo judges so: it writes pieces of recordings at different speeds.
 TEST(Judge, SaysTheSameOfARunThatComesInPieces) {
   const Recorded run = makeRun({.extraLag = 0.005, .missedRows = 0.1});
   Judge judge(kTimeConstant);

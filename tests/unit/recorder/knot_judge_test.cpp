@@ -25,8 +25,8 @@ const Vector3d kKnotTarget{0.004, -0.003, -0.152};
 constexpr double kPlacing = 4;  // s that the knot is on its way
 constexpr int kKnotRows = 300;
 constexpr double kRowsASecond = 50;
-// So late that the knot is farther away by then than the judge allows a sighting to be; and no
-// multiple of the rows' distance.
+// This is so late that the knot is farther away by then than the judge allows a sighting to be; and
+// it is no multiple of the rows' distance.
 constexpr double kLate = 0.13;  // s
 
 struct KnotFaults {

@@ -1,4 +1,4 @@
-// What is recorded of a knot is what is read back; a broken recording is named with its line.
+// A recorded knot is read back as it was; a broken recording is named with its line.
 
 #include "recorder/knot_recording.h"
 
@@ -19,7 +19,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// No field is as in a new row, or equal to another; few numbers are short in decimal.
+/// Returns a row in which no field is as in a new row, or equal to another; few numbers are short
+/// in decimal.
 KnotRow someKnotRow() {
   KnotRow row;
   for (Eigen::Index i = 0; i < row.strand.nodes.size(); ++i) {

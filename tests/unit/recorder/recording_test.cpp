@@ -1,4 +1,4 @@
-// What is recorded is what is read back; a broken recording is named with its line.
+// A recording is read back as it was written; a broken one is named with its line.
 
 #include "recorder/recording.h"
 

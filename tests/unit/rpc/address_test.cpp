@@ -60,7 +60,7 @@ TEST(Address, APathTooLongForASocketIsAnErrorThatSaysSo) {
   EXPECT_TRUE(errorOf("unix:/" + std::string(106, 'x')).starts_with("accepted"));
 }
 
-/// What a list of addresses is refused with; "" if it is taken.
+/// Returns what a list of addresses is refused with; "" if it is taken.
 std::string errorOfAll(const std::string& text) {
   try {
     parseAddresses(text);

@@ -22,7 +22,7 @@ class EchoServer final : public test::Echo::Server {
   kj::Promise<void> never(NeverContext) override { return kj::NEVER_DONE; }
 };
 
-/// How many bytes come back of `size`.
+/// Returns how many bytes come back of `size`.
 inline kj::Promise<std::size_t> echo(test::Echo::Client client, std::size_t size) {
   auto request = client.echoRequest();
   memset(request.initData(size).begin(), 5, size);

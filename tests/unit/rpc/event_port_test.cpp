@@ -8,7 +8,7 @@
 namespace suture::rpc {
 namespace {
 
-/// A port whose other threads are played by functions.
+/// Is a port whose other threads functions play.
 class Port final : public EventPort {
  public:
   using EventPort::EventPort;
@@ -23,7 +23,7 @@ struct CountedOutput final : EventPort::Output {
   unsigned flushes = 0;
 };
 
-/// An event that arms itself again and again.
+/// Runs an event that arms itself again and again.
 kj::Promise<void> turns(unsigned count) {
   if (count == 0) return kj::READY_NOW;
   return kj::evalLater([count] { return turns(count - 1); });
@@ -85,7 +85,7 @@ TEST(EventPort, DoesNotSleepOverARing) {
   EXPECT_GE(asked, 50u);
 }
 
-// Work without end: each turn finds more. Neither output nor a socket may wait for its end.
+// This work has no end, since each turn finds more. Output and a socket must not wait for its end.
 TEST(EventPort, EndlessWorkStarvesNobody) {
   Port port;
   CountedOutput output;

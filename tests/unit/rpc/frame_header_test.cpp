@@ -46,7 +46,7 @@ TEST(FrameHeader, AcceptsTheLimitOfSegmentsAndNotOneMore) {
 }
 
 TEST(FrameHeader, AddsSizesWithoutWrapping) {
-  // Eight segments of 2^29 words each: 2^32 words, zero in 32 bits.
+  // Eight segments have 2^29 words each: 2^32 words, zero in 32 bits.
   const std::uint32_t big = 1u << 29;
   const auto bytes = header({7, big, big, big, big, big, big, big, big, 0});
   EXPECT_EQ(parseFrameHeader(bytes, {}).fault, FrameFault::TooLong);

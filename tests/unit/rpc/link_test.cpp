@@ -63,7 +63,7 @@ class LinkTest : public testing::TestWithParam<const char*> {
     return kj::heap<Link>(kj::heap<MessageStream>(port_, kj::mv(socket)), Side::CLIENT);
   }
 
-  /// To the server, which has not accepted it.
+  /// Connects a socket to the server, which has not accepted it.
   kj::AutoCloseFd connectedSocket() {
     const SocketAddress target(server_->address());
     kj::AutoCloseFd socket(::socket(target.family(), SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -255,7 +255,7 @@ TEST_P(LinkTest, WhoCannotBeAcceptedWaitsAndTheProcessSaysWhy) {
   EXPECT_EQ(answer.wait(port_.scope()), 2u);
 }
 
-// As much as a first message needs is read of a process that has not.
+// Of a process that has not said who it is, a link reads as much as a first message needs.
 TEST_P(LinkTest, AMessageIsBoundedUntilThePeerHasSaidWhoItIs) {
   knows_ = false;
   serve();

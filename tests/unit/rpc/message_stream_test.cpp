@@ -47,7 +47,7 @@ class MessageStreamTest : public testing::Test {
     return -1;
   }
 
-  /// The text of the exception that the next read ends with.
+  /// Returns the text of the exception that the next read ends with.
   std::string nextFault() {
     try {
       auto message = bounded(read()).wait(port_.scope());

@@ -1,4 +1,4 @@
-// Links between those who can prove who they are, and those who cannot.
+// These links are between processes that can prove who they are, and processes that cannot.
 
 #include <gtest/gtest.h>
 #include <suture/framing/link_server.h>
@@ -26,7 +26,7 @@ using test::Echo;
 
 constexpr uid_t kNobody = 65534;
 
-/// Runs `work` as another user: this thread alone, as the kernel sees it. Needs root.
+/// Runs `work` as another user, by root's right: to the kernel this thread alone changes.
 template <class Work>
 void asNobody(Work work) {
   std::thread([&] {
@@ -69,7 +69,7 @@ class SecureLinkTest : public testing::Test {
   kj::Own<Link> connect(const Trust& trust, const std::string& expected = "server") {
     return linkOn(reach(port_, server_->address(), trust, expected, kPatience).wait(port_.scope()));
   }
-  /// What a call over `link` fails with.
+  /// Returns what a call over `link` fails with.
   std::string callFault(Link& link) {
     try {
       echo(link.bootstrap<Echo>(), 1).wait(port_.scope());

@@ -1,4 +1,4 @@
-// What a client in another process is told of its calls when a provider ends.
+// A client in another process is told of its calls when a provider ends.
 #include <suture/loop/kj_comparisons.h>  // first
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ struct Provider {
   reference::wire::ArmLike::Client arm;
 };
 
-/// How a call ends that is being executed when `end` happens to the provider.
+/// Returns how a call ends that is being executed when `end` happens to the provider.
 template <class End>
 Errc outcomeOf(const End& end) {
   ControlThread control;
@@ -135,7 +135,7 @@ kj::Promise<void> restOf(ControlThread& control) {
   return control.timer().afterDelay(0 * kj::NANOSECONDS);
 }
 
-/// There is an event and a row for whoever subscribes now, as long as the hearer lives.
+/// Pushes an event and a row for a subscriber that comes now, and lives as long as the hearer.
 kj::Promise<void> emitTo(ControlThread& control, Provider& provider, int* heard) {
   provider.channel->events.push(kStopped, now(), {});
   rt::RowColumns columns;
@@ -251,7 +251,7 @@ TEST(ServantPort, ACommandBeforeAFaultGivesNoLaterOneItsCredit) {
   EXPECT_TRUE(second);
 }
 
-/// Tells when nobody has it any more.
+/// Tells when the last holder has let it go.
 template <class Interface>
 class Kept final : public Interface::Server {
  public:

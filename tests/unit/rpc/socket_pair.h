@@ -47,7 +47,7 @@ inline void sendText(int socket, const std::string& text) {
   sendAll(socket, std::as_bytes(std::span(text)));
 }
 
-/// True if the peer ends the connection within kPatience.
+/// Returns true if the peer ends the connection within kPatience.
 inline bool closes(EventPort& port, int socket) {
   EventPort::FdObserver observer(port, socket, EventPort::FdObserver::OBSERVE_READ);
   std::byte bytes[4096];
@@ -63,7 +63,7 @@ inline bool closes(EventPort& port, int socket) {
   return true;
 }
 
-/// A frame whose root is a Data blob of `size` bytes, all equal to `fill`.
+/// Returns a frame whose root is a Data blob of `size` bytes, all equal to `fill`.
 inline std::vector<std::byte> blobFrame(std::size_t size, unsigned char fill = 7) {
   capnp::MallocMessageBuilder message;
   auto blob = message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(size);

@@ -23,8 +23,8 @@ using namespace std::chrono_literals;
 
 using reference::kStopped;
 
-/// A channel of which one end belongs to the control thread, to a process whose clock stands so to
-/// this one's.
+/// Makes a channel of which one end belongs to the control thread, to a process whose clock stands
+/// so to this one's.
 std::shared_ptr<Channel> makeChannel(const std::shared_ptr<rt::Doorbell>& client,
                                      const std::shared_ptr<rt::Doorbell>& provider,
                                      Duration shift) {
@@ -59,7 +59,7 @@ class CallStamps : public testing::Test {
     });
   }
 
-  /// What the client hears of an event that was emitted at `emitted`.
+  /// Returns what the client hears of an event that was emitted at `emitted`.
   Time heard(Time emitted) {
     EXPECT_TRUE(far_->events.push(kStopped, emitted, {}));
     far_->ends.client->ring();

@@ -9,13 +9,13 @@
 namespace suture::rt {
 namespace {
 
-/// A bell whose owner sleeps, so that each ring that counts can be seen.
+/// Is a bell whose owner sleeps, so that each ring that counts can be seen.
 class Sleeper {
  public:
   Sleeper() { bell.lieDown(); }
   ~Sleeper() { close(descriptor_); }
 
-  /// How often it has been rung since the last call; it sleeps again.
+  /// Returns how often it has been rung since the last call; it sleeps again.
   std::uint64_t rings() {
     std::uint64_t count = 0;
     if (read(descriptor_, &count, sizeof(count)) != sizeof(count)) return 0;
@@ -46,8 +46,8 @@ TEST(DueBells, RingsEachOnceAndOnlyWhenTold) {
   }
 }
 
-// Whoever has woken up and lies down again before the end of the cycle is not rung twice for what
-// was added twice.
+// A thread that has woken up and lies down again before the end of the cycle is not rung twice for
+// what was added twice.
 TEST(DueBells, OneThatIsAddedTwiceIsRungOnce) {
   Sleeper sleeper, other;
   DueBells due;

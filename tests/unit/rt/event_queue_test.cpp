@@ -1,4 +1,4 @@
-// What a full queue of events keeps, and what it drops.
+// These tests say what a full queue of events keeps, and what it drops.
 #include <gtest/gtest.h>
 #include <suture/rt/queue/event_queue.h>
 
@@ -26,7 +26,7 @@ class FullEventQueue : public testing::TestWithParam<Producers> {
   bool push(std::uint16_t event, std::uint64_t value) {
     return queue.push(event, now(), std::as_bytes(std::span(&value, 1)));
   }
-  /// All values of the latched event that are there to be heard.
+  /// Returns all values of the latched event that are there to be heard.
   std::vector<std::uint64_t> heard() {
     std::vector<std::uint64_t> values;
     while (const EventRecord* const record = queue.next()) {

@@ -1,5 +1,5 @@
 #pragma once
-// A queue between two processes, whose other end may write anything at any time.
+// This is a queue between two processes, whose other end may write anything at any time.
 
 #include <gtest/gtest.h>
 #include <suture/base/arena.h>
@@ -16,7 +16,7 @@ namespace suture::rt::foreign_memory {
 
 inline constexpr std::size_t kBytes = 1u << 16;
 
-/// One block, and what each of two processes makes of it.
+/// Has one block, and what each of two processes makes of it.
 template <class Queue>
 class Shared {
  public:

@@ -1,4 +1,4 @@
-// Mailboxes and queues of events between two processes.
+// These are mailboxes and queues of events between two processes.
 #include <suture/base/errors.h>
 #include <suture/rt/queue/event_queue.h>
 #include <suture/rt/queue/mailbox.h>
@@ -14,7 +14,7 @@ namespace {
 using foreign_memory::Shared;
 using foreign_memory::survivesAnything;
 
-/// A list of bytes, behind 4 bytes and with 4 behind it.
+/// Describes a list of bytes, behind 4 bytes and with 4 behind it.
 constexpr BoundedLevel listOf(std::uint32_t capacity) {
   return {.size = 4, .data = 8, .stride = 1, .capacity = capacity};
 }
@@ -116,7 +116,7 @@ TEST(ForeignMailbox, ADrainEndsThoughTheProducerDoesNot) {
     mailbox.consumer->returnCredit(0);
     const Result<std::byte*> arguments = mailbox.producer->claim(0, now(), 0);
     ASSERT_TRUE(arguments);
-    // As if it had been sent before the cut.
+    // The other process makes it look as if it had been sent before the cut.
     reinterpret_cast<CommandRecord*>(*arguments - sizeof(CommandRecord))->sequence = 0;
     mailbox.producer->commit();
     ASSERT_LT(++taken, 100);

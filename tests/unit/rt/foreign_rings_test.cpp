@@ -1,4 +1,4 @@
-// Rings and cells between two processes.
+// These are rings and cells between two processes.
 #include <suture/rt/queue/latest_cell.h>
 #include <suture/rt/queue/mpsc_ring.h>
 #include <suture/rt/queue/spsc_ring.h>

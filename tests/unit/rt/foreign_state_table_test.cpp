@@ -1,4 +1,4 @@
-// A state table whose provider is another process, which may write anything at any time.
+// The provider of this state table is another process, which may write anything at any time.
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
 #include <suture/rt/state/state_table.h>
@@ -12,7 +12,7 @@ namespace suture::rt::foreign_state_table {
 namespace {
 
 constexpr std::uint32_t kLarge = 600;
-/// A list of bytes, behind 4 bytes and with 4 behind it.
+/// Describes a list of bytes, behind 4 bytes and with 4 behind it.
 constexpr BoundedLevel kListOfLarge[] = {
     {.size = 4, .data = 8, .stride = 1, .capacity = kLarge - 12}};
 
@@ -67,7 +67,7 @@ TEST(ForeignStateTable, CopiesWhatIsUsedOfALargeList) {
   }
 }
 
-// As many rows as there cannot be: the search for a time ends all the same.
+// There cannot be as many rows as it says: the search for a time ends all the same.
 TEST(ForeignStateTable, IsReadWhateverItsNumberOfRows) {
   const std::array<std::uint32_t, 1> columns = {8};
   StateTable provider(columns, 4);

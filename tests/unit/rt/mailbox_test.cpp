@@ -9,7 +9,7 @@
 namespace suture::rt {
 namespace {
 
-// Two newest-wins commands and two queued ones, as of an arm.
+// These are two newest-wins commands and two queued ones, as an arm has them.
 constexpr std::uint16_t kServoCp = 0, kServoJp = 1, kHold = 2, kEnable = 3;
 constexpr CommandLimits kCommands[] = {{8, 2, true}, {8, 2, true}, {0, 4, false}, {8, 16, false}};
 

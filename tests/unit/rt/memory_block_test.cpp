@@ -1,4 +1,4 @@
-// Memory that processes share, and what is laid out in it.
+// This is memory that processes share, and what is laid out in it.
 #include <gtest/gtest.h>
 #include <suture/base/arena.h>
 #include <suture/base/errors.h>

@@ -15,7 +15,7 @@ void inThread(Work work) {
   std::thread(work).join();
 }
 
-/// The first that this process may use.
+/// Returns the first processor that this process may use.
 int someProcessor() {
   cpu_set_t allowed;
   sched_getaffinity(getpid(), sizeof(allowed), &allowed);

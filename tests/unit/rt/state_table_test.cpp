@@ -203,8 +203,8 @@ TEST(StateTable, RowsAreReadByNumber) {
   EXPECT_FALSE(table.readRowNumber(6, slots).tooOld);
 }
 
-// A writer that laps the ring all the time: what a reader of the past gets is whole and at or
-// before the time, or TooOld.
+// A writer laps the ring all the time: what a reader of the past gets is whole and at or before the
+// time, or TooOld.
 TEST(StateTable, ThePastIsNeverTornUnderAFastWriter) {
   constexpr std::uint64_t kRows = 300'000;
   constexpr std::uint32_t kColumns[] = {128};

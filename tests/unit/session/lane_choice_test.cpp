@@ -1,4 +1,5 @@
-// By which lane a connection travels, and what is said if it cannot have the one that is asked for.
+// These tests say by which lane a connection travels, and what is said if it cannot have the one
+// that is asked for.
 
 #include <gtest/gtest.h>
 #include <suture/lane/frame/frame_lane.h>
@@ -20,7 +21,7 @@ using namespace std::chrono_literals;
 
 constexpr const char* kTcp = "tcp://127.0.0.1:0";
 
-/// Whom a lane can carry, the provider is to say.
+/// Leaves it to the provider to say if the lane can carry a connection.
 class HopefulLane final : public LaneKind {
  public:
   const char* name() const override { return "hope"; }
@@ -51,7 +52,7 @@ class HopefulLane final : public LaneKind {
 
 class LaneChoice : public RemoteArm {
  protected:
-  /// What is said if the connection cannot be made so; "" if it can.
+  /// Returns what is said if the connection cannot be made so; "" if it can.
   std::string refusalOf(const ConnectOptions& options) {
     return refusal([&] { console->connect("Teleop/Slave", "robot:PSM/Arm", options); });
   }
@@ -98,7 +99,7 @@ TEST_F(LaneChoice, ALaneThatOnlyOneProcessHasIsDeclined) {
                        "'hope'."));
 }
 
-/// A client, which the test plays, that asks a process for a socket of a lane.
+/// Is a client, played by the test, that asks a process for a socket of a lane.
 class SocketSeeker : public reference::PlayedClient {
  public:
   using PlayedClient::PlayedClient;
@@ -118,7 +119,7 @@ class SocketSeeker : public reference::PlayedClient {
       return peer().pingRequest().send().ignoreResult();
     });
   }
-  /// What the process has answered so far.
+  /// Returns what the process has answered so far.
   std::string said() {
     return control_.run(kPatience, [this] { return kj::Promise<std::string>(said_); });
   }

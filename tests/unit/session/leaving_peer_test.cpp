@@ -1,5 +1,5 @@
-// A provider's process that ends while it is being connected to: the client hears of it at once,
-// not when its patience ends.
+// A provider's process ends while it is being connected to: the client hears of it at once, not
+// when its patience ends.
 
 #include <gtest/gtest.h>
 #include <suture/framing/link_server.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// When the peer ends its links, instead of an answer.
+/// Says when the peer ends its links, instead of an answer.
 enum class Leaves { AtHello, AtPing, AtSocket, AtConnect };
 
 /// Answers what a provider answers until it leaves, but has no components.
@@ -37,7 +37,7 @@ class LeavingPeer final : public wire::Peer::Server {
     context.getResults().setSent(1);
     return kj::READY_NOW;
   }
-  // Answers those by which the clocks are compared.
+  // Answers the pings by which the clocks are compared.
   kj::Promise<void> ping(PingContext context) override {
     if (context.getParams().hasComponents() && when_ == Leaves::AtPing) return left();
     context.getResults().initTasks(context.getParams().getComponents().size());
@@ -61,7 +61,7 @@ class LeavingPeer final : public wire::Peer::Server {
   const std::function<void()> leave_;
 };
 
-/// A process with such a peer, as far as others see it.
+/// Is a process with such a peer, as far as others see it.
 class LeavingProcess {
  public:
   LeavingProcess(const std::string& manager, Leaves when) {

@@ -1,4 +1,5 @@
-// What the connections of a session share, on each lane and at each kind of address.
+// These tests say what the connections of a session share, on each lane and at each kind of
+// address.
 
 #include <gtest/gtest.h>
 
@@ -16,9 +17,9 @@ struct Way {
 class Sharing : public RemoteArm, public testing::WithParamInterface<Way> {
  protected:
   static constexpr std::size_t kMore = 8;
-  /// How much memory a connection by `shm` has in both processes: the client maps queues, rows and
-  /// the provider's doorbell, the provider queues and the client's doorbell. Of one that is closed
-  /// the ledger keeps the counters, and so the queues that they lie beside.
+  /// A connection by `shm` has this much memory in both processes: the client maps queues, rows and
+  /// the provider's doorbell, the provider queues and the client's doorbell. The ledger keeps the
+  /// counters of one that is closed, and so the queues that they lie beside.
   const std::size_t standing = GetParam().lane == Lane::Shm ? 5 : 0;
   const std::size_t closed = GetParam().lane == Lane::Shm ? 2 : 0;
 
@@ -82,8 +83,8 @@ TEST_P(Sharing, OneThatIsTakenDownLeavesTheOthersAlone) {
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 
-// The session stands, and nobody connects anew. It is memory that is counted from before the first
-// connection: descriptors that messages bring are open for a while longer than the connection
+// The session stands, and no client connects anew. The test counts memory from before the first
+// connection, since descriptors that messages bring are open for a while longer than the connection
 // takes.
 TEST_P(Sharing, ThoseThatAreTakenDownGiveBackWhatTheyHeld) {
   for (std::size_t i = 0; i < kMore; ++i) others.push_back(std::make_unique<Teleop>());

@@ -1,4 +1,4 @@
-// What becomes of connections that might share memory.
+// These tests say what becomes of connections that might share memory.
 #include <gtest/gtest.h>
 
 #include "reference/remote_arm.h"

@@ -88,7 +88,7 @@ struct Teleop final : PeriodicTask {
   std::atomic<Errc> poseError{}, distanceError{};  // why the last had no value
 };
 
-/// Another process, which has the memory and no good intentions.
+/// Is another process, which has the memory and no good intentions.
 class Scribbler {
  public:
   Scribbler(const MemoryBlock& block, unsigned seed) : pid_(fork()) {
@@ -119,7 +119,7 @@ class Scribbler {
   const pid_t pid_;
 };
 
-/// As another process maps them.
+/// Maps them as another process does.
 shm::SharedParts mappedAgain(const shm::SharedParts& parts, const InterfaceInfo& contract) {
   using Others = MemoryBlock::Others;
   shm::SharedParts mapped = parts;
@@ -132,7 +132,7 @@ shm::SharedParts mappedAgain(const shm::SharedParts& parts, const InterfaceInfo&
   return mapped;
 }
 
-/// Both ends of a connection, each as its process maps the memory; neither is attached.
+/// Has both ends of a connection, each as its process maps the memory; no end is attached.
 struct SharedConnection {
   Psm psm;
   Teleop teleop;

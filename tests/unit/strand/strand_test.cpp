@@ -1,4 +1,4 @@
-// The strand's statics, and when it runs through its knot.
+// These test the strand's statics, and when it runs through its knot.
 
 #include "strand/strand.h"
 
@@ -60,7 +60,7 @@ TEST(Strand, IsNotDrawnThroughItsKnotByEqualPulls) {
   }
 }
 
-// The law of the capstan: T1 / T2 = exp(mu phi), here within 2 %.
+// The law of the capstan is T1 / T2 = exp(mu phi), and holds here within 2 %.
 TEST(Strand, RunsThroughItsKnotBeyondTheRatioOfTheCapstan) {
   const double ratio = std::exp(0.15 * 9.42), weak = 0.1;
   EXPECT_NEAR(pulled(0.98 * ratio * weak, weak).leftLength(), 0.055, 1e-6);

@@ -1,5 +1,5 @@
-// McRuer's operator: an integrator with a delay, noise as published, and the limit of stability
-// that follows.
+// This is McRuer's operator: an integrator with a delay, noise as published, and the limit of
+// stability that follows.
 
 #include "surgeon/crossover_model.h"
 
@@ -55,7 +55,7 @@ TEST(CrossoverModel, IsAnIntegratorOfTheDeclaredFrequencyAndDelay) {
   }
 }
 
-/// Whether the error dies out while the operator sees it `delay` late.
+/// Tells if the error dies out while the operator sees it `delay` late.
 bool isStable(const CrossoverParameters& parameters, suture::Duration delay) {
   CrossoverModel model(parameters, kModelPeriod);
   std::deque<double> underWay(static_cast<std::size_t>(delay / kModelPeriod), 1.0);
@@ -70,7 +70,7 @@ bool isStable(const CrossoverParameters& parameters, suture::Duration delay) {
   return late < early;
 }
 
-/// The longest delay with which the loop is stable, to a millisecond.
+/// Returns the longest delay with which the loop is stable, to a millisecond.
 suture::Duration limitOf(const CrossoverParameters& parameters) {
   suture::Duration stable = 0ms, unstable = 2s;
   while (unstable - stable > 1ms) {

@@ -1,4 +1,4 @@
-// The scripted hand: smooth from rest, bounded, and within what a master can reach.
+// The scripted hand is smooth from rest, bounded, and within what a master can reach.
 
 #include "surgeon/hand_path.h"
 

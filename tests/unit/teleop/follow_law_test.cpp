@@ -1,4 +1,4 @@
-// The teleoperation law x_s = x_s0 + s (x_m - x_m0), R_s = R_m R_m0^T R_s0.
+// This is the teleoperation law x_s = x_s0 + s (x_m - x_m0), R_s = R_m R_m0^T R_s0.
 
 #include "teleop/follow_law.h"
 

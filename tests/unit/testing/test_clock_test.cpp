@@ -21,7 +21,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A periodic task that counts its cycles, each of which takes `length`.
+/// Counts its cycles, each of which takes `length`.
 struct Counter final : PeriodicTask {
   explicit Counter(Duration period, Duration length = {})
       : PeriodicTask({.period = period}), length_(length) {}
@@ -75,7 +75,7 @@ TEST(TestClock, SkipsThePeriodsThatALongCycleTakes) {
   EXPECT_EQ(counter.statistics().skipped, 18u);  // the last cycle has not ended yet
 }
 
-/// A periodic task that writes its name down in each cycle.
+/// Writes its name down in each cycle.
 struct Named final : PeriodicTask {
   Named(Duration period, std::string called, std::vector<std::string>& all)
       : PeriodicTask({.period = period}), called_(std::move(called)), all_(all) {}

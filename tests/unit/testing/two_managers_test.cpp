@@ -57,8 +57,8 @@ struct Operator final : PeriodicTask {
   Duration longestAge{};
 };
 
-/// A global manager, an arm in one process and its operator in another: three managers that share
-/// nothing but sockets, and memory on `shm`.
+/// Has a global manager, an arm in one process and its operator in another: three managers that
+/// share nothing but sockets, and memory on `shm`.
 struct System {
   explicit System(Lane lane) {
     robot.add("PSM", arm);
@@ -105,7 +105,7 @@ Trace traceOf(Lane lane, std::uint64_t seed) {
   return clock.trace();
 }
 
-/// A process that listens at `path` until it is killed.
+/// Is a process that listens at `path` until it is killed.
 class OtherProcess {
  public:
   explicit OtherProcess(const std::string& path) {

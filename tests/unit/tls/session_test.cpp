@@ -77,7 +77,7 @@ class SessionTest : public testing::Test {
   struct Verdicts {
     std::string ours, theirs;
   };
-  /// Our side against a stranger who shows `shown`.
+  /// Runs our side against a stranger who shows `shown`.
   Verdicts meet(Side side, const Shown& shown, int newest = TLS1_3_VERSION) const {
     Sockets sockets;
     Stranger stranger(shown, newest);
@@ -94,7 +94,7 @@ class SessionTest : public testing::Test {
     other.join();
     return {verdict, heard.get_future().get()};
   }
-  /// Our side against one that says `bytes` and no more.
+  /// Runs our side against one that says `bytes` and no more.
   std::string hear(Side side, const std::string& bytes) const {
     Sockets sockets;
     if (write(sockets.ends[1], bytes.data(), bytes.size()) < 0) std::abort();
@@ -107,7 +107,7 @@ class SessionTest : public testing::Test {
                               theirs_ = directory_.path() / "theirs";
 };
 
-/// Two of ours, through with the handshake.
+/// Has two of our sessions that are through with the handshake.
 struct Pair {
   Pair(std::shared_ptr<const Keys> left, std::shared_ptr<const Keys> right)
       : client(std::move(left), Side::Client, sockets.ends[0]),

@@ -1,5 +1,5 @@
-// How exact the depth of a marker is: the law of a stereo pair, and what a calibration that is
-// wrong does to it.
+// These tests say how exact the depth of a marker is: the law of a stereo pair, and what a
+// calibration that is wrong does to it.
 
 #include <gtest/gtest.h>
 
@@ -26,13 +26,13 @@ constexpr double kSensorNoise = 3;  // of 255, of each channel
 constexpr double kBlur = 0.6;       // px
 constexpr int kImages = 12, kManyImages = 24;
 constexpr int kDepths = 7;  // 60, 70, ... 120 mm
-// m: how far the tips are beside the axis; and by how much all moves from image to image, so that
-// each meets the grid of pixels differently.
+// The tips are kAside (m) beside the axis; all moves by kStep (m) from image to image, so that each
+// meets the grid of pixels differently.
 constexpr double kAside = 0.028, kStep = 0.0000437;
 
 double depthOf(int number) { return 0.06 + 0.01 * number; }
 
-/// The errors of markers' depths at one depth.
+/// Collects the errors of markers' depths at one depth.
 class Errors {
  public:
   void add(double error) { all_.push_back(error); }
@@ -68,7 +68,7 @@ class Observed {
     EXPECT_EQ(errors.count(), kMarkers * kImages) << "all are seen, at " << z;
     return errors;
   }
-  /// Those of the knot alone, which meets the grid of pixels in each way.
+  /// Returns the errors of the knot alone, which meets the grid of pixels in each way.
   Errors ofKnotAt(double z) {
     Errors errors;
     for (int i = 0; i < kManyImages; ++i) {
@@ -82,7 +82,8 @@ class Observed {
   }
 
  private:
-  /// m, of the markers that are seen, the knot first, when all are moved by `shift`.
+  /// Returns the errors of the markers that are seen, the knot first, when all are moved by
+  /// `shift`; m.
   std::vector<double> errorsAt(double z, const Vector3d& shift) {
     const std::array<Vector3d, kMarkers> truth{Vector3d(0.001, 0.006, z) + shift,
                                                Vector3d(-kAside, -0.002, z) + shift,
@@ -121,7 +122,7 @@ TEST(Accuracy, AnErrorOfTheDepthIsThatOfTheDisparityAtEachDepth) {
   RecordProperty("worst_disparity_px", std::to_string(worst));
 }
 
-// With four samples a pixel it scattered by 0.039 px, three quarters of which came of the edges.
+// With four samples a pixel it scattered by 0.039 px, and three quarters of that came of the edges.
 TEST(Accuracy, AKnotAtTheTargetScattersByLittleMoreThanTheNoiseOfTheSensor) {
   constexpr double kTarget = 0.11;  // m before the camera: where fig3b places it
   const double scatter = Observed(CameraPair{}).ofKnotAt(kTarget).deviation();

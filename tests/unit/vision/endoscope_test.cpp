@@ -1,5 +1,5 @@
-// The endoscope and the tracker as a deployment has them: rates, latency, dropouts, a hand before a
-// lens, and that poses come from pixels alone.
+// These run the endoscope and the tracker as a deployment has them: rates, latency, dropouts, a
+// hand before a lens, and poses that come from pixels alone.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -36,7 +36,7 @@ SceneFrames frames() {
   return frames;
 }
 
-/// In the scene: 15 mm to either side, at up to 30 mm/s.
+/// Returns the strand in the scene: 15 mm to either side, at up to 30 mm/s.
 Strand::Nodes strandAt(suture::Time time) {
   const double x = 0.015 * std::sin(2 * secondsBetween({}, time));
   Strand::Nodes nodes = hanging({-0.03, 0, -0.12}, {0, 0.006, -0.13}, {0.03, 0, -0.12});
@@ -44,7 +44,7 @@ Strand::Nodes strandAt(suture::Time time) {
   return nodes;
 }
 
-/// In the frame of the left camera.
+/// Returns the knot in the frame of the left camera.
 Vector3d knotAt(suture::Time time) {
   return frames().camera.inverse() * strandAt(time).col(Strand::kKnot);
 }
@@ -101,7 +101,7 @@ struct Panel final : suture::Device {
 
 using Sightings = std::map<suture::Time, KnotSighting>;
 
-/// A whole system of strand, cameras and tracker.
+/// Has a whole system of strand, cameras and tracker.
 class Theatre {
  public:
   explicit Theatre(const EndoscopeParameters& parameters) : endoscope_(parameters) {
@@ -118,7 +118,7 @@ class Theatre {
     manager_.connect("Panel/Vision", "Tracker/Vision");
     manager_.connect("Panel/Knot", "Tracker/Knot");
     manager_.start();
-    // What nobody has asked for is not published.
+    // A value that no client has asked for is not published.
     (void)panel.vision.sighting();
     (void)panel.knot.measured_cp();
     (void)panel.knot.measured_cv();
@@ -169,7 +169,7 @@ TEST(Endoscope, ImagesComeAsLateAsTheirLatencyWithTheStampOfTheExposure) {
       EXPECT_GE(age, latency);
       EXPECT_LE(age, latency + 1ms + Lens::kPeriod) << "a cycle of the strand, and of the lens";
     }
-    // What is in them is what was before the cameras then.
+    // Images show what was before the cameras then.
     int seen = 0;
     for (const auto& [stamp, sighting] : theatre.sightings) {
       if (!sighting.valid) continue;
@@ -203,7 +203,7 @@ TEST(Endoscope, OfWhichNothingComesShowsNothing) {
   EXPECT_TRUE(knot && !knot->valid);
 }
 
-// The first pair that is exposed with a hand before one eye is not valid, and neither is a pose.
+// The first pair that is exposed with a hand before one eye is not valid, and no pose comes of it.
 TEST(Tracker, SeesNothingWithinOneFrameOfACoveredLens) {
   Theatre theatre(steady());
   theatre.watch(500ms);

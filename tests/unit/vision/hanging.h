@@ -6,8 +6,8 @@
 
 namespace robots::test {
 
-/// A strand whose sides hang straight from the tips to the knot; m, in the frame of the left
-/// camera.
+/// Returns a strand whose sides hang straight from the tips to the knot; m, in the frame of the
+/// left camera.
 inline Strand::Nodes hanging(const Eigen::Vector3d& left, const Eigen::Vector3d& knot,
                              const Eigen::Vector3d& right) {
   Strand::Nodes strand;

@@ -57,7 +57,7 @@ TEST(ImageSensor, NoTwoImagesHaveTheSameNoise) {
   EXPECT_EQ(first.data, again.data) << "but a seed is a seed";
 }
 
-// What is as dark or as bright as it gets stays so, and does not come out at the other end.
+// A pixel that is as dark or as bright as it gets stays so, and does not come out at the other end.
 TEST(ImageSensor, NoiseNeitherUnderflowsNorOverflows) {
   for (const std::uint8_t extreme : {0, 255}) {
     ImageFrame image = grey(extreme);

@@ -1,5 +1,5 @@
-// What strand, tracking and fixtures do in a cycle never touches the heap once it has its memory.
-// To draw and to see does, in OpenGL and OpenCV: no control loop calls that.
+// Strand, tracking and fixtures never touch the heap in a cycle once they have their memory.
+// Drawing and seeing do, in OpenGL and OpenCV: no control loop calls them.
 
 #include <gtest/gtest.h>
 

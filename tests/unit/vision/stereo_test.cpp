@@ -1,4 +1,4 @@
-// What is drawn is found again, where it was.
+// The markers that are drawn are found again, where they were.
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST_F(Stereo, AMarkerIsFoundWhereItIsInTheImage) {
       const Eigen::Vector2d seen = cameras_.project(Eye::Left, *point);
       EXPECT_LT((seen - cameras_.project(Eye::Left, truth)).norm(), pixels) << "at " << z;
     };
-    // The strand hides a sliver of each, of the knot on both sides.
+    // The strand hides a sliver of each marker, of the knot on both sides.
     expect(Marker::Knot, knot, 0.2);
     expect(Marker::LeftTip, left, 0.2);
     expect(Marker::RightTip, right, 0.2);

@@ -100,7 +100,7 @@ TEST(Compatibility, VersionsOfAContractDoNotConnect) {
               {"interface Arm: version(2) here, version(1) there"});
 }
 
-/// The same contract, which derives from one with a command and an event.
+/// Returns the same contract, which derives from one with a command and an event.
 Json derived() {
   Json json = contract();
   const Json send = {{"name", "send"}, {"ordinal", 1}, {"from", "suture::Messages"}};

@@ -37,7 +37,8 @@ TEST(MemoryLayout, IsThatOfTheTablesToo) {
   EXPECT_NE(memoryLayout(info), layout);
 }
 
-// Who sends all of a value is not understood by who takes its used part, and the other way round.
+// A process that sends all of a value is not understood by one that takes its used part, and the
+// other way round.
 TEST(MemoryLayout, IsThatOfWhatTravelsOfAValue) {
   constexpr BoundedLevel kList[] = {{.size = 0, .data = 8, .stride = 8, .capacity = 100}};
   InterfaceInfo info = infoWith(kDescription);
@@ -74,7 +75,8 @@ TEST(MemoryLayout, OfAnotherBuildIsToldApart) {
             "differently");
 }
 
-/// Asks of a contract whose tables shift no stamp.
+/// Tells if the description has stamps that the tables of its contract, which are empty, do not
+/// shift.
 bool hidesStampsWith(const char* description) {
   InterfaceInfo info = infoWith(description);
   info.commands = {};

@@ -1,4 +1,4 @@
-// The law of a periodic task: executed + skipped = elapsed / period, within one.
+// This is the law of a periodic task: executed + skipped = elapsed / period, within one.
 
 #include <gtest/gtest.h>
 #include <suture/component/task/periodic_task.h>

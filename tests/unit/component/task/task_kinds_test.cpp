@@ -1,5 +1,5 @@
-// Tasks that do not simply own a thread with a clock: continuous, from a callback, in a borrowed
-// thread.
+// These tasks do not simply own a thread with a clock: they run continuously, from a callback, or
+// in a borrowed thread.
 
 #include <gtest/gtest.h>
 #include <suture/component/task/callback_task.h>
@@ -181,7 +181,7 @@ TEST(GuestTask, OutlivesAHostThatThrows) {
   host.start();
   EXPECT_TRUE(eventually([&] { return host.state() == ComponentState::Faulted; }));
   EXPECT_TRUE(ofGuest.arm.hold.start().within(kPatience));
-  // What waits for the parked host must not keep its thread busy.
+  // Commands that wait for the parked host must not keep its thread busy.
   const std::uint64_t before = guest.statistics().cycles;
   pass(50ms);
   EXPECT_LT(guest.statistics().cycles - before, 10u);

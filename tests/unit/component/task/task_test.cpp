@@ -95,8 +95,8 @@ TEST(EventTask, SleepsUntilACommandArrives) {
   EXPECT_TRUE(client.arm.hold.start().within(kPatience));
   const int before = arm.cycles;
   EXPECT_TRUE(client.arm.hold.start().within(kPatience));
-  // That of the first command, whose answer arrives before it counts itself; one for its answer's
-  // own ring; one for the second command.
+  // There may be a cycle for the first command, whose answer arrives before it counts itself; one
+  // for the ring of its answer; one for the second command.
   EXPECT_LE(arm.cycles - before, 3);
 }
 
@@ -109,7 +109,7 @@ struct AskingTask : EventTask {
   }
   virtual void work() = 0;
 
-  /// True once it has what it asked for.
+  /// Returns true once it has what it asked for.
   bool ask() {
     if (!eventually([&] { return connected.load(); })) return false;
     pass(20ms);
@@ -365,7 +365,7 @@ TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
   connectLocally(client.arm, arm.arm, "test");
   arm.start();
   EXPECT_TRUE(client.arm.park.start().within(kPatience));
-  // As it is when an older provider has been connected.
+  // An older provider has such a channel.
   const auto older = std::make_shared<Channel>(
       client.arm.info(),
       Channel::Terms{.name = "test",

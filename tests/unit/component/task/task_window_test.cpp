@@ -15,7 +15,7 @@ TEST(WindowMeter, SumsUpTheCyclesOfOneWindow) {
   WindowMeter meter;
   meter.setLength(10ms);
   EXPECT_FALSE(meter.last().valid());
-  // Periods of 1 and 3 ms in turn; cycles of 100 and 300 us.
+  // Cycles begin after 1 and 3 ms in turn, and take 100 and 300 us.
   const Duration begins[] = {0ms, 1ms, 4ms, 5ms, 8ms, 9ms};
   for (int i = 0; i < 6; ++i) {
     meter.cycle(at(begins[i]), at(begins[i] + (i % 2 == 0 ? 100us : 300us)), 3);
