@@ -1,4 +1,4 @@
-// Commands with several arguments, and commands that return a value.
+// These commands have several arguments, or return a value.
 #include <suture/component/channel/channel.h>
 
 #include <limits>
@@ -93,7 +93,7 @@ TEST_P(QueuedAnswers, WhatDoesNotFitIsRefused) {
   EXPECT_TRUE(arm->taken().empty());
 }
 
-// Whoever sends it is told at once, also by a command that awaits no answer, and what was wrong.
+// The sender is told at once, also by a command that awaits no answer, and hears what was wrong.
 TEST_P(JudgedArguments, WhatNoProviderMayActOnIsRefusedWhereItIsSent) {
   client->with([](Arm& remote) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

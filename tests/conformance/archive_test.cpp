@@ -1,5 +1,5 @@
-// What has no bounds, between devices: it arrives whole, and what is dropped, replaced or given up
-// on the way is freed, as AddressSanitizer's leak check tells.
+// Values without bounds travel between devices: they arrive whole, and what is dropped, replaced or
+// given up on the way is freed, as AddressSanitizer's leak check tells.
 
 #include "conformance/ends/archive.h"
 
@@ -52,7 +52,7 @@ class Archives : public testing::TestWithParam<bool> {
     providerManager_->stop();
   }
 
-  /// Handles events until `condition` holds; false if it does not within kPatience.
+  /// Handles events until `condition` holds; returns false if it does not within kPatience.
   template <class Condition>
   bool await(const Condition& condition) {
     const auto deadline = suture::now() + kPatience;

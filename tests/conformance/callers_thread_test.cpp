@@ -1,4 +1,4 @@
-// Commands that run in the caller's thread, where it shares a process with the provider.
+// These commands run in the caller's thread, where it shares a process with the provider.
 #include "conformance/setup.h"
 #include "support/patience.h"
 

@@ -1,4 +1,4 @@
-// What a provider's component is told of its clients.
+// A provider's component is told of its clients.
 
 #include "conformance/setup.h"
 

@@ -1,4 +1,4 @@
-// Every kind of command.
+// These send every kind of command.
 #include <suture/component/channel/channel.h>
 #include <suture/component/read_together.h>
 
@@ -155,7 +155,7 @@ TEST_P(Commands, AQualifiedReadAnswersItsQuestion) {
     ASSERT_TRUE(distance);
     EXPECT_EQ(*distance, 3.0);
   });
-  // An answer that is no number reaches nobody.
+  // No client gets an answer that is no number.
   arm->at([](ArmComponent& one) { one.garble(true); });
   client->with([](Arm& remote) {
     const auto distance = remote.distance.start(poseAt(4)).within(kPatience);

@@ -1,5 +1,5 @@
 #pragma once
-// Values as bytes, for another process of the same program.
+// These are values as bytes, for another process of the same program.
 
 #include <algorithm>
 #include <stdexcept>

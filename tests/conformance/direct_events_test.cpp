@@ -1,4 +1,4 @@
-// Handlers that run in the thread of whoever emits, where both ends share a process.
+// These handlers run in the emitter's thread, where both ends share a process.
 #include "conformance/setup.h"
 #include "support/patience.h"
 
@@ -27,7 +27,7 @@ class DirectEvents : public Conformance {
 };
 /// The provider runs them itself.
 class LentHandlers : public DirectEvents {};
-/// No throw ends in the test's own thread, as it would where that is the client's.
+/// Runs where no throw ends in the test's own thread, as it would where that is the client's.
 class ThrowingDirectEvents : public DirectEvents {};
 
 TEST_P(DirectEvents, TheyRunInTheEmittersThread) {

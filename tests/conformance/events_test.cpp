@@ -1,4 +1,4 @@
-// Events, from task and device to task and device.
+// These emit events, from task and device to task and device.
 #include <limits>
 
 #include "conformance/setup.h"
@@ -31,7 +31,7 @@ TEST_P(WireEvents, TheirOrderHolds) {
   }
 }
 
-// An enumerator that nobody declared, or a NaN, must not reach a handler as if it were a value.
+// An enumerator without a declaration, or a NaN, must not reach a handler as if it were a value.
 TEST_P(Events, WhatNoHandlerMayActOnReachesNobody) {
   arm->emitSoon([](Ports ports) {
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -46,8 +46,8 @@ TEST_P(Events, WhatNoHandlerMayActOnReachesNobody) {
   }));
 }
 
-// Whoever was told of a mode that no longer holds, and of nothing after it, would act on it for
-// ever.
+// A client that was told of a mode that no longer holds, and of nothing after it, would act on it
+// for ever.
 TEST_P(Events, TheLastValueOfALatchedEventIsHeardThoughTheQueueWasFull) {
   constexpr std::size_t kEmitted = 200;
   client->with([this](Arm& remote) {

@@ -1,4 +1,4 @@
-// What a client learns when something is wrong at the other end.
+// A client learns when something is wrong at the other end.
 #include <optional>
 
 #include "conformance/setup.h"
@@ -103,7 +103,7 @@ TEST_P(EndingsOfTasks, ACallThatWaitsWhenTheProviderEndsIsNotExecuted) {
   client->with([&](Arm&) {
     const auto& answer = behind->within(kPatience);
     ASSERT_FALSE(answer.has_value());
-    // Nobody can say more of what the provider has not heard, or has no lane left to tell.
+    // The client cannot know more of what the provider has not heard, or has no lane left to tell.
     EXPECT_TRUE(answer.error() == Errc::Lost || answer.error() == Errc::OutcomeUnknown);
     behind.reset();
   });

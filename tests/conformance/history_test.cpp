@@ -1,4 +1,4 @@
-// The past of a provider's state, over every lane.
+// These read the past of a provider's state, over every lane.
 #include <suture/component/read_together.h>
 
 #include "conformance/setup.h"

@@ -1,4 +1,4 @@
-// A contract that derives from another: used as itself, and as the one it derives from.
+// A contract that derives from another is used as itself, and as the one it derives from.
 #include "conformance/setup.h"
 #include "support/patience.h"
 

@@ -81,7 +81,7 @@ class Losses : public Conformance {
         [&](Arm& remote) { answered = remote.distance.start({}).within(50ms).has_value(); });
     return answered;
   }
-  // Nothing keeps a place at the provider for ever.
+  // Tells if each credit is back, since no command may keep its place at the provider for ever.
   bool creditsAreBack() const {
     const auto connection = channel();
     for (std::uint16_t i = 0; i < connection->info.commands.size(); ++i) {

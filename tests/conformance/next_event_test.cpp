@@ -1,4 +1,4 @@
-// Waiting for one event.
+// These wait for one event.
 #include <suture/component/channel/channel.h>
 
 #include <optional>

@@ -1,4 +1,5 @@
-// The order of commands, with the provider stalled and with the producer racing the drain.
+// These test the order of commands, with the provider stalled and with the producer racing the
+// drain.
 #include "conformance/setup.h"
 #include "support/patience.h"
 
@@ -19,7 +20,7 @@ class Order : public Conformance {
   }
 };
 class WireOrder : public Order {};
-/// Nothing lies between the client and the queue: what is replaced there has not been sent on.
+/// Has nothing between the client and the queue: what is replaced there has not been sent on.
 class DirectOrder : public Order {};
 
 TEST_P(Order, ServoThenHoldEndsInHold) {

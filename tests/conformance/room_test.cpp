@@ -1,4 +1,4 @@
-// A client that has more to send than a queue holds.
+// This client has more to send than a queue holds.
 #include <suture/rt/queue/mailbox.h>
 
 #include "conformance/setup.h"
@@ -11,7 +11,7 @@ using namespace std::chrono_literals;
 using suture::Errc;
 using suture::kPatience;
 
-/// A command that runs in the caller's thread has room always.
+/// Leaves out commands that run in the caller's thread, since they have room always.
 class Room : public Conformance {
  protected:
   /// Holds the provider inside a handler, and fills the queue of hold().
@@ -70,7 +70,7 @@ TEST_P(Room, WhoeverWaitsForItSendsAnyNumberAndNoneIsRefused) {
   });
   EXPECT_TRUE(eventuallyTaken(std::vector<std::string>(kMany, "hold")));
   EXPECT_EQ(channel()->commands.counters.full, 0u);
-  // On a stepped clock a task that nobody has rung looks again after a second.
+  // A task that is not rung looks again after a second of a stepped clock.
   if (clock) {
     EXPECT_LT(suture::now() - begin, 1s);
   }

@@ -54,8 +54,8 @@ std::array<Pair, 6> pairsOf(const Row& row) {
           pair(4, row.where, row.provider),  pair(5, row.transport, row.provider)};
 }
 
-/// Takes again and again, of the rows that have the rarest pair that is still missing, the first of
-/// those that bring the most pairs that are.
+/// Takes again and again one of the rows that have the rarest pair that is still missing: the first
+/// of those that bring the most missing pairs.
 std::vector<Row> covering(const std::vector<Row>& possible) {
   std::map<Pair, std::vector<const Row*>> missing;
   for (const Row& row : possible) {

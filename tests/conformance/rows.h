@@ -13,7 +13,7 @@ namespace conformance {
 
 enum class BaseLane { Local, Shm, Frame, Rpc, Added };
 
-/// A lane that the runtime does not have.
+/// Is a lane that the runtime does not have.
 struct AddedLane {
   const char* name = nullptr;
   std::function<std::unique_ptr<suture::LaneKind>()> make;
@@ -31,13 +31,13 @@ enum class Filter {
   Reordering,
 };
 
-/// The two processes reach each other by it.
+/// Says by what the two processes reach each other.
 enum class Transport { None, Unix, Tcp, Tls };
 
 enum class ProviderKind { Periodic, EventDriven, Device };
 enum class ClientKind { Task, Device };
 
-/// The client and its provider live there.
+/// Says where the client and its provider live.
 enum class Where { OneProcess, TwoProcesses, TwoNamespaces };
 
 struct Row {
@@ -48,7 +48,7 @@ struct Row {
   ClientKind client;
   Where where;
 
-  /// Then nothing crosses a wire.
+  /// Returns true if both ends have one manager: then nothing crosses a wire.
   bool sharesManager() const { return lane == BaseLane::Local; }
   /// The ends share a process, and nothing lies between them: one may run what is the other's.
   bool isDirect() const { return sharesManager() && filter == Filter::None; }
@@ -60,7 +60,7 @@ struct Row {
   /// A message may be lost, or be dropped because it came behind a newer one.
   bool isLossy() const { return filter >= Filter::Loss; }
 
-  /// Nothing of it follows the kernel's time: it runs on a stepped clock.
+  /// Returns true if nothing of it follows the kernel's time: it runs on a stepped clock.
   bool isStepped() const {
     return where == Where::OneProcess &&
            (transport == Transport::None || transport == Transport::Unix);
@@ -81,21 +81,22 @@ using Keep = std::function<bool(const Row&)>;
 /// Commands wait for the provider's thread.
 inline bool isQueued(const Row& row) { return !row.runsInCallersThread(); }
 
-/// A scenario that concerns the lane runs on these: in one process, by Unix sockets. They are the
-/// fewest that a simple search finds in which every pair of lane kind and provider, lane kind and
-/// client, and provider and client occurs, of those that `keep` leaves possible.
+/// Returns the rows that a scenario which concerns the lane runs on: in one process, by Unix
+/// sockets. They are the fewest that a simple search finds in which every pair of lane kind and
+/// provider, lane kind and client, and provider and client occurs, of those that `keep` leaves
+/// possible.
 std::vector<Row> laneRows(const Keep& keep = {});
-/// A scenario that also concerns what is below the lane runs on these: besides, each lane occurs on
-/// each transport, in one process, two processes and two namespaces; and each transport and place
-/// with each kind of provider.
+/// Returns the rows for a scenario that also concerns what is below the lane: besides, each lane
+/// occurs on each transport, in one process, two processes and two namespaces; and each transport
+/// and place with each kind of provider.
 std::vector<Row> wireRows(const Keep& keep = {});
-/// A scenario of which only the history is judged runs on these: each lane with each lossy filter,
-/// in one process and in two.
+/// Returns the rows for a scenario of which only the history is judged: each lane with each lossy
+/// filter, in one process and in two.
 std::vector<Row> lossyRows();
 
-/// To be called before the tests are known: all scenarios run over this lane, and over no other.
+/// Call it before the tests are known: all scenarios run over this lane, and over no other.
 void runOverAdded(AddedLane lane);
-/// That one; without a name if there is none.
+/// Returns that lane; it has no name if there is none.
 const AddedLane& addedLane();
 
 // These are all that is possible.

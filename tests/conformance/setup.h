@@ -33,7 +33,7 @@ class Conformance : public testing::TestWithParam<Row> {
   void connect(const std::string& required, const std::string& provided);
   /// Returns when the client has let go of the connection of its "Arm".
   void disconnectArm();
-  /// Only where the ends do not share a manager: the client's process goes away.
+  /// Makes the client's process go away; only where the ends do not share a manager.
   void endClientsProcess() { ownClientManager_.reset(); }
 
   bool eventuallyTaken(const std::vector<std::string>& lines) {
@@ -44,10 +44,10 @@ class Conformance : public testing::TestWithParam<Row> {
   void settle();
   /// Holds the provider inside a handler until the gate is opened.
   void stall();
-  /// The connection as the client's process sees it.
+  /// Returns the connection as the client's process sees it.
   std::shared_ptr<suture::Channel> channel() const { return clientManager_->channels().at(0); }
 
-  /// The provided interface that the client's "Arm" is connected to.
+  /// Names the provided interface that the client's "Arm" is connected to.
   virtual const char* provided() const { return "Arm"; }
   /// Says what befalls each message.
   virtual suture::FaultPlan faults() const;
@@ -66,7 +66,7 @@ class Conformance : public testing::TestWithParam<Row> {
   /// Makes those of the processes of this test, and returns their folder.
   std::string makeKeys() const;
   std::string managerAddress() const;
-  /// It is asked for; nobody has to ask for shared memory.
+  /// Returns the lane to ask for; shared memory needs no asking.
   suture::Lane askedLane() const;
   /// The connection's lane must be called so.
   std::string expectedLane() const;
@@ -80,8 +80,8 @@ class Conformance : public testing::TestWithParam<Row> {
 
 std::string nameOf(const testing::TestParamInfo<Row>& info);
 
-/// In the client's own thread, inside of Client::with(): waits for what rings the client, and
-/// neither handles an event nor begins a cycle meanwhile. False after kPatience.
+/// Waits, in the client's own thread inside of Client::with(), for what rings the client, and
+/// neither handles an event nor begins a cycle meanwhile. Returns false after kPatience.
 template <class Condition>
 bool awaitInPlace(suture::RequiredBase& remote, const Condition& condition) {
   bool held = false;

@@ -1,4 +1,4 @@
-// Subscribing and unsubscribing while both ends run.
+// These subscribe and unsubscribe while both ends run.
 #include <suture/component/channel/channel.h>
 
 #include "conformance/setup.h"
@@ -17,7 +17,8 @@ class Subscriptions : public Conformance {
   void emitArrival(double x) {
     arm->emitSoon([x](Ports ports) { EXPECT_TRUE(ports.arm.emit().arrived(poseAt(x))); });
   }
-  /// True when stopped() number `count` has come: what was emitted before has had its chance.
+  /// Returns true when stopped() number `count` has come: what was emitted before has had its
+  /// chance.
   bool afterStop(int count) {
     arm->emitSoon([](Ports ports) { ports.arm.emit().stopped(); });
     return client->await([count](const Received& received) { return received.stops == count; });
@@ -27,7 +28,7 @@ class Subscriptions : public Conformance {
     EXPECT_TRUE(remote.on().arrived(
         [&arrivals](const PoseStamped& pose) { arrivals.push_back(pose.pose.translation().x()); }));
   }
-  /// In the client's thread, so that a test sees what its handlers wrote.
+  /// Reads the value in the client's thread, so that a test sees what its handlers wrote.
   template <class T>
   T seen(const T& value) {
     T copy{};

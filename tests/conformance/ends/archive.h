@@ -1,5 +1,5 @@
 #pragma once
-// A device whose contract has no bounds, and its client.
+// This is a device whose contract has no bounds, and its client.
 
 #include <suture/component/device.h>
 
@@ -13,7 +13,7 @@
 
 namespace conformance {
 
-/// Keeps what it is given. Commands may come from any thread.
+/// Any thread may send commands. Keeps what it is given.
 class ArchiveDevice final : public suture::Device, public shapes::Archive {
  public:
   void put(const std::string& key, const shapes::Open& value) override {

@@ -1,6 +1,6 @@
 #pragma once
-// The provider of all scenarios: an ArmLike that writes down what it was told, as a task or as a
-// device.
+// This is the provider of all scenarios: an ArmLike that writes down what it was told, as a task or
+// as a device.
 
 #include <suture/component/device.h>
 #include <suture/component/task/event_task.h>
@@ -27,10 +27,10 @@ using reference::JointState;
 using reference::Mode;
 using reference::PoseStamped;
 
-/// The contract's implementation. Its log may be read by any thread.
+/// Any thread may read its log. Implements the contract.
 class RecordingArm : public GripperArm {
  public:
-  /// Where set_mode(Disabled) and move(..., "wait") are held up.
+  /// The gate holds up set_mode(Disabled) and move(..., "wait").
   explicit RecordingArm(Gate& tests) : gate(tests) {}
 
   void servo_cp(const PoseStamped& goal) override {
@@ -100,9 +100,9 @@ class RecordingArm : public GripperArm {
     ranIn_ = gettid();
     return width < 0.1;
   }
-  /// The process in which the last distance() ran.
+  /// Returns the process in which the last distance() ran.
   pid_t answeredBy() const { return answeredBy_; }
-  /// What it has been told of its clients, in order: "console:Teleop/Slave connected".
+  /// Returns what it has been told of its clients, in order: "console:Teleop/Slave connected".
   std::vector<std::string> clients() const {
     const std::lock_guard lock(mutex_);
     return clients_;
@@ -115,16 +115,16 @@ class RecordingArm : public GripperArm {
     return log_;
   }
 
-  /// When the pose was last asked of it.
+  /// Returns when the pose was last asked of it.
   suture::Time evaluated() const {
     const std::lock_guard lock(mutex_);
     return evaluated_;
   }
   /// Any thread: from now on its joints do not fit what the contract declares.
   void outgrow() { outgrown_ = true; }
-  /// Any thread: whether what it measures, and what it answers from that, is no number.
+  /// Any thread: if `garbled`, what it measures, and what it answers from that, is no number.
   void garble(bool garbled) { garbled_ = garbled; }
-  /// From now on writes down each goal: its place is its client, its number and its connection.
+  /// Writes down each goal from now on: its place is its client, its number and its connection.
   void keepHistory(const std::string& file) {
     const std::lock_guard lock(mutex_);
     history_.emplace(file);
@@ -141,7 +141,7 @@ class RecordingArm : public GripperArm {
   }
 
  private:
-  /// How old the runtime found the command whose handler runs.
+  /// Returns how old the runtime found the command whose handler runs.
   virtual suture::Duration commandAge() const = 0;
 
   void log(std::string line) {
@@ -180,7 +180,7 @@ class RecordingArm : public GripperArm {
   mutable std::atomic<pid_t> ranIn_{0}, answeredBy_{0};
 };
 
-/// What a component provides: the contract, and one that derives from it.
+/// Has what a component provides: the contract, and one that derives from it.
 struct Ports {
   suture::Provided<ArmLike>& arm;
   suture::Provided<GripperArm>& gripper;
@@ -207,7 +207,7 @@ class Emissions {
   std::vector<std::function<void(Ports)>> asked_;
 };
 
-/// What every kind of provider offers the test.
+/// Is what every kind of provider offers the test.
 class ArmComponent : public RecordingArm {
  public:
   using RecordingArm::RecordingArm;
@@ -220,7 +220,7 @@ class ArmComponent : public RecordingArm {
       ++emitted_;
     });
   }
-  /// How many emissions have run, and in which thread the last one began.
+  /// Returns how many emissions have run; the other tells in which thread the last one began.
   int emitted() const { return emitted_; }
   pid_t emittedIn() const { return emittedIn_; }
 

@@ -20,7 +20,7 @@ namespace conformance {
 using Arm = suture::Required<ArmLike>;
 using Gripper = suture::Required<GripperArm>;
 
-/// What arrived as events.
+/// Has what arrived as events.
 struct Received {
   std::vector<Mode> modes;
   std::vector<double> arrivals;
@@ -35,7 +35,7 @@ class Client {
   virtual suture::Component& component() = 0;
   /// Runs `work` in the client's thread and returns when it has ended.
   virtual void with(const std::function<void(Arm&)>& work) = 0;
-  /// The same with the other interface, where it is connected.
+  /// Does the same with the other interface, where it is connected.
   void withGripper(const std::function<void(Gripper&)>& work) {
     with([&](Arm&) { work(gripper()); });
   }

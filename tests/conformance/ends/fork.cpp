@@ -20,7 +20,7 @@ void say(int socket, const std::string& bytes) {
   if (send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) std::perror("say");
 }
 
-/// Receives one message; false if the other end has gone.
+/// Receives one message; returns false if the other end has gone.
 bool hear(int socket, std::string& bytes) {
   bytes.resize(kMostBytes);
   const ssize_t size = recv(socket, bytes.data(), bytes.size(), 0);
@@ -28,7 +28,7 @@ bool hear(int socket, std::string& bytes) {
   return size > 0;
 }
 
-// What is thrown in it must not bring the copy back among the tests.
+// The copy is noexcept, so that what is thrown in it does not bring it back among the tests.
 [[noreturn]] void serve(int socket, const std::function<std::shared_ptr<void>()>& make) noexcept {
   std::shared_ptr<void> made = make();
   for (std::string asked; hear(socket, asked);) {

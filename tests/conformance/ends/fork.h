@@ -10,11 +10,11 @@
 
 namespace conformance {
 
-/// A copy of this process that does what it is asked, one thing after the other.
+/// Is a copy of this process that does what it is asked, one thing after the other.
 class Fork {
  public:
-  /// What it does: a function of this program, of what the copy has made and of bytes that it is
-  /// sent. Answers with bytes.
+  /// Is what the copy does: a function of this program, of what the copy has made and of bytes that
+  /// it is sent. It answers with bytes.
   using Deed = std::string (*)(void* made, const std::string& given);
 
   /// `make` runs in the copy, before all deeds. Call it before this process has a second thread.

@@ -18,29 +18,31 @@
 
 namespace conformance {
 
-/// Returns what proves that a process is `process`: its files in the folder `keys`; "": nothing.
+/// Returns what proves that a process is `process`: its files in the folder `keys`; nothing if that
+/// is "".
 suture::Security securityOf(const std::string& process, const std::string& keys);
 
-/// What there is in the provider's process.
+/// Has what there is in the provider's process.
 struct Hosted {
   std::unique_ptr<ArmComponent> arm;
   std::unique_ptr<suture::Manager> manager;
 };
 
-/// An arm and its manager, here or in a fork of this process. Any thread, once it is made.
+/// Any thread may use it, once it is made. Has an arm and its manager, here or in a fork of this
+/// process.
 class Provider {
  public:
   /// Call it before this process has a second thread.
   Provider(ProviderKind kind, Where where);
 
-  /// As process "provider" of that global manager; "": the client shares its manager, and starts
-  /// it.
+  /// Starts it as process "provider" of that global manager; if that is "", the client shares its
+  /// manager, and starts it.
   void start(const std::string& address, const std::string& keys = "");
   void stop();
-  /// Only in one process.
+  /// Returns the manager; call it only in one process.
   suture::Manager& manager() { return *hosted_->manager; }
 
-  /// The gate of the arm, in whichever process that is.
+  /// Returns the gate of the arm, in whichever process that is.
   Gate& gate() const { return *gate_; }
 
   /// Runs `work` with the arm where that lives, and returns what it returns. Both may cross to
@@ -61,7 +63,7 @@ class Provider {
   std::vector<std::string> clients() const {
     return at([](ArmComponent& arm) { return arm.clients(); });
   }
-  /// "" if nothing has been taken.
+  /// Returns "" if nothing has been taken.
   std::string lastTaken() const {
     const std::vector<std::string> lines = taken();
     return lines.empty() ? "" : lines.back();

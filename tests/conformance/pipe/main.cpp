@@ -1,4 +1,4 @@
-// The conformance suite over a lane that is not the runtime's.
+// This runs the conformance suite over a lane that is not the runtime's.
 
 #include <gtest/gtest.h>
 

@@ -27,7 +27,7 @@ struct Pipe {
   kj::AutoCloseFd in, out;
 };
 
-/// Where another process of this machine finds an end of a pipe.
+/// Returns where another process of this machine finds an end of a pipe.
 std::string pathOf(const kj::AutoCloseFd& end) {
   return "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(end.get());
 }
@@ -131,8 +131,8 @@ frame::FramedOn PipeLane::lead(kj::AutoCloseFd in, kj::AutoCloseFd out) {
   return {name(), thread_, std::move(link), kNumber, frame::Form::Encoded};
 }
 
-// Whoever reads behind an end is told by that end: of a socket too, also while the other direction
-// has it open.
+// A reader behind an end is told when that end closes: of a socket too, also while the other
+// direction has it open.
 void PipeLane::pump(kj::AutoCloseFd from, kj::AutoCloseFd to) {
   const auto body = [from = std::make_shared<kj::AutoCloseFd>(kj::mv(from)),
                      to = std::make_shared<kj::AutoCloseFd>(kj::mv(to))]() mutable {

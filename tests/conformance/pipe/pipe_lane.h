@@ -1,7 +1,7 @@
 #pragma once
-// A lane that the runtime does not have: frames through a pair of pipes between two processes of
-// one machine. It shows what a lane has to bring. Values travel encoded, as between builds that
-// differ.
+// This is a lane that the runtime does not have: frames through a pair of pipes between two
+// processes of one machine. It shows what a lane has to bring. Values travel encoded, as between
+// builds that differ.
 
 #include <suture/lane/frame/framed_connection.h>
 #include <suture/lane/frame/lane_thread.h>
@@ -23,7 +23,7 @@ class PipeLane final : public suture::LaneKind {
   kj::Own<suture::LaneServer> makeServer(suture::ServerSession& session) override;
   void stop() override;
 
-  /// A link of its own for a connection, which reads from one pipe and writes into the other.
+  /// Makes a link for one connection alone, which reads from one pipe and writes into the other.
   suture::frame::FramedOn lead(kj::AutoCloseFd in, kj::AutoCloseFd out);
 
  private:
