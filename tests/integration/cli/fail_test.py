@@ -1,4 +1,4 @@
-"""What is said when something is not there, or is not what it should be."""
+"""These tests say what is said when something is not there, or is not what it should be."""
 
 import json
 import os
@@ -14,7 +14,7 @@ GOAL = json.dumps({"goal": {"pose": {**ROTATION, "x": 0, "y": 0, "z": 0}, "stamp
 
 class Fail(System):
     def examined(self, *targets):
-        """The doctor's steps on the way to the last target, and what he says to people."""
+        """Returns the doctor's steps on the way to the last target, and what it says to people."""
         done = self.run_suture("doctor", *targets, "--timeout", "2s", "--json")
         self.assertEqual((done.returncode, done.stderr), (1, ""))
         told = json.loads(done.stdout)

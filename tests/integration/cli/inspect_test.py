@@ -1,4 +1,4 @@
-"""ps, describe, doctor and why, of processes that are well."""
+"""These tests run ps, describe, doctor and why on processes that are well."""
 
 import os
 import signal

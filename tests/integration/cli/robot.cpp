@@ -1,5 +1,5 @@
-// A process with one of everything: cli_robot <manager address> <process name>. Provides
-// Hand/Gripper, whose contract derives from robots::Arm, and requires arms and names. Ends on
+// This is a process with one of everything: cli_robot <manager address> <process name>. It provides
+// Hand/Gripper, whose contract derives from robots::Arm, and requires arms and names. It ends on
 // SIGTERM.
 
 #include <suture/component/task/event_task.h>
@@ -72,7 +72,7 @@ class Hand final : public suture::EventTask, public robots::Gripper {
   suture::Provided<robots::Gripper> gripper_{*this, "Gripper", *this};
 };
 
-/// Only needs. Whatever is to be read is too old for its connection.
+/// Requires interfaces and provides none. All that it could read is too old for its connection.
 class Surgeon final : public suture::EventTask {
  public:
   Surgeon() { far_.declareFrames({.reference = "camera", .moving = ""}); }

@@ -1,4 +1,4 @@
-"""`suture` beside a system whose processes prove who they are."""
+"""These tests run `suture` beside a system whose processes prove who they are."""
 
 import pathlib
 import stat

@@ -122,7 +122,7 @@ class Stranger final : public suture::wire::Peer::Server {
   const std::string how_;
 };
 
-/// What lives on the control thread.
+/// Holds what lives on the control thread.
 struct Presence {
   suture::rpc::Refusals refusals{"stranger"};
   std::unique_ptr<suture::rpc::LinkServer> server;

@@ -1,4 +1,4 @@
-"""A running system, and `suture` beside it. Arguments of a test: the programs suture, suture-manager, cli_robot, cli_stranger."""
+"""Runs a system, and `suture` beside it. Arguments of a test: the programs suture, suture-manager, cli_robot, cli_stranger."""
 
 import json
 import pathlib
@@ -26,7 +26,7 @@ class System(unittest.TestCase):
         self.address = f"unix:{folder.name}/manager.sock"
 
     def start(self, *command, ending=signal.SIGTERM, **settings):
-        """A process that says when it is ready; ended, in this order, when the test ends."""
+        """Starts a process that says when it is ready; when the test ends, processes are ended, the latest first."""
         process = subprocess.Popen(command, text=True, stdout=subprocess.PIPE, **settings)
         self.addCleanup(self.end, process, ending)
         self.heard = process.stdout.readline()
@@ -34,7 +34,7 @@ class System(unittest.TestCase):
         return process
 
     def start_and_hear(self, *command):
-        """The same; what it said."""
+        """Does the same, and returns what it said."""
         self.start(*command)
         return self.heard
 
@@ -58,7 +58,7 @@ class System(unittest.TestCase):
         return self.start(ROBOT, self.address, name)
 
     def start_robot_ahead(self, seconds, name="robot"):
-        """The same, with another steady clock. Only root may."""
+        """Does the same, with another steady clock. Only root may."""
         return self.start("/usr/bin/unshare", "--time", "--monotonic", str(seconds), "--fork", "--kill-child",
                           ROBOT, self.address, name, ending=signal.SIGKILL)  # unshare hears nothing else
 
@@ -80,24 +80,24 @@ class System(unittest.TestCase):
         return json.loads(done.stdout)
 
     def said(self, *words):
-        """What it prints, in the end that everything is well."""
+        """Returns what it prints; at the end all must be well."""
         done = self.run_suture(*words)
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
         return done.stdout
 
     def told(self, *words):
-        """The same for programs."""
+        """Does the same for programs."""
         return json.loads(self.said(*words, "--json"))
 
     def await_silence(self, name):
-        """Until the manager has missed that process."""
+        """Waits until the manager has missed that process."""
         deadline = time.monotonic() + PATIENCE
         while not any(one["name"] == name and one["silent"] for one in self.told("ps")):
             self.assertLess(time.monotonic(), deadline, "it is not missed")
             time.sleep(0.01)
 
     def refused(self, *words, status=1):
-        """What it says, to people and to programs, when it cannot do as asked."""
+        """Returns what it says, to people and to programs, when it cannot do as asked."""
         done = self.run_suture(*words)
         self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
         asked = self.run_suture(*words, "--json")

@@ -73,7 +73,7 @@ class Use(System):
         self.assertEqual((value["pose"]["x"], value["pose"]["z"], value["stamp"], value["valid"]), (0.125, -2.0, 9, True))
 
     def test_what_was_read_can_be_sent(self):
-        """So nothing of a type is lost on the way through JSON."""
+        """This shows that nothing of a type is lost on the way through JSON."""
         value = self.told("read", GRIPPER, "everything")["value"]
         arguments = json.dumps({"x": value["goal"]})
         self.assertEqual(self.told("call", GRIPPER, "inverse_kinematics", "--args", arguments, "tolerance=1")["value"], value)

@@ -1,4 +1,4 @@
-"""What happens when processes of a running demo are killed, and when it is interrupted."""
+"""These kill processes of a running demo, and interrupt it."""
 
 import json
 import os
@@ -89,7 +89,7 @@ class Ended(unittest.TestCase):
 
 
 class Workstation(unittest.TestCase):
-    """The programs without the demo around them."""
+    """These run the programs without the demo around them."""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -108,7 +108,7 @@ class Workstation(unittest.TestCase):
     def workstation(self, topology, *arguments):
         process = self.start("suture-workstation", "--deployment", topology, "--report-fd", "-",
                              *arguments)
-        # Read all the time: a workstation leaves out reports that nobody takes.
+        # This reads all the time, since a workstation leaves out reports that are not taken.
         process.messages = queue.Queue()
         reader = threading.Thread(target=self.read, args=(process,))
         reader.start()
@@ -138,7 +138,7 @@ class Workstation(unittest.TestCase):
         return text
 
     def newest_report(self, process):
-        """One that is written after this call."""
+        """Returns one that is written after this call."""
         while not process.messages.empty():
             self.next_message(process)
         self.await_message(process, "report")  # may have been on its way

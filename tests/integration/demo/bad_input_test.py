@@ -31,7 +31,7 @@ class Workstation(unittest.TestCase):
         self.file = self.folder / "d.json"
 
     def error_of(self, deployment, *options):
-        """Standard error of a workstation that must refuse `deployment`."""
+        """Returns the standard error of a workstation that must refuse `deployment`."""
         text = deployment if isinstance(deployment, str) else json.dumps(deployment, indent=1)
         self.file.write_text(text)
         process = subprocess.run(

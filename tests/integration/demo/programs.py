@@ -1,4 +1,4 @@
-"""Starting the demo's programs, and looking for what they leave behind."""
+"""Starts the demo's programs, and looks for what they leave behind."""
 
 import json
 import os
@@ -17,16 +17,16 @@ PATIENCE = 60  # s; only so that a hang ends the test
 
 
 class Demo:
-    """A demo under way. Standard output and error together.
+    """Is a demo under way, with standard output and error together.
 
     Without `real_time` its user may have no real-time priorities: two demos beside each other would take all time of two
-    processors from everybody else, so those that have them take turns (CMakeLists.txt).
-    """
+    processors from all other processes, so those that have them take turns (CMakeLists.txt).
+"""
 
     def __init__(self, programs, *arguments, real_time=False):
         self.folder = tempfile.TemporaryDirectory()
         self.json = pathlib.Path(self.folder.name) / "result.json"
-        # Its own temporary folder, so that what it leaves there can be seen.
+        # The demo has its own temporary folder, so that what it leaves there can be seen.
         environment = dict(os.environ, TMPDIR=self.folder.name)
         self.process = subprocess.Popen(
             [*([] if real_time else WITHOUT_REAL_TIME), programs / "suture-demo", "--json", self.json, *arguments],
@@ -42,7 +42,7 @@ class Demo:
         self.folder.cleanup()
 
     def finish(self):
-        """Exit status and output."""
+        """Returns exit status and output."""
         output, _ = self.process.communicate(timeout=PATIENCE)
         return self.process.returncode, output
 
@@ -69,7 +69,7 @@ class Demo:
         return [pid for pid, _ in children_of(self.process.pid)]
 
     def leftovers(self):
-        """What is in the temporary folder beside the result."""
+        """Returns what is in the temporary folder beside the result."""
         return [path.name for path in pathlib.Path(self.folder.name).iterdir() if path != self.json]
 
 
@@ -87,7 +87,7 @@ def children_of(parent):
 
 
 def eventually(condition, patience=10):
-    """True once the condition holds. For what another process does, of which nobody is told."""
+    """Returns true once the condition holds. It is for what another process does and no one announces."""
     deadline = time.monotonic() + patience
     while not condition():
         if time.monotonic() > deadline:
@@ -97,7 +97,7 @@ def eventually(condition, patience=10):
 
 
 def all_end(pids):
-    """True once none of the processes exists."""
+    """Returns true once none of the processes exists."""
     return eventually(lambda: not any(pathlib.Path(f"/proc/{pid}").exists() for pid in pids))
 
 

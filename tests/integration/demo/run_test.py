@@ -21,9 +21,9 @@ CONNECTIONS = {"single": 40, "fig3a": 40, "fig3b": 39, "fig3b_tasks": 39, "fig3c
 # A run's length counts from when all is connected. In fig3b guiding begins only after four arms have homed, which takes
 # seconds of a busy machine's time, and the knot cannot be judged unless it was guided.
 SECONDS = {"single": 4, "fig3a": 4, "fig3b": 10, "fig3b_tasks": 10, "fig3c": 4}
-# Hz: of some demos beside each other the threads that wake up leave no time to those that look at images. Lane rpc has to
-# be slower still, for it carries images and each read within a process by TLS; and so do twenty processes, in which nothing
-# is within a process.
+# This is the rate of the demo, Hz: when some demos run beside each other, the threads that wake up leave no time to those that look at
+# images. Lane rpc has to be slower still, for it carries images and each read within a process by TLS; and so do twenty processes, in which
+# nothing is within a process.
 RATES = {"auto": "500", "shm": "500", "frame": "500", "rpc": "200"}
 RATE_OF_TWENTY_PROCESSES = "200"
 SLAVES = {
@@ -55,7 +55,7 @@ def expected_lane(connection, lane, network):
     return "shm" if network == "unix" else "frame"
 
 
-# What a busy machine does to a slave and to a knot; not that a knot was never guided.
+# A busy machine does this to a slave and to a knot; that a knot was never guided is not among it.
 LATE = r"follows .*error .* at p99|the knot (ended|came|was guided) |the cameras saw the knot "
 
 

@@ -83,7 +83,7 @@ class Topologies(unittest.TestCase):
         self.assertIn("finding topology '/no/such.json'", errors)
 
     def test_new_file_is_a_new_topology(self):
-        """One master drives the slave of the other workstation, and nobody drives the other slave."""
+        """One master drives the slave of the other workstation, and no master drives the other slave."""
         deployment = json.loads((TOPOLOGIES / "fig3c.json").read_text())
         deployment["title"] = "one slave alone"
         left, right = (process["components"] for process in deployment["processes"])

@@ -1,4 +1,4 @@
-"""Of two demos beside each other one has real-time priorities, and the other one says why it has none."""
+"""One of two demos beside each other has real-time priorities, and the other one says why it has none."""
 
 import pathlib
 import sys

@@ -1,4 +1,4 @@
-"""A process that collects what one of its tasks does, told by its deployment file alone."""
+"""A process collects what one of its tasks does, told by its deployment file alone."""
 
 import json
 import pathlib
@@ -23,7 +23,7 @@ class Collectors(unittest.TestCase):
         self.file = self.folder / "spindle.jsonl"
 
     def start(self, cycles, collectors, *options):
-        """`collectors`: components, with what of the spindle each is connected to."""
+        """Starts a process; `collectors` are components, with what of the spindle each is connected to."""
         spindle = component("Spindle", "Spindle", cycles=cycles, brake=str(self.folder / "brake"))
         spindle["library"] = LIBRARY
         deployment = self.folder / "d.json"
@@ -47,12 +47,12 @@ class Collectors(unittest.TestCase):
         return (self.folder / "stderr").read_text()
 
     def collected(self):
-        """The complete lines."""
+        """Returns the complete lines."""
         text = self.file.read_text() if self.file.exists() else ""
         return [json.loads(line) for line in text.splitlines(keepends=True) if line.endswith("\n")]
 
     def await_collected(self, *fits):
-        """What is in the file once it has a line for each of `fits`."""
+        """Returns what is in the file once it has a line for each of `fits`."""
         deadline = time.monotonic() + 30
         while True:
             lines = self.collected()
@@ -66,7 +66,7 @@ class Collectors(unittest.TestCase):
         station.communicate(timeout=60)
 
     def test_rows_and_events_up_to_a_fault_are_in_the_file(self):
-        # Seconds in which the collectors are connected: before that nobody keeps anything for them.
+        # The collectors are connected within these seconds: before that the provider keeps nothing for them.
         cycles = 3000
         station = self.start(cycles, [
             (component("Rows", "StateCollector", file="spindle.jsonl", reads=["angle"]), "Turntable"),
@@ -87,7 +87,7 @@ class Collectors(unittest.TestCase):
         self.assertEqual(states, ["Running", "Faulted"], self.told())
         lines = [line for line in lines if line["from"] == "Rows"]
         rows = [line for line in lines if "row" in line]
-        # From the first row that was asked for to the last before the fault.
+        # The rows go from the first that was asked for to the last before the fault.
         self.assertEqual(rows[-1]["angle"], cycles - 1, self.told())
         before = None
         missed = 0

@@ -1,4 +1,4 @@
-"""A process that is told to end while it starts, or while nobody reads what it tells."""
+"""A process is told to end while it starts, or while what it tells is not read."""
 
 import fcntl
 import json
@@ -12,7 +12,7 @@ from stations import Stations, component
 
 
 def unread(pipe):
-    """How many bytes wait in it."""
+    """Returns how many bytes wait in it."""
     return int.from_bytes(fcntl.ioctl(pipe, termios.FIONREAD, bytes(4)), sys.byteorder)
 
 

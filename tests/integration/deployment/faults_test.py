@@ -1,4 +1,4 @@
-"""A process whose task faults: restarted within the budget, then parked in its safe state, with dumps of each fault."""
+"""A process whose task faults is restarted within the budget, then parked in its safe state, with dumps of each fault."""
 
 import json
 import pathlib
@@ -59,7 +59,7 @@ class Faults(unittest.TestCase):
             time.sleep(0.01)
 
     def end(self, station):
-        """Exit status and what was told."""
+        """Returns exit status and what was told."""
         station.terminate()
         _, told = station.communicate(timeout=60)
         return station.returncode, told
@@ -90,7 +90,7 @@ class Faults(unittest.TestCase):
             self.assertEqual(fault, {"from": "Spindle", "fault": "the spindle has seized",
                                      "first": number, "last": number})
             angles = [row["angle"] for row in rows if row["from"] == "Spindle/Turntable"]
-            # Every cycle but the one that threw, up to the fault, and perhaps some after the restart.
+            # The dump has every cycle up to the fault but the one that threw, and perhaps some after the restart.
             self.assertGreaterEqual(len(angles), 49)
             self.assertIn(50 * number - 1, angles)
             self.assertEqual(angles, sorted(angles))

@@ -1,4 +1,4 @@
-"""A process whose file schedules its threads and locks its memory, with the rights to that and without."""
+"""The file of a process schedules its threads and locks its memory, with the rights to that and without."""
 
 import json
 import os
@@ -50,7 +50,7 @@ class RealTime(unittest.TestCase):
         return process
 
     def start_station(self, real_time, prefix=()):
-        """A task under SCHED_FIFO, and one beside it whose connection to it is carried by a frame link."""
+        """Starts a task under SCHED_FIFO, and one beside it whose connection to it is carried by a frame link."""
         socket = f"unix:{self.folder}/manager.sock"
         manager = self.start([MANAGER, "--listen", socket])
         self.assertIn("ready on", manager.stdout.readline())

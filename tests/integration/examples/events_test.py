@@ -1,4 +1,4 @@
-"""examples/05_events: who is there from the start hears all, who comes late hears the state."""
+"""examples/05_events: a client that is there from the start hears all, one that comes late hears the state."""
 
 import re
 import unittest

@@ -25,7 +25,7 @@ class Example(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        # Where the manager's default address is.
+        # The manager's default address is in this folder.
         self.environment = dict(os.environ, TMPDIR=folder.name, XDG_RUNTIME_DIR=folder.name)
         signal.signal(signal.SIGALRM, overdue)
         signal.alarm(PATIENCE)
@@ -44,7 +44,7 @@ class Example(unittest.TestCase):
         self.await_line(manager.stdout, "ready on")
 
     def station(self, example, file, *arguments, program=None):
-        """The program of an example, or another one, with one of its deployment files. Its manager is the test's own."""
+        """Starts the program of an example, or another one, with one of its deployment files. Its manager is the test's own."""
         deployment = json.loads((EXAMPLES / example / file).read_text())
         if "manager" in deployment:
             deployment["manager"] = f"unix:{self.folder}/suture/manager.sock"
@@ -60,7 +60,7 @@ class Example(unittest.TestCase):
         return self.fail(f"it ended before it wrote a line with: {pattern}")
 
     def await_motion(self, stream, name):
-        """How far a MotionDisplay says that its master and slave have moved, in mm, once either has moved by 30 mm."""
+        """Returns how far a MotionDisplay says that its master and slave have moved, in mm, once either has moved by 30 mm."""
         while True:
             found = self.await_line(stream, rf"^{name}: master moved by +([\d.]+) mm, slave by +([\d.]+) mm$")
             master, slave = float(found[1]), float(found[2])
@@ -68,13 +68,13 @@ class Example(unittest.TestCase):
                 return master, slave
 
     def output_of(self, process):
-        """What a program prints until it ends by itself, which must be well."""
+        """Returns what a program prints until it ends by itself, which must be well."""
         output, errors = process.communicate()
         self.assertEqual((process.returncode, errors), (0, ""), output)
         return output
 
     def refusal_of(self, process):
-        """What a program says that ends because something is missing or wrong."""
+        """Returns what a program says that ends because something is missing or wrong."""
         output, errors = process.communicate()
         self.assertEqual((process.returncode, output), (1, ""), errors)
         return errors

@@ -1,4 +1,4 @@
-"""examples/09_three_namespaces: two arms on two machines, watched from a third; skipped for who may lay no networks."""
+"""examples/09_three_namespaces: two arms on two machines, watched from a third; skipped for users who may lay no networks."""
 
 import os
 import pathlib

@@ -1,5 +1,5 @@
-// A process that provides PSM/Arm: arm_host <manager address> <process name> [<folder of keys>].
-// Ends on SIGTERM.
+// This is a process that provides PSM/Arm: arm_host <manager address> <process name> [<folder of
+// keys>]. It ends on SIGTERM.
 
 #include <suture/manager/manager.h>
 #include <suture/names/security.h>

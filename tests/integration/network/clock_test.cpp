@@ -1,4 +1,4 @@
-// A provider whose steady clock is not the client's: in a time namespace of its own.
+// The steady clock of this provider is not the client's: it is in a time namespace of its own.
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/loop/control_thread.h>
@@ -79,7 +79,7 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
   EXPECT_EQ(host->end(SIGKILL), -SIGKILL);
 }
 
-/// A clock that falls behind by 100 us in each second.
+/// Has a clock that falls behind by 100 us in each second.
 class DriftTest : public ClockTest {};
 
 TEST_P(DriftTest, IsFollowed) {

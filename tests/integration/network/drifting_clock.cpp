@@ -1,5 +1,6 @@
-// Stands in for the steady clock of a process: that of its machine, less 100 us in each second
-// since DRIFT_FROM, ns. A slower clock, so that a sleep ends early, and what slept sleeps again.
+// This stands in for the steady clock of a process: that of its machine, less 100 us in each second
+// since DRIFT_FROM, ns. It is a slower clock, so that a sleep ends early, and what slept sleeps
+// again.
 
 #include <sys/syscall.h>
 #include <time.h>

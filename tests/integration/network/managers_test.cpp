@@ -1,4 +1,4 @@
-// Several global managers, each a process, and processes that fall silent.
+// Several global managers run, each as a process, and processes fall silent.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// suture-manager, and where it listens.
+/// Is suture-manager, and knows where it listens.
 struct ManagerProcess : Child {
   explicit ManagerProcess(const std::string& at) : Child({paths::kSutureManager, "--listen", at}) {
     const std::string ready = line(), expected = "suture-manager: ready on ";
@@ -30,7 +30,7 @@ struct ManagerProcess : Child {
   std::string address;
 };
 
-/// A process that asks for the arm.
+/// Is a process that asks for the arm.
 struct Asker {
   Asker(const std::string& name, const std::string& managers) : manager(name, managers) {
     manager.add("Console", console);
@@ -55,7 +55,7 @@ class ManagersTest : public testing::TestWithParam<const char*> {
     EXPECT_EQ(child->line(), "ready");
     return child;
   }
-  /// A process that has known nobody finds the provider.
+  /// Expects that a process which has known no other finds the provider.
   void expectFound(double x) const {
     Asker fresh("fresh", all_);
     fresh.connect();

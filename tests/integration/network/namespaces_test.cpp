@@ -1,4 +1,4 @@
-// A client and a provider on two machines, as far as the network goes.
+// A client and a provider are on two machines, as far as the network goes.
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
 #include <suture/loop/control_thread.h>
@@ -24,7 +24,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Address of the manager, lane asked for, lane expected.
+/// Is the address of the manager, the lane asked for, and the lane expected.
 using Case = std::tuple<const char*, Lane, const char*>;
 
 class Namespaces : public testing::TestWithParam<Case> {
@@ -51,7 +51,7 @@ class Namespaces : public testing::TestWithParam<Case> {
     if (control_ == nullptr) control_ = std::make_unique<rpc::ControlThread>();
     return *control_;
   }
-  /// In a namespace of its own, at the other end of the cable.
+  /// Starts the host in a namespace of its own, at the other end of the cable.
   std::unique_ptr<Child> host() {
     const std::string program = std::string(paths::kArmHost) + " '" + names_->address() +
                                 "' robot" + (isSecure() ? " " + keys() : "");

@@ -55,7 +55,7 @@ class NetworkTest : public testing::TestWithParam<const char*> {
     const std::string kind = GetParam();
     return kind == "unix" ? "unix:" + directory_.file(file) : kind + "://127.0.0.1:0";
   }
-  /// Keys, made when they are first needed.
+  /// Returns keys, which are made when they are first needed.
   Security securityOf(const std::string& process) {
     if (std::string(GetParam()) != "tls") return {};
     if (!std::filesystem::exists(keys_ / (process + ".key"))) tls::makeKeys(keys_, {process});

@@ -1,5 +1,6 @@
-// An ordinary Cap'n Proto program: plain_client <address of a process>. Moves its PSM/Arm, reads
-// it, hears its events, and asks for nonsense. Prints what it got, one fact a line.
+// This is an ordinary Cap'n Proto program: plain_client <address of a process>. It moves its
+// PSM/Arm, reads it, hears its events, and asks for nonsense. It prints what it got, one fact a
+// line.
 
 #include <capnp/ez-rpc.h>
 #include <suture/peer.capnp.h>

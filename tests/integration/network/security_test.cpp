@@ -1,5 +1,5 @@
-// Processes that say who they are, and what a provider's policy lets them do. Managers within this
-// process are processes to each other: nothing is shared but the sockets.
+// Processes say who they are, and a provider's policy says what they may do. Managers within this
+// process are processes to each other: they share nothing but the sockets.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>
@@ -42,8 +42,8 @@ class SecurityTest : public testing::Test {
   Manager process(const std::string& name, Policy policy = {}) const {
     return Manager(name, names_.address(), securityOf(name, std::move(policy)));
   }
-  /// What process 'robot' answers a caller with the certificate of `holder`; `ask(peer, answer)`
-  /// sends one request.
+  /// Returns what process 'robot' answers a caller with the certificate of `holder`; `ask(peer,
+  /// answer)` sends one request.
   template <class Ask>
   std::string robotsAnswer(const std::string& holder, Ask ask) {
     rpc::ControlThread control;
@@ -98,7 +98,7 @@ class SecurityTest : public testing::Test {
 const Role kEverything{.full = {"*/*"}, .read = {}};
 const Role kLooksAtArms{.full = {}, .read = {"PSM/Arm"}};
 
-/// A process 'robot' with an arm.
+/// Is a process 'robot' with an arm.
 struct Robot {
   explicit Robot(const std::function<Manager()>& make) : manager(make()) {
     manager.add("PSM", arm);

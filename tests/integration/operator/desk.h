@@ -1,5 +1,5 @@
 #pragma once
-// An operator at two masters, in one process.
+// This is an operator at two masters, in one process.
 
 #include <suture/manager/manager.h>
 
@@ -15,8 +15,8 @@
 
 namespace robots::test {
 
-/// Whoever sits at the desk requires "Left", "Right" and "Vision", and sees the picture late by
-/// what `delay` adds.
+/// Seats a task, which requires "Left", "Right" and "Vision", and sees the picture late by what
+/// `delay` adds.
 struct Desk {
   explicit Desk(const SceneFrames& frames = {}) : registration(frames) {
     manager.add("LeftMaster", left);
@@ -28,7 +28,7 @@ struct Desk {
   }
   ~Desk() { manager.stop(); }
 
-  /// At the desk, as "Operator"; `task` must live as long as this.
+  /// Seats `task`, which must live as long as this, as "Operator".
   void seat(suture::Task& task, suture::Duration delay) {
     manager.add("Operator", task);
     manager.connect("Operator/Left", "LeftMaster/Arm");
@@ -43,7 +43,7 @@ struct Desk {
     manager.connect("Operator/Registration", "Registration/Registration");
     manager.start();
   }
-  /// What the registration tells takes so much longer from now on.
+  /// Makes what the registration tells take so much longer from now on.
   void registerLate(suture::Duration delay) {
     manager.disconnect("Operator/Registration");
     manager.connect("Operator/Registration", "Registration/Registration",

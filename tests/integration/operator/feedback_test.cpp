@@ -1,4 +1,4 @@
-// What the hands of an operator feel of slaves that they know with a delay.
+// The hands of an operator feel slaves that they know with a delay.
 
 #include <gtest/gtest.h>
 
@@ -27,8 +27,8 @@ OperatorParameters feeling(bool passive) {
           .passive = passive};
 }
 
-/// 50 ms there and 50 ms back. A slave is exactly where its master sends it, so the master's arm
-/// stands for both, and a metre of it is one of the slave's.
+/// Has a delay of 50 ms there and 50 ms back. A slave is exactly where its master sends it, so the
+/// master's arm stands for both, and a metre of it is one of the slave's.
 struct FeelingHands : testing::Test {
   void begin(OperatorParameters parameters) {
     parameters.target = kPlace;
@@ -44,7 +44,7 @@ struct FeelingHands : testing::Test {
   double energy() const {
     return std::min(desk.surgeon->leftEnergy(), desk.surgeon->rightEnergy());
   }
-  /// J, the least in so much time.
+  /// Returns the least energy in so much time, J.
   double leastEnergy(int milliseconds) {
     double least = energy();
     for (int i = 0; i < milliseconds; ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// What measures by how much the picture lags behind the masters, where an operator sits.
+// This measures by how much the picture lags behind the masters, where an operator sits.
 
 #include <suture/component/required.h>
 #include <suture/component/task/periodic_task.h>
@@ -20,8 +20,9 @@ namespace robots::test {
 /// and picture.
 class LagProbe final : public suture::PeriodicTask {
  public:
-  /// `scale`: how far the knot moves for a metre of both masters. `moved` is the direction in which
-  /// it moves them, in their base frames, and `seen` that direction in the camera's frame; units.
+  /// `scale` is how far the knot moves for a metre of both masters. `moved` is the direction in
+  /// which it moves them, in their base frames, and `seen` that direction in the camera's frame;
+  /// both are unit vectors.
   explicit LagProbe(double scale, const Eigen::Vector3d& moved = Eigen::Vector3d::UnitX(),
                     const Eigen::Vector3d& seen = Eigen::Vector3d::UnitX())
       : PeriodicTask({.period = std::chrono::milliseconds(1)}),

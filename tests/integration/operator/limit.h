@@ -1,6 +1,6 @@
 #pragma once
-// With which delay of the picture an operator still closes a stable loop: by the formula, and found
-// by trying.
+// These tell with which delay of the picture an operator still closes a stable loop: by the
+// formula, and by trying.
 
 #include <suture/base/time.h>
 
@@ -13,15 +13,15 @@
 
 namespace robots::test {
 
-/// s: a quarter of a turn at the frequency of crossover, less the operator's own delay and the
+/// Returns a quarter of a turn at the frequency of crossover, less the operator's own delay and the
 /// loop's, s.
 inline double limitByFormula(const OperatorParameters& parameters, double loop) {
   return std::numbers::pi / (2 * parameters.crossover_frequency) - inSeconds(parameters.delay) -
          loop;
 }
 
-/// Whether what swings gets smaller. `error()` is how far it is from its rest. On a stepped clock,
-/// 33 s of it.
+/// Tells if what swings gets smaller. `error()` is how far it is from its rest. It takes 33 s of a
+/// stepped clock.
 template <class Error>
 bool diesOut(const Error& error) {
   const auto swing = [&] {

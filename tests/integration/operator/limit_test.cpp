@@ -1,5 +1,5 @@
-// The longest delay of the picture with which an operator closes a stable loop: a quarter of a turn
-// at the frequency of crossover, less the operator's own delay and the loop's.
+// This is the longest delay of the picture with which an operator closes a stable loop: a quarter
+// of a turn at the frequency of crossover, less the operator's own delay and the loop's.
 
 #include "integration/operator/limit.h"
 
@@ -30,10 +30,10 @@ double measuredLag(suture::Duration delay) {
   return probe.lag();
 }
 
-/// Whether the error of the knot dies out.
+/// Tells if the error of the knot dies out.
 bool isStable(suture::Duration delay) {
   Desk desk;
-  // So little that no bound is reached.
+  // The way is so short that no bound is reached.
   desk.seatOperator({.target = {0.002, 0, 0}, .remnant = 0, .tremor = 0}, delay);
   return diesOut([&] { return desk.knot().x() - 0.002; });
 }

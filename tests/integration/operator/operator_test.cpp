@@ -86,7 +86,8 @@ struct OnTheWay : AtDesk {
     desk.seatOperator(parameters);
     pass(500ms);
   }
-  /// What is in the picture counts after the operator's delay, and so does that nothing is.
+  /// Expects rest once the operator's delay has passed: what the picture shows, or that it shows
+  /// nothing, counts only then.
   void expectRest() {
     pass(1s);
     const Vector3d held = leftHand();

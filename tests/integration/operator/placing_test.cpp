@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// All of the system, in one process.
+/// Has all of the system, in one process.
 struct Theatre {
   explicit Theatre(suture::Duration delay) {
     leftMaster.addTo(manager, "MTML");
@@ -64,7 +64,7 @@ struct Theatre {
     manager.connect("Endoscope/Registration", "Registration/Registration");
     manager.connect("Tracker/Images", "Endoscope/Images");
   }
-  /// How far the knot is from its target, m.
+  /// Returns how far the knot is from its target, m.
   double error() const { return (strand.strand().nodes.col(Strand::kKnot) - kKnotTarget).norm(); }
 
   DrivenMtm leftMaster{Side::Left}, rightMaster{Side::Right};
@@ -78,7 +78,7 @@ struct Theatre {
   suture::Manager manager{"theatre"};
 };
 
-/// How late the picture is.
+/// Runs with each lateness of the picture.
 class PlacingAKnot : public testing::TestWithParam<std::chrono::milliseconds> {};
 INSTANTIATE_TEST_SUITE_P(Delays, PlacingAKnot, testing::Values(0ms, 150ms),
                          [](const auto& one) { return std::to_string(one.param.count()) + "ms"; });

@@ -1,5 +1,5 @@
 #pragma once
-// What an operator works in, reduced to what the operator notices.
+// This is what an operator works in, reduced to what the operator notices.
 
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
@@ -14,13 +14,13 @@
 
 namespace robots::test {
 
-/// A guide that lets everything pass, and a camera that exposes a picture each cycle: the knot
-/// begins at the origin and moves by kScale times the mean of what both masters move. The camera's
-/// frame is the scene's. Members that are atomic are any thread's.
+/// Any thread may use members that are atomic. Is a guide that lets everything pass, and a camera
+/// that exposes a picture each cycle: the knot begins at the origin and moves by kScale times the
+/// mean of what both masters move. The camera's frame is the scene's.
 class Scene final : public suture::PeriodicTask, public KnotVision, public Guidance {
  public:
   static constexpr double kScale = 0.4;
-  /// 15 pictures a second, as the synthetic endoscope has it.
+  /// There are 15 pictures a second, as the synthetic endoscope has them.
   static constexpr suture::Duration kPeriod = std::chrono::microseconds(66'667);
 
   Scene() : PeriodicTask({.period = kPeriod}) {}

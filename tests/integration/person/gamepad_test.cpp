@@ -1,4 +1,4 @@
-// A person at a gamepad, whose events come through a FIFO.
+// A person is at a gamepad, whose events come through a FIFO.
 
 #include "person/gamepad.h"
 
@@ -243,7 +243,7 @@ TEST_F(GamepadTest, HasAClutchThatIsFreshWhileItsDeviceIsThere) {
   EXPECT_EQ(seat_.feet.clutch, (std::vector<bool>{false, true, false, true}));
 }
 
-// Without an arm: its clock and its goals would be counted too.
+// There is no arm, since its clock and its goals would be counted too.
 TEST(Gamepad, NeverAllocatesInItsCycle) {
   Fifo fifo;
   fifo.plugIn();

@@ -1,4 +1,4 @@
-// A person at a keyboard, whose keys come through a pseudo terminal.
+// A person is at a keyboard, whose keys come through a pseudo terminal.
 
 #include "person/keyboard.h"
 
@@ -142,7 +142,7 @@ TEST(Keyboard, LeavesTheTerminalAsItWas) {
   EXPECT_FALSE(pty.handsOverKeys());
 }
 
-// Without an arm: its clock and its goals would be counted too.
+// There is no arm, since its clock and its goals would be counted too.
 TEST(Keyboard, NeverAllocatesInItsCycle) {
   PseudoTerminal pty;
   Keyboard keyboard{{.terminal = pty.path()}};

@@ -1,5 +1,5 @@
 #pragma once
-// Where a person sits: a master and what else there is, as the test wants them.
+// This is where a person sits: a master and what else there is, as the test wants them.
 
 #include <suture/component/device.h>
 #include <suture/component/provided.h>
@@ -47,7 +47,7 @@ class ScriptedTeleoperation final : public suture::PeriodicTask, public Teleoper
   suture::Provided<Teleoperation> port_{*this, "Teleoperation", *this};
 };
 
-/// The gripper of the master. Its angle is -1 until somebody squeezes it.
+/// Is the gripper of the master. Its angle is -1 until the test squeezes it.
 class ScriptedHand final : public suture::PeriodicTask, public GripperHand {
  public:
   ScriptedHand() : PeriodicTask({.period = std::chrono::milliseconds(1)}) {}
@@ -116,7 +116,7 @@ struct Seat {
     manager.add("Feet", feet);
     manager.connect("Feet/Pedals", "Person/Pedals");
   }
-  /// How many goals the master gets.
+  /// Returns how many goals the master gets.
   std::size_t goalsIn(suture::Duration duration) {
     master.forgetGoals();
     suture::pass(duration);

@@ -28,7 +28,7 @@ def run(command, **options):
 
 
 def build(project, suture, compiler="g++"):
-    # Else __FILE__ has the folder's name, which is another in each run, and ccache finds nothing.
+    # __FILE__ would have the folder's name, which is another in each run, and ccache would find nothing.
     run(["cmake", "-S", project, "-B", project / "build", "-G", "Ninja", "--log-level=WARNING",
          f"-DCMAKE_CXX_FLAGS=-ffile-prefix-map={project}=.",
          f"-DSuture_DIR={suture}", f"-DCMAKE_CXX_COMPILER={compiler}", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_STANDARD=20", "-DCMAKE_UNITY_BUILD=ON"])
@@ -37,7 +37,7 @@ def build(project, suture, compiler="g++"):
 
 
 def call_across_processes(project, suture, seed, server_program=None):
-    """`server_program`: an older one than the client; it lacks what is optional."""
+    """Calls `server_program`, an older one than the client, which lacks what is optional."""
     address = f"unix:{project}/manager.sock"
     program = project / "build" / "invented"
     verb = "call-older" if server_program else "call"
@@ -98,7 +98,7 @@ def main():
         build(folder, suture)
         call_across_processes(folder, suture, options.seed)
 
-        # A field more: one header edited, and update-lock.
+        # This adds a field: one header is edited, and update-lock runs.
         types.structs["Record4"].append(random_types.Field("added", "Eigen::Vector3d"))
         write_types()
         build(folder, suture)

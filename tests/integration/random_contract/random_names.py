@@ -1,20 +1,20 @@
 """Names that Cap'n Proto's language, its C++, the standard library's C++ or suturec's generated code has a use for itself."""
 
-# Of types, each with its name on the wire (docs/types.md): what Cap'n Proto needs there gets a word more.
+# These are names of types, each with its name on the wire (docs/types.md): what Cap'n Proto needs there gets a word more.
 ESCAPED = ["Text", "Data", "List", "Void", "Bool", "Int8", "UInt64", "Float32", "AnyPointer", "AnyStruct", "Capability",
            "Reader", "Builder", "Pipeline", "Cxx", "Meta"]
 PLAIN = ["Client", "Server", "Slot", "Wire", "Value", "Which", "Union", "Group", "Struct", "Enum", "Interface", "Import",
          "Kj", "Capnp", "Std", "Arguments", "State", "Events", "Request", "Element", "Orphan", "Message", "Result", "Item0"]
 TYPES = {**{name: name + "Type" for name in ESCAPED}, **{name: name for name in PLAIN}}
 
-# Of members: all are distinct on the wire, where `foo_bar` is `fooBar`.
-# Not `base`: in a struct with a base class it is refused as a clash on the wire, not escaped.
+# These are names of members: all are distinct on the wire, where `foo_bar` is `fooBar`. `base` is none of them, since in a struct with a
+# base class it is refused as a clash on the wire, not escaped.
 MEMBERS = ["text", "list", "data", "reader", "builder", "group", "which", "stamp", "sent", "get", "set", "has", "init",
            "adopt", "disown", "value", "self", "slot", "wire", "name", "eof", "emit", "id", "type", "suture", "kj",
            "capnp", "in", "out", "result", "arguments", "count", "size", "begin", "end", "index", "path", "some", "none",
            "item0", "item1", "key", "entry", "element", "error", "root", "message", "import_", "struct_", "interface",
            "annotation", "const_", "using_", "void_", "fooBar", "text_value", "valueText", "store", "load", "reserve",
            "to_wire", "from_wire", "isValid", "other", "i", "n", "it", "maxAge", "as", "of", "from", "with", "now"]
-# Not `first`: beside `First` it is refused as a clash on the wire, not escaped.
+# `first` is none of them, since beside `First` it is refused as a clash on the wire, not escaped.
 ENUMERATORS = ["eof", "nan", "overflow", "null", "text", "which", "union_", "enumerant", "value", "domain",
                "unknown", "none", "some"]

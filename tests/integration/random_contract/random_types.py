@@ -1,4 +1,4 @@
-"""Random annotated C++ types: the header's text, and how a test fills and compares their values."""
+"""Draws random annotated C++ types: the header's text, and how a test fills and compares their values."""
 
 import random
 
@@ -22,7 +22,7 @@ OPEN = 1 << 16  # of a level: its values have so many elements, but no capacity(
 
 
 class Field:
-    """One member: its declaration, and the bounds of its levels, which its annotation states unless they are OPEN."""
+    """Is one member: its declaration, and the bounds of its levels, which its annotation states unless they are OPEN."""
 
     def __init__(self, name, type_, bounds=(), owns_heap=False):
         self.name, self.type, self.bounds, self.owns_heap = name, type_, bounds, owns_heap
@@ -59,7 +59,7 @@ class Types:
         return [f"member_{i}" for i in range(count)]
 
     def enumerators(self):
-        """Those that values.h takes, and in between what is only compiled."""
+        """Returns those that values.h takes, and in between what is only compiled."""
         more = self.random.sample(random_names.ENUMERATORS, 4) if self.data_only else []
         return ", ".join(["First", *more[:2], "Second = 70", *more[2:], "Third"])
 
@@ -79,7 +79,7 @@ class Types:
         return self.random.choice(NUMBERS)
 
     def nested(self, depth):
-        """A type, its bounds outside in, and whether it owns heap."""
+        """Returns a type, its bounds from outside to inside, and True if it owns heap."""
         kind = self.random.randrange(9 if depth > 0 else 2)
         if kind == 0:
             return "std::string", [self.random.randint(1, 9)], True
@@ -174,7 +174,7 @@ class Types:
         return [*lines, "};", ""]
 
     def values(self):
-        """C++ that fills and compares the structs, on top of values.h."""
+        """Returns C++ that fills and compares the structs, on top of values.h."""
         lines = ['#pragma once', '#include "values.h"', '#include "invented.h"', "", "namespace invented {", ""]
         for name, fields in self.structs.items():
             lines += [f"inline void fill({name}& value, Random& random);",
@@ -220,7 +220,7 @@ class Types:
                 f"    return std::exchange({name}_, value);\n  }}")
 
 
-# What a client finds that knows optional commands: at a provider of its own age, and at an older one.
+# A client that knows optional commands finds this at a provider of its own age, and at an older one.
 OPTIONAL = r'''
   const auto later = client.arm.later.start().within(10s);
   const auto later_void = client.arm.later_void();

@@ -24,7 +24,7 @@ def declarations(name):
 
 
 def check(types, name):
-    """The lines that check one struct, and each of its members that has a bound once too long."""
+    """Returns the lines that check one struct, and each of its members that has a bound with one element too many."""
     lines = ["  {", f'    RoundTrip<{name}, {name}Slot, wire::{random_names.TYPES[name]}> trip("{name}");',
              f"    checkAll(trip, random, {name}());"]
     for field in types.structs[name]:

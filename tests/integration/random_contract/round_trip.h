@@ -1,5 +1,5 @@
 #pragma once
-// Random values of a type through its slot and its message, and back.
+// These send random values of a type through its slot and its message, and back.
 
 #include <suture/base/encoding.h>
 #include <suture/base/slots/shared_slot.h>
@@ -104,7 +104,8 @@ class RoundTrip {
   int beyond_ = 0;
 };
 
-/// A few hundred values: of any length, of none, of the greatest, and with NaN and infinity inside.
+/// Checks a few hundred values: of any length, empty, of the greatest length, and with NaN and
+/// infinity inside.
 template <class Trip, class Value>
 void checkAll(Trip& trip, Random& random, Value) {
   using Length = Random::Length;

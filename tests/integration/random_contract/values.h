@@ -1,5 +1,5 @@
 #pragma once
-// Random values of every kind of member that a type may have, and their comparison.
+// These make random values of every kind of member that a type may have, and compare them.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -26,10 +26,10 @@
 
 namespace invented {
 
-/// A type of ours, so that the functions below are found by their argument whatever they fill.
+/// Is a type of ours, so that the functions below are found by their argument whatever they fill.
 struct Random : std::mt19937_64 {
-  /// How many elements containers get; Beyond: the first one more than it may have, all others
-  /// what they may.
+  /// Says how many elements containers get; with Beyond the first one gets one more than it may
+  /// have, all others what they may.
   enum class Length { Any, Empty, Full, Beyond };
 
   explicit Random(std::uint64_t seed) : std::mt19937_64(seed) {}
@@ -119,8 +119,8 @@ inline bool equal(const std::string& a, const std::string& b, Tag) { return a ==
 
 template <class Rep, class Period>
 void fill(std::chrono::duration<Rep, Period>& value, Random& random, Bounds&) {
-  // Less than half a year, so that it fits in nanoseconds; whole milliseconds, so that nothing is
-  // rounded.
+  // The value is less than half a year, so that it fits in nanoseconds, and whole milliseconds, so
+  // that nothing is rounded.
   value = std::chrono::duration_cast<std::chrono::duration<Rep, Period>>(
       std::chrono::milliseconds(static_cast<std::int64_t>(random() % 10'000'000'000)));
 }
@@ -236,7 +236,7 @@ bool equal(const T& a, const T& b, Tag tag) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), same);
 }
 
-/// What has keys, of which no two are equal.
+/// Fills what has keys, of which no two are equal.
 template <class Element, class T>
 void fillDistinct(T& value, Random& random, Bounds& bounds) {
   value.clear();

@@ -1,4 +1,4 @@
-// The scripted assistant: what it does to the emergency stop, and what it enables again.
+// These test what the scripted assistant does to the emergency stop, and what it enables again.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::pass;
 
-/// Another hand at the stop.
+/// Is another hand at the stop.
 struct Bystander final : suture::Device {
   suture::Required<EmergencyStop> button{*this, "Stop"};
 };
@@ -28,7 +28,7 @@ class AssistantTest : public testing::Test {
  protected:
   ~AssistantTest() override { manager_.stop(); }
 
-  /// Pressed never, if `pressAfter` is zero.
+  /// Starts it; it never presses if `pressAfter` is zero.
   void start(suture::Duration pressAfter) {
     assistant_.emplace(AssistantParameters{.press_after = pressAfter, .release_after = 1s});
     manager_.add("Coordinator", coordinator_);

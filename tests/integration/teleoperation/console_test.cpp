@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 using suture::pass;
 using Names = std::vector<std::string>;
 
-/// Whoever looks at the console, and notes what it and its arms become.
+/// Looks at the console, and notes what it and its arms become.
 struct Onlooker final : suture::Device {
   Onlooker() {
     console.on().console_state([this](const ConsoleState& state) { states.push_back(state); });

@@ -1,4 +1,4 @@
-// The whole contract of an arm, from another process and from the same one.
+// These use the whole contract of an arm, from another process and from the same one.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -33,7 +33,7 @@ struct Operator final : suture::Device {
   double ratio = 0;
 };
 
-/// Whether the arm and its operator share a process.
+/// The parameter tells if the arm and its operator share a process.
 class Crtk : public testing::TestWithParam<bool> {
  protected:
   void SetUp() override {
@@ -63,7 +63,7 @@ class Crtk : public testing::TestWithParam<bool> {
   Operator operator_;
 };
 
-/// Whoever listens to standard messages hears those of an arm.
+/// A listener of standard messages hears those of an arm.
 TEST_P(Crtk, ItsMessagesAreTheStandardOnes) {
   struct Listener final : suture::Device {
     Listener() {

@@ -1,4 +1,4 @@
-// An arm over drives whose encoder jumps, or whose motor gives too much.
+// This arm is over drives whose encoder jumps, or whose motor gives too much.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -52,7 +52,7 @@ class PlantedFault : public testing::Test {
   bool becomes(ArmState wanted) {
     return suture::clockOfTest().until([&] { return state() == wanted; });
   }
-  /// Where the yaw is, and not what is planted.
+  /// Returns where the yaw is, and not what is planted.
   double joint() { return drives_.SimulatedDrives::feedback().position[0]; }
   DrivePower power() { return drives_.SimulatedDrives::feedback().power; }
   void expectTold(ArmWarning reason) {

@@ -1,4 +1,4 @@
-// An arm and its drives, each with a task of its own, where one of the two stands still.
+// An arm and its drives have a task each, and one of the two stands still.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>

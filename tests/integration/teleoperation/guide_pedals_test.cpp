@@ -51,7 +51,7 @@ TEST_F(GuideWithPedals, HoldsBothSlavesWhilePedalsAreSilent) {
   expectThatBothHoldUntil([&] { console_.stuck = false; });
 }
 
-/// The knot is not lost meanwhile: nobody but the tips moves it.
+/// The knot is not lost meanwhile, since only the tips move it.
 TEST_F(GuideWithPedals, KnowsWhereTheKnotIsWhileTheClutchIsPressed) {
   console_.clutch = true;
   ASSERT_TRUE(becomes(GuidanceState::Clutched));

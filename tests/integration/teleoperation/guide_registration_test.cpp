@@ -8,6 +8,7 @@
 namespace robots::test {
 namespace {
 
+/// The guide goes on by where things stood, for as long as the last sighting of the knot counts.
 TEST_F(Guide, GoesOnByALostRegistrationAsLongAsTheKnotCounts) {
   manager_.disconnect("Guide/Registration");
   pass(50ms);
@@ -46,7 +47,7 @@ TEST_F(Guide, DoesNotBeginAnewByARegistrationThatIsOld) {
   EXPECT_EQ(guide_.guidance_state(), GuidanceState::Preparing);
 }
 
-/// Nobody has registered where the camera was when the picture was taken.
+/// No registration says where the camera was when the picture was taken.
 TEST_F(Guide, SeesNothingInPicturesFromBeforeTheRegistration) {
   RegistrationTable moved{[] {
     SceneFrames frames;
@@ -65,8 +66,7 @@ TEST_F(Guide, SeesNothingInPicturesFromBeforeTheRegistration) {
   manager_.stop();  // before what it runs is gone
 }
 
-// No goal leads there while its tool is not in, so nobody may believe that it is guided.
-
+/// Turns what stands there about `centre`, m.
 void turn(Eigen::Isometry3d& frame, const Vector3d& centre, double angle, const Vector3d& axis) {
   const Eigen::Translation3d there(centre);
   frame = there * Eigen::AngleAxisd(angle, axis.normalized()) * there.inverse() * frame;
@@ -85,7 +85,8 @@ SceneFrames turnedScene() {
   return frames;
 }
 
-/// What the surgeon sees at the display is what happens in the picture.
+/// Has everything turned: what the surgeon sees at the display is still what happens in the
+/// picture.
 class TurnedGuide : public Guide {
  protected:
   TurnedGuide() : Guide(turnedScene()) {}

@@ -8,7 +8,7 @@
 namespace robots::test {
 namespace {
 
-// What the guide sends is at most so far from where a slave is: of data as old as allowed.
+// The guide sends at most this far from where a slave is, by data as old as allowed.
 constexpr double kMostAstray = 0.004;  // m
 
 TEST_F(Guide, HasBothSlavesFollowTheirMasters) { expectThatBothFollow(); }
@@ -109,7 +109,7 @@ TEST_F(Guide, DoesNotSayThatItGuidesASlaveThatTakesNoGoals) {
   expectThatBothFollow();
 }
 
-/// Else it would catch up at once, by a way that no fixture has looked at, when the limit ends.
+/// It would catch up at once when the limit ends, by a way that no fixture has looked at.
 TEST_F(Guide, SendsASlaveThatSlidesAlongALimitNotFarFromWhereItIs) {
   arms_[2].stayAbove(-0.031);
   forgetGoals();
@@ -120,9 +120,7 @@ TEST_F(Guide, SendsASlaveThatSlidesAlongALimitNotFarFromWhereItIs) {
   EXPECT_GT(goals(), 1000u) << "the other one would follow no more";
 }
 
-/// Where things stood is good enough to go on, until nobody has seen the knot from a camera that is
-/// registered.
-
+// No goal leads there while its tool is not in, so the surgeon must not believe that it is guided.
 TEST_F(Guide, IsDisabledByASlaveThatRefusesItsGoalsAndSaysWhy) {
   for (ScriptedArm* slave : {&arms_[2], &arms_[3]}) {
     slave->warn(ArmWarning::NotInserted);
@@ -140,8 +138,6 @@ TEST_F(Guide, IsDisabledByASlaveThatRefusesItsGoalsAndSaysWhy) {
   }
 }
 
-/// The surgeon has pedals, and a viewer that tells of presence.
-
 TEST_F(Guide, FollowsNothingWhileItIsDisabled) {
   ASSERT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
   guide_.disable();
@@ -154,8 +150,6 @@ TEST_F(Guide, FollowsNothingWhileItIsDisabled) {
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   expectThatBothFollow();
 }
-
-/// Turns what stands there about `centre`, m.
 
 TEST(KnotGuide, RefusesAScaleAndALineThatNobodyCanFollow) {
   EXPECT_THROW(KnotGuide({.scale = -1}), suture::SetupError);

@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::pass;
 
-/// The surgeon's fingers, and eyes for the jaw.
+/// Has the surgeon's fingers, and eyes for the jaw.
 struct SqueezingSurgeon final : suture::Device {
   suture::Required<GripperHand> hand{*this, "Hand"};
   suture::Required<Jaw> jaw{*this, "Jaw"};

@@ -144,7 +144,7 @@ TEST_P(Knot, ComesToItsTargetThoughBothHandsSwayAndMiss) {
   EXPECT_EQ(dropped, 0u) << "rows are missing";
 }
 
-/// On one lane alone: that the hands miss has nothing to do with it.
+/// Runs on one lane alone, since no lane has a part in the hands' miss.
 class UnguidedKnot : public Knot {};
 INSTANTIATE_TEST_SUITE_P(InOneProcess, UnguidedKnot, testing::Values(suture::Lane::Auto),
                          [](const auto& one) { return toString(one.param); });
@@ -158,7 +158,7 @@ TEST_P(UnguidedKnot, MissesItsTarget) {
   EXPECT_GT(judged().error, 0.003);
 }
 
-/// Nothing is given to the guide but what the cameras see.
+/// The guide gets nothing but what the cameras see.
 TEST_P(Knot, IsNotGuidedByWhatNobodySees) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));

@@ -98,7 +98,7 @@ TEST_F(OldData, InANewRowAreNotFollowed) {
   scene_.expectNoJump([&] { scene_.master.beStuck(false); });
 }
 
-// Nobody else would ever bring the two together again.
+// Nothing else would ever bring the two together again.
 TEST_F(OldData, AGoalThatTheSlaveRefusesAsTooFarEndsFollowingAndItBeginsAnew) {
   scene_.slave.refuseStepsBeyond(0.05);
   scene_.expectNoJump([] {});

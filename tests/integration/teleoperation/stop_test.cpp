@@ -1,4 +1,5 @@
-// The emergency stop: four arms of two workstations, and a coordinator at a desk, over each lane.
+// These press the emergency stop: four arms of two workstations, and a coordinator at a desk, over
+// each lane.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -181,7 +182,7 @@ TEST_P(Stop, StopsDrivesWhoseArmHangs) {
   EXPECT_TRUE(stands(leftSlave_));
 }
 
-/// Between two processes only.
+/// Runs only between two processes.
 class StopAcross : public Stop {};
 INSTANTIATE_TEST_SUITE_P(Lanes, StopAcross,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),

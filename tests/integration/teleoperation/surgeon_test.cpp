@@ -1,4 +1,4 @@
-// The scripted surgeon: whoever interrupts it again and again does not lead it astray.
+// An operator who interrupts the scripted surgeon again and again does not lead it astray.
 
 #include "surgeon/surgeon.h"
 

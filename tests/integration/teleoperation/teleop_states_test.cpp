@@ -1,4 +1,4 @@
-// The states of a teleoperation: alignment, clutch and presence, locks, scale and view.
+// These are the states of a teleoperation: alignment, clutch and presence, locks, scale and view.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -32,7 +32,7 @@ Isometry3d at(const Vector3d& position, double angle) {
   return pose;
 }
 
-/// Stands for whoever sets the teleoperation, and keeps what that tells.
+/// Sets the teleoperation as an operator does, and keeps what it tells.
 class Operator final : public suture::Device {
  public:
   Operator() {
@@ -40,7 +40,7 @@ class Operator final : public suture::Device {
     messages.on().error([this](const suture::Message& message) { error = message.text; });
   }
 
-  /// As far as they have been told by now.
+  /// Returns the states as far as they have been told by now.
   std::vector<TeleopState> told() {
     EXPECT_TRUE(processEvents());
     return states;
@@ -96,7 +96,7 @@ class TeleopStates : public testing::Test {
     ASSERT_TRUE(reaches(TeleopState::Following));
     pass(5ms);
   }
-  /// The way of the slave while the master goes so far, in the base frames of each.
+  /// Returns the way of the slave while the master goes so far, in the base frames of each.
   Vector3d wayOfSlave(const Vector3d& wayOfMaster) {
     const Vector3d before = slave_.pose().translation();
     Isometry3d pose = master_.pose();
@@ -105,7 +105,7 @@ class TeleopStates : public testing::Test {
     pass(10ms);
     return slave_.pose().translation() - before;
   }
-  /// What the registration tells takes so much longer from now on.
+  /// Makes what the registration tells take so much longer from now on.
   void registerLate(suture::Duration delay) {
     manager_.disconnect("Teleop/Registration");
     manager_.connect("Teleop/Registration", "Registration/Registration",
@@ -343,7 +343,7 @@ TEST_F(TeleopStates, ARotationOfSixDigitsIsMadeExact) {
   EXPECT_TRUE((turned * turned.transpose()).isIdentity(1e-12));
 }
 
-// No goal leads there while its tool is not in, so nobody may believe that it follows.
+// No goal leads there while its tool is not in, so the operator must not believe that it follows.
 TEST_F(TeleopStates, ASlaveThatRefusesItsGoalsDisablesAndSaysWhy) {
   startFollowing();
   slave_.warn(ArmWarning::NotInserted);

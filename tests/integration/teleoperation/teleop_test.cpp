@@ -1,4 +1,4 @@
-// When the teleoperation task follows, when it stops, and how it begins again.
+// These say when the teleoperation task follows, when it stops, and how it begins again.
 
 #include <gtest/gtest.h>
 #include <suture/base/errors.h>
@@ -41,7 +41,7 @@ TEST(Teleop, WaitsForEnable) {
   EXPECT_TRUE(reaches(station, TeleopState::Following));
 }
 
-// Someone disables the slave: following ends, and nobody but an operator may begin it again.
+// An operator disables the slave: following ends, and only an operator may begin it again.
 TEST(Teleop, RespectsAnArmThatIsTakenAway) {
   Workstation station({.scale = 0.4});
   station.manager.start();

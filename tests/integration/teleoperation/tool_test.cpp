@@ -1,4 +1,4 @@
-// The jaw of a slave and the gripper of a master, in one process and over each lane.
+// These test the jaw of a slave and the gripper of a master, in one process and over each lane.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -23,7 +23,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::pass;
 
-/// A surgeon's hand, and whoever teleoperates the instrument.
+/// Is a surgeon's hand, and teleoperates the instrument.
 struct Fingers final : suture::Device {
   Fingers() {
     gripper.on().closed([this](const bool& is) { closed.push_back(is); });
@@ -75,7 +75,7 @@ class Tool : public testing::TestWithParam<suture::Lane> {
     }
   }
   double jaw() { return angle(fingers_.jaw.measured_js); }
-  /// Where the jaw is by what the drives measure of their actuators.
+  /// Returns where the jaw is by what the drives measure of their actuators.
   double turnedByDiscs() {
     const auto& discs = slave_.drives.feedback().position;
     return psmCoupling().joints(Coupling<7>::Vector::Map(discs.data()))[6];
@@ -85,7 +85,7 @@ class Tool : public testing::TestWithParam<suture::Lane> {
   Fingers fingers_;
 
  private:
-  /// Where that joint is. Rows are published of what somebody has asked for.
+  /// Returns where that joint is. Rows are published of what a client has asked for.
   template <class Read>
   static double angle(Read& measured_js) {
     (void)measured_js();

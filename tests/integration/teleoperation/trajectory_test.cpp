@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using Eigen::Vector3d;
 
-/// What master and slave did since the surgeon set out.
+/// Holds what master and slave did since the surgeon set out.
 class RecordedRun {
  public:
   RecordedRun(suture::Lane lane, suture::Duration delay) {
@@ -33,10 +33,10 @@ class RecordedRun {
     setOut_ = setOutOf(master_);
   }
 
-  /// The way until so long after, m in the base frame of each.
+  /// Returns the way until so long after, m in the base frame of each.
   Vector3d master(suture::Duration after) const { return way(master_, after); }
   Vector3d slave(suture::Duration after) const { return way(slave_, after); }
-  /// m/s: how fast the slave went at most.
+  /// Returns how fast the slave went at most, m/s.
   double speed() const {
     double most = 0;
     for (suture::Duration after{}; after < kLength; after += 10ms) {
@@ -59,7 +59,8 @@ class RecordedRun {
   static constexpr suture::Duration kLength = 2500ms;
 
  private:
-  /// Of the surgeon's first goal, which is where the master was: it is in motion ever since.
+  /// Returns the stamp of the surgeon's first goal, which is where the master was: the master is in
+  /// motion ever since.
   static suture::Time setOutOf(const std::vector<ArmRow>& rows) {
     constexpr double kStill = 1e-12;  // m
     for (std::size_t i = rows.size(); i-- > 1;) {
@@ -104,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Wirings, Trajectory,
                                          Wiring(suture::Lane::Frame, 50ms)),
                          nameOfWiring);
 
-/// Beside what latency explains: how the cycles of tasks lie to each other, s.
+/// This comes on top of latency: how the cycles of tasks lie to each other, s.
 constexpr double kCycle = 0.001;
 
 TEST_P(Trajectory, IsThatOfOneProcessWithinWhatItsLatencyExplains) {

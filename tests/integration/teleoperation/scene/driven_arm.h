@@ -1,5 +1,5 @@
 #pragma once
-// An arm with its drives, as each workstation has them.
+// This is an arm with its drives, as each workstation has them.
 
 #include <suture/manager/manager.h>
 
@@ -14,7 +14,7 @@ namespace robots::test {
 
 template <class Arm, class Drives>
 struct DrivenArm {
-  /// As `name`, in one process.
+  /// Adds both to one process, the arm as `name`.
   void addTo(suture::Manager& manager, const std::string& name) {
     manager.add(name, arm);
     manager.add(name + "Drives", drives);

@@ -1,5 +1,5 @@
 #pragma once
-// The guide of a knot between four arms that a test places, with eyes that it covers.
+// This is the guide of a knot between four arms that a test places, with eyes that it covers.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -96,7 +96,7 @@ class Guide : public testing::Test {
   }
   Vector3d left() const { return arms_[2].pose().translation(); }
   Vector3d right() const { return arms_[3].pose().translation(); }
-  /// What the registration tells takes so much longer from now on.
+  /// Makes what the registration tells take so much longer from now on.
   void registerLate(suture::Duration delay) {
     manager_.disconnect("Guide/Registration");
     manager_.connect("Guide/Registration", "Registration/Registration",
@@ -127,7 +127,7 @@ class Guide : public testing::Test {
   TestConsole console_;
 
  private:
-  // Before the constructor's body, which connects them.
+  // This adds them before the constructor's body, which connects them.
   const bool added_ = [this] {
     manager_.add("Eyes", eyes_);
     manager_.add("Registration", registration_);

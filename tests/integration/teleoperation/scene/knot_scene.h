@@ -1,5 +1,5 @@
 #pragma once
-// Where arms and camera stand, and where the knot shall be, in tests that place one.
+// These say where arms and camera stand, and where the knot shall be, in tests that place one.
 
 #include <Eigen/Core>
 
@@ -7,7 +7,7 @@
 
 namespace robots::test {
 
-/// In the scene, m.
+/// Is the target in the scene, m.
 inline const Eigen::Vector3d kKnotTarget{0.004, -0.003, -0.152};
 
 /// Both slaves stand 10 cm from each other; the camera looks down at the tissue between them, and

@@ -1,5 +1,5 @@
 #pragma once
-// Drives that measure what a test says.
+// These drives measure what a test says.
 
 #include <suture/component/provided.h>
 #include <suture/component/task/periodic_task.h>
@@ -12,8 +12,8 @@
 
 namespace robots::test {
 
-/// Drives of a PSM, whose first joint jumps by `jump` rad and whose motor gives `effort` N.m. Both
-/// may be set by any thread.
+/// Any thread may set both. Drives of a PSM: the first joint jumps by `jump` rad and its motor
+/// gives `effort` N.m.
 class PlantedDrives final : public suture::PeriodicTask, public SimulatedDrives<7> {
  public:
   PlantedDrives()

@@ -65,12 +65,12 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     refusesMoves_ = refuse;
   }
-  /// From its next cycle on it says that it is disabled; it obeys goals all the same.
+  /// Makes it say from its next cycle on that it is disabled; it obeys goals all the same.
   void sayDisabled(bool disabled) {
     const std::lock_guard lock(mutex_);
     saysDisabled_ = disabled;
   }
-  /// How often it was told to move by itself, and to hold.
+  /// Returns how often it was told to move by itself, and to hold.
   std::size_t moves() const {
     const std::lock_guard lock(mutex_);
     return moves_;
@@ -79,7 +79,7 @@ class ScriptedArm final : public suture::PeriodicTask, public StillArm {
     const std::lock_guard lock(mutex_);
     return holds_;
   }
-  /// Those of servo_cp that it has obeyed.
+  /// Returns the goals of servo_cp that it has obeyed.
   std::vector<PoseStamped> goals() const {
     const std::lock_guard lock(mutex_);
     return goals_;

@@ -1,5 +1,5 @@
 #pragma once
-// An arm that does nothing: what a test's own arm derives from.
+// This is an arm that does nothing: a test's own arm derives from it.
 
 #include <string>
 

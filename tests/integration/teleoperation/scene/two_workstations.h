@@ -17,9 +17,9 @@
 
 namespace robots::test {
 
-/// The console has the master, its surgeon and the teleoperation, the robot has the slave; each
-/// has a recorder. On Lane::Auto both are one process. What the master tells takes `delay` longer.
-/// Used by the thread that made the stepped clock.
+/// The thread that made the stepped clock uses this. The console has the master, its surgeon and
+/// the teleoperation, the robot has the slave; each has a recorder. On Lane::Auto both are one
+/// process. What the master tells takes `delay` longer.
 class TwoWorkstations {
  public:
   TwoWorkstations(suture::Lane lane, suture::Duration delay)
@@ -43,7 +43,7 @@ class TwoWorkstations {
     elsewhere_.stop();
     console_.stop();
   }
-  /// Once it is stopped.
+  /// Reads what was recorded, once it is stopped.
   Recording master() const { return readRecording(masterFile()); }
   Recording slave() const { return readRecording(slaveFile()); }
   const Recorder& slaveRecorder() const { return slaveRecorder_; }

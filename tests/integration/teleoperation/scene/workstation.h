@@ -52,7 +52,7 @@ struct Workstation {
   suture::Manager manager{"workstation"};
 };
 
-/// What the provider answers now; a read's default value and a failed test if it does not.
+/// Returns what the provider answers now; if it does not, a read's default value and a failed test.
 template <class Read>
 auto ask(Read& read) {
   auto call = read.fresh();
@@ -61,7 +61,7 @@ auto ask(Read& read) {
   return *sample;
 }
 
-/// True once `task` has run `count` more cycles.
+/// Returns true once `task` has run `count` more cycles.
 inline bool cyclesPass(const suture::Task& task, std::uint64_t count) {
   const std::uint64_t until = task.statistics().cycles.load() + count;
   return suture::eventually([&] { return task.statistics().cycles.load() >= until; });
