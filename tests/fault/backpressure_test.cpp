@@ -1,4 +1,4 @@
-// A process or task that does not run, or is slow, costs bounded memory and delays nobody else.
+// A process or task that does not run, or is slow, costs bounded memory and delays no other.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>
@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 using reference::ArmLike;
 using reference::PoseStamped;
 
-// In memory without a bound, what is sent meanwhile would take more than this.
+// Memory without a bound would take more than this for what is sent meanwhile.
 constexpr std::size_t kMostBytes = std::size_t{2} << 20;
 constexpr std::uint64_t kEvents = 30'000;
 constexpr int kEventsPerCycle = 50;
@@ -73,14 +73,14 @@ bool hears(const Subscriber& subscriber, std::uint64_t more) {
   return eventually([&] { return subscriber.heard >= before + more; });
 }
 
-/// One process, with itself as a peer on the lanes between processes.
+/// Has one process, with itself as a peer on the lanes between processes.
 class StoppedTask : public testing::TestWithParam<Lane> {
  protected:
   void connect(const std::string& required, const std::string& provided) {
     here_.connect(required, (GetParam() == Lane::Auto ? "" : "here:") + provided,
                   {.lane = GetParam(), .patience = kPatience, .contract = {.silence = 60s}});
   }
-  /// As the subscriber's own end tells, wherever on the lane they were dropped.
+  /// Returns what the subscriber's own end tells, wherever on the lane they were dropped.
   std::uint64_t droppedFor(const std::string& client) const {
     std::uint64_t dropped = 0;
     for (const ConnectionReport& one : observe(here_, now()).connections) {

@@ -152,7 +152,7 @@ void ByteProxy::accept() {
   }
 }
 
-/// False when it is over.
+/// Returns false when it is over.
 bool ByteProxy::serve(Link& link) {
   if (link.stranded) return true;
   if (mode_ != Mode::Forward && !std::exchange(link.held, true)) ++injected_;

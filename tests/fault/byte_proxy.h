@@ -1,5 +1,5 @@
 #pragma once
-// Stands between two processes and breaks what they say, by the byte.
+// This stands between two processes and breaks what they say, by the byte.
 
 #include <suture/net/address.h>
 #include <suture/net/descriptor_passing.h>
@@ -37,19 +37,19 @@ class ByteProxy {
                ///< spared, as they may agree on another lane
   };
 
-  /// `here`: a Unix socket, or TCP with a number, where port 0 is any.
+  /// `here` is a Unix socket, or TCP with a number, where port 0 is any.
   ByteProxy(const rpc::Address& here, const rpc::Address& target, unsigned seed);
   ~ByteProxy();
   ByteProxy(const ByteProxy&) = delete;
   ByteProxy& operator=(const ByteProxy&) = delete;
 
   const std::string& address() const { return address_; }  ///< where it listens
-  /// From now on, for connections present and to come.
+  /// Sets the mode from now on, for connections present and to come.
   void set(Mode mode);
-  /// Now; returns when it has been done, or at the latest with what the callers say next.
+  /// Strikes now; returns when it has been done, or at the latest with what the callers say next.
   void strike(Strike strike);
 
-  /// How many connections, or chunks of bytes, have been hurt.
+  /// Returns how many connections, or chunks of bytes, have been hurt.
   std::uint64_t injected() const { return injected_; }
 
  private:

@@ -30,7 +30,7 @@ class WallClock {
     setenv("FAKETIME_NO_CACHE", "1", 1);
     setenv("FAKETIME_DONT_FAKE_MONOTONIC", "1", 1);
   }
-  /// So much ahead of the machine's from now on.
+  /// Sets it so much ahead of the machine's from now on.
   void stepTo(std::chrono::seconds ahead) {
     ahead_ = ahead;
     std::ofstream(file_ + ".new") << (ahead < 0s ? "" : "+") << ahead.count() << "\n";
@@ -43,7 +43,7 @@ class WallClock {
   std::chrono::seconds ahead_{0};
 };
 
-/// How far ahead of the machine's wall clock that of the entry's writer was.
+/// Returns how far ahead of the machine's wall clock that of the entry's writer was.
 std::chrono::seconds aheadAt(const HistoryEntry& entry) {
   const auto machine = std::chrono::system_clock::now().time_since_epoch() -
                        now().time_since_epoch() + entry.at.time_since_epoch();

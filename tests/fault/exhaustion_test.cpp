@@ -1,4 +1,4 @@
-// A provider that has no descriptor left for one more caller.
+// This provider has no descriptor left for one more caller.
 
 #include <gtest/gtest.h>
 #include <suture/net/address.h>
@@ -21,7 +21,7 @@ std::size_t descriptorsOf(const Child& child) {
   return static_cast<std::size_t>(std::distance(begin(all), end(all)));
 }
 
-/// Callers that say nothing.
+/// Is a crowd of callers that say nothing.
 class Crowd {
  public:
   explicit Crowd(const rpc::Address& address) : address_(address) {}
@@ -29,7 +29,7 @@ class Crowd {
   Crowd(const Crowd&) = delete;
   Crowd& operator=(const Crowd&) = delete;
 
-  /// False if nobody takes callers any more: as many wait as may.
+  /// Returns false if the provider takes no more callers: as many wait as may.
   bool join() {
     const rpc::SocketAddress target(address_);
     const int caller = socket(target.family(), SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
@@ -77,7 +77,7 @@ TEST(Exhaustion, OfDescriptorsHurtsNobodyWhoIsConnectedAndPasses) {
   crowd.leave();
   EXPECT_EQ(second->line(), "ready") << "as soon as there is room";
   EXPECT_TRUE(system.works(true));
-  // One client more: a socket, and the memory that it shares.
+  // One client more has a socket, and the memory that it shares.
   EXPECT_TRUE(eventually([&] { return descriptorsOf(*provider) <= quiet + 4; }))
       << descriptorsOf(*provider) << " after " << quiet;
   EXPECT_EQ(first->end(SIGTERM), 0);

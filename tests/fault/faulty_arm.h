@@ -1,5 +1,5 @@
 #pragma once
-// An arm that hangs for as long as a file exists.
+// This is an arm that hangs for as long as a file exists.
 
 #include <suture/component/task/event_task.h>
 #include <suture/component/task/periodic_task.h>

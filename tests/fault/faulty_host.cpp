@@ -1,6 +1,6 @@
-// A process that provides PSM1/Arm, of a task that sleeps until it has work, and PSM2/Arm, of a
-// periodic one: faulty_host <manager address> <process name> <file while which they hang>. Ends on
-// SIGTERM.
+// This is a process that provides PSM1/Arm, of a task that sleeps until it has work, and PSM2/Arm,
+// of a periodic one: faulty_host <manager address> <process name> <file while which they hang>. It
+// ends on SIGTERM.
 
 #include <suture/manager/manager.h>
 

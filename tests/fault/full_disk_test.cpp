@@ -16,7 +16,7 @@ namespace {
 constexpr int kRounds = 3;
 constexpr int kMost = 64;  // files: the disk has as many pages
 
-/// For this process and its program alone.
+/// Mounts it for this process and its program alone.
 void mountSmallDisk(const std::string& folder) {
   const bool done = unshare(CLONE_NEWNS) == 0 &&
                     mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&

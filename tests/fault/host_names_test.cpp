@@ -1,5 +1,5 @@
-// The global manager is known by the name of its host, and the name service fails. As root: the
-// processes have a name service of their own.
+// The global manager is known by the name of its host, and the name service fails. The tests need
+// root, since the processes have a name service of their own.
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* kServer = "127.0.0.53";
 
-/// Those who call enter() have a file of names, and a server that knows nothing.
+/// Gives processes that call enter() a file of names, and a server that knows nothing.
 class NameService {
  public:
   NameService() {
@@ -30,7 +30,7 @@ class NameService {
     write("resolv.conf", std::string("nameserver ") + kServer + "\noptions timeout:3 attempts:1\n");
     forget();
   }
-  /// A child, before its program.
+  /// Enters it in a child, before its program.
   void enter() const {
     if (unshare(CLONE_NEWNS) != 0 ||
         mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0)
@@ -65,7 +65,7 @@ class NameService {
   }
 
  private:
-  // In place: it is mounted elsewhere.
+  // Writes the file in place, since it is mounted elsewhere.
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(directory_.file(name)) << text;
   }
@@ -91,7 +91,7 @@ class HostNames : public testing::Test {
         refusal([&] { Manager("robot", at(number), std::chrono::milliseconds(20)); });
     return contains(why, "the name is held by");
   }
-  /// Where the host is, as a manager is told to listen.
+  /// Returns where the host is, as a manager is told to listen.
   static std::string at(const std::string& number) { return "tcp://" + number + ":7700?insecure"; }
 
   NameService names_;
@@ -109,7 +109,7 @@ TEST_F(HostNames, WhoHasFoundTheManagerGoesOnWithoutThem) {
   ASSERT_EQ(client->line(), "ready");
   ASSERT_TRUE(system_.works(true));
 
-  // The manager is lost, and back where it was: nobody can find that out.
+  // The manager is lost, and back where it was: the name service cannot tell where that is.
   for (const bool silent : {false, true}) {
     silent ? names_.fallSilent() : names_.forget();
     manager->end(SIGKILL);

@@ -1,4 +1,4 @@
-// A provider's process that stops, a task in it that hangs, and one that only sleeps.
+// A provider's process stops, a task in it hangs, and one only sleeps.
 
 #include <gtest/gtest.h>
 #include <suture/loop/control_thread.h>
@@ -117,7 +117,7 @@ TEST_P(Liveness, ATaskThatHangsIsLostAndItsNeighbourIsNot) {
     hang(first_, speed);
     ASSERT_TRUE(eventually([&] { return first_.error == Errc::Lost; }));
     EXPECT_TRUE(whyLost("First/Arm", provider).starts_with("hung: ")) << provider;
-    // For as long as it hangs nobody is connected.
+    // No client is connected for as long as it hangs.
     const int heard = second_.heard;
     expectRefused("Third/Arm", provider);
     EXPECT_EQ(first_.error, Errc::Lost);
@@ -132,7 +132,7 @@ TEST_P(Liveness, ATaskThatHangsIsLostAndItsNeighbourIsNot) {
   }
 }
 
-// One that hangs is found, by a bound that is ten times as long.
+// A task that hangs is found, by a bound that is ten times as long.
 TEST_P(Liveness, ATaskThatSleepsIsNoneThatHangs) {
   first_.asks = false;
   second_.asks = false;

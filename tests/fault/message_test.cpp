@@ -1,4 +1,4 @@
-// Each fault that may befall single messages, on each lane: what must hold all the same.
+// Each fault befalls single messages, on each lane: the tests say what must hold all the same.
 
 #include <gtest/gtest.h>
 #include <suture/loop/control_thread.h>
@@ -24,7 +24,7 @@ using namespace std::chrono_literals;
 enum class LaneUnderFault { Local, Shm, Frame, Rpc };
 constexpr const char* kLanes[] = {"Local", "Shm", "Frame", "Rpc"};
 constexpr Lane kAsked[] = {Lane::Auto, Lane::Auto, Lane::Frame, Lane::Rpc};
-// As a connection with faults is called.
+// Connections with faults are called so.
 constexpr const char* kLaneNames[] = {"local+fault", "shm+fault", "frame+fault", "rpc+fault"};
 
 struct Fault {
@@ -118,8 +118,8 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
     lastRead_ = pose.stamp();
     ++reads_;
   }
-  /// For so long, and on until it holds: by chance a fault may come late, or hold up almost
-  /// everything.
+  /// Asks for so long, and on until the condition holds: by chance a fault may come late, or hold
+  /// up almost everything.
   template <typename Condition>
   bool askFor(Duration time, Condition holds) {
     const Time enough = now() + time, tooLong = enough + 60s;
@@ -143,7 +143,7 @@ class Messages : public testing::TestWithParam<std::tuple<LaneUnderFault, Fault>
            (!fault().duplicates || seen.messagesDuplicated > 0) &&
            (!fault().overtakes || seen.messagesOvertaken > 0);
   }
-  // Nothing keeps a place at the provider for ever.
+  // Tells if each credit is back, since no command may keep its place at the provider for ever.
   bool creditsAreBack() const {
     const auto& channel = caller_->arm.channel();
     for (std::uint16_t i = 0; i < channel->info.commands.size(); ++i) {

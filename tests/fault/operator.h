@@ -1,5 +1,5 @@
 #pragma once
-// A client of an arm that shows what its connection does to it.
+// This is a client of an arm that shows what its connection does to it.
 
 #include <suture/component/channel/channel.h>
 #include <suture/component/required.h>

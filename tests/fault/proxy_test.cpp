@@ -1,4 +1,4 @@
-// A client and its provider with a proxy between them that breaks what they say, on each lane.
+// A client and its provider have a proxy between them that breaks what they say, on each lane.
 
 #include <gtest/gtest.h>
 #include <suture/loop/control_thread.h>
@@ -19,7 +19,7 @@ using Mode = ByteProxy::Mode;
 using Strike = ByteProxy::Strike;
 using Kind = HistoryEntry::Kind;
 
-/// Tells the global manager what whoever forwards a port would: a name, and where it is.
+/// Tells the global manager what a process that forwards a port would: a name, and where it is.
 class Forwarder {
  public:
   /// Its proxy listens at `here`.
@@ -176,7 +176,7 @@ TEST_P(Proxy, StrandedBytes) {
   });
 }
 
-// Nothing checks what `rpc` carries, so that what arrives may be another command. Whatever it was,
+// No part checks what `rpc` carries, so that what arrives may be another command. Whatever it was,
 // what follows arrives.
 TEST_P(Proxy, BitFlip) {
   for (int flip = 0; flip < 10 * faultRounds(); ++flip) {

@@ -1,4 +1,4 @@
-// Peers and managers that are killed and started again.
+// Peers and managers are killed and started again.
 
 #include <gtest/gtest.h>
 #include <suture/loop/control_thread.h>

@@ -1,5 +1,5 @@
-// Valid sessions of a peer, changed a little and sent again: the provider ends them or answers, and
-// goes on serving others. Seeded; SUTURE_SESSIONS of them, SUTURE_SEED the first seed.
+// Valid sessions of a peer are changed a little and sent again: the provider ends them or answers,
+// and goes on serving others. SUTURE_SESSIONS of them run, and SUTURE_SEED is the first seed.
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ class Recorder {
     address.port = ntohs(own.sin_port);
     thread_ = std::thread([this] { pass(); });
   }
-  /// Once the caller has gone.
+  /// Returns what was said, once the caller has gone.
   Bytes finish() {
     thread_.join();
     return said_;
@@ -164,7 +164,7 @@ Bytes changed(Bytes bytes, std::mt19937& random) {
   return bytes;
 }
 
-/// True if the provider has ended the connection or answered before it did.
+/// Returns true if the provider has ended the connection or answered before it did.
 bool survives(const rpc::Address& robot, const Bytes& bytes) {
   const kj::AutoCloseFd socket = dialled(robot);
   sendAll(socket, bytes);

@@ -1,5 +1,5 @@
 #pragma once
-// A task that fails all the time.
+// This is a task that fails all the time.
 
 #include <suture/component/task/periodic_task.h>
 

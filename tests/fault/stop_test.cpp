@@ -17,8 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 using Kind = HistoryEntry::Kind;
 
-// It is longer than a connection bears, and a time, as nobody else can tell how long a client has
-// stood still.
+// It is longer than a connection bears. It is a time, since nothing but the clock can tell how long
+// a client has stood still.
 constexpr Duration kStopped = 600ms;
 // A provider runs so long before its client does.
 constexpr Duration kAlone = 50ms;

@@ -1,5 +1,6 @@
 #pragma once
-// A manager, a provider and a client, each a process of its own, whose histories are checked.
+// These are a manager, a provider and a client, each a process of its own, whose histories are
+// checked.
 
 #include <gtest/gtest.h>
 
@@ -66,7 +67,7 @@ class System {
     EXPECT_EQ(child->line(), "suture-manager: ready on " + address);
     return child;
   }
-  /// `name`: what it registers as. `more`: arguments of history_provider.
+  /// `name` is what it registers as, and `more` has arguments of history_provider.
   std::unique_ptr<Child> provider(const std::string& name = "robot", const Prepare& prepare = {},
                                   const Arguments& more = {}) {
     ++providers_;
@@ -86,9 +87,9 @@ class System {
   }
 
   const std::string& address() const { return address_; }
-  /// In the folder of this system.
+  /// Returns a path in the folder of this system.
   std::string file(const std::string& name) const { return directory_.file(name); }
-  /// Where a process of that name listens.
+  /// Returns where a process of that name listens.
   std::string socketOf(const std::string& name, const Child& child) const {
     return directory_.file(name + "." + std::to_string(child.pid()) + ".sock");
   }
@@ -113,23 +114,24 @@ class System {
     return readHistory({directory_.file("p" + std::to_string(providers_))});
   }
 
-  /// How much the latest client has written down, in bytes: nobody has to read it.
+  /// Returns how much the latest client has written down, in bytes, so that no test has to read it.
   std::uintmax_t clientsHistorySize() const {
     return std::filesystem::file_size(directory_.file("c" + std::to_string(clients_)));
   }
 
-  /// True once the latest client has, from now on, been heard and answered; if it is idle: has
-  /// heard something.
+  /// Returns true once the latest client has, from now on, been heard and answered; if it is idle,
+  /// once it has heard something.
   bool works(bool busy) const {
     const Time asked = now();
     return clientNotes(asked, HistoryEntry::Kind::Heard) &&
            (!busy || eventually([&] { return answered(asked); }));
   }
-  /// True once the latest client has written down something of that kind since then.
+  /// Returns true once the latest client has written down something of that kind since then.
   bool clientNotes(Time since, HistoryEntry::Kind kind) const {
     return eventually([&] { return clientHasNoted(since, kind); });
   }
-  /// True once the latest client has no connection: it has been told that the last one is lost.
+  /// Returns true once the latest client has no connection: it has been told that the last one is
+  /// lost.
   bool clientIsCutOff() const {
     return eventually([&] {
       auto last = HistoryEntry::Kind::Told;
@@ -152,7 +154,7 @@ class System {
              entry.limit != Duration{0};
     });
   }
-  /// True if the latest client and the latest provider have written down what they counted.
+  /// Returns true if the latest client and the latest provider have written down what they counted.
   bool haveReported() const {
     const auto reported = [](const std::vector<HistoryEntry>& history, HistoryEntry::Kind kind) {
       return has(history, Time{}, [kind](const HistoryEntry& one) { return one.kind == kind; });

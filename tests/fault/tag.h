@@ -1,5 +1,5 @@
 #pragma once
-// Poses that say what they are, so that each damage to one is seen.
+// These poses say what they are, so that each damage to one is seen.
 
 #include <cmath>
 #include <cstdint>
@@ -24,7 +24,7 @@ inline PoseStamped poseOf(const Tag& tag) {
   return pose;
 }
 
-/// Answers a tag that nobody has if one bit of the numbers in the pose is wrong.
+/// Returns a tag that no pose has if one bit of the numbers in the pose is wrong.
 inline Tag tagIn(const PoseStamped& pose) {
   const auto& numbers = pose.pose.translation();
   for (int i = 0; i < 3; ++i) {

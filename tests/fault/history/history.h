@@ -11,7 +11,8 @@
 
 namespace suture {
 
-/// What one end's report says of the commands of a client. Words, as they travel in a log.
+/// Says what one end's report tells of the commands of a client. All are words of 64 bits, since
+/// they travel so in a log.
 struct HistorySums {
   std::uint64_t accepted = 0;
   std::uint64_t executed = 0;  ///< also those whose handler threw
@@ -25,7 +26,7 @@ struct HistorySums {
   bool operator==(const HistorySums&) const = default;
 };
 
-/// One line of a log. All steady clocks are this machine's.
+/// Is one line of a log. All steady clocks are this machine's.
 struct HistoryEntry {
   enum class Kind : std::uint8_t {
     Sent,   ///< the client is about to send a command; `limit`: the deadline of its call, 0: none
@@ -52,7 +53,7 @@ struct HistoryEntry {
   HistorySums sums = {};
 };
 
-/// Writes each entry at once, so that it survives a SIGKILL. One thread.
+/// One thread may use it. Writes each entry at once, so that it survives a SIGKILL.
 class HistoryLog {
  public:
   explicit HistoryLog(const std::string& file);
@@ -60,7 +61,7 @@ class HistoryLog {
   HistoryLog(const HistoryLog&) = delete;
   HistoryLog& operator=(const HistoryLog&) = delete;
 
-  /// With the wall clock of this moment.
+  /// Writes it with the wall clock of this moment.
   void write(const HistoryEntry& entry);
 
  private:
@@ -71,26 +72,26 @@ class HistoryLog {
 /// theirs. A last line that a kill cut off is left out.
 std::vector<HistoryEntry> readHistory(const std::vector<std::string>& files);
 
-/// What the rules allow.
+/// Says what the rules allow.
 struct Tolerance {
   Duration lateness;  ///< of the end of a call after its deadline
-  /// How long a provider may not have heard of a loss that its client has been told of: on `frame`
-  /// and `rpc`, of one by a broken link.
+  /// Says how long a provider may not have heard of a loss that its client has been told of: on
+  /// `frame` and `rpc`, of one by a broken link.
   Duration unheard{0};
-  /// How many commands of a connection may begin after its client was told of the loss, because
-  /// they had been judged an instant before: none on a stepped clock, one in a thread that the
-  /// machine may hold up between the two.
+  /// Says how many commands of a connection may begin after its client was told of the loss,
+  /// because they had been judged an instant before: none on a stepped clock, one in a thread that
+  /// the machine may hold up between the two.
   int justJudged = 0;
 };
 
 /// Tells where a history breaks one of these rules:
 ///  - each call ends, soon after its deadline at the latest;
-///  - no command is executed twice, nor if the runtime found it older than its ttl, nor if its
-///    sender was told that it was not;
-///  - none begins to be executed after its sender was told that its connection is lost, and its
-///    provider has heard of it, but for what had just been judged;
-///  - those of a client are executed in the order in which it sent them, so that none of an older
-///    connection comes after one of a newer;
+///  - no command is executed twice, and none is that the runtime found older than its ttl, or whose
+///    sender was told that it was not executed;
+///  - no command begins to be executed after its sender was told that its connection is lost, and
+///    its provider has heard of it, but for what had just been judged;
+///  - the commands of a client are executed in the order in which it sent them, so that none of an
+///    older connection comes after one of a newer;
 ///  - as many of a client's commands were executed as its ledger says, or as may have been by it;
 ///  - in the ledger of either end each command that was accepted is in one place, and a client has
 ///    heard of no more than the process that it was connected to last, started once, has counted;

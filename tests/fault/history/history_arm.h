@@ -1,5 +1,5 @@
 #pragma once
-// An arm that writes down what it executes.
+// This is an arm that writes down what it executes.
 
 #include <suture/component/task/periodic_task.h>
 
@@ -37,7 +37,7 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
     return StillArm::distance(goal);
   }
 
-  /// Once it has been stopped: notes what the report of its process says of the commands of client
+  /// Notes, once it has been stopped, what the report of its process says of the commands of client
   /// number `client`.
   void noteLedger(std::uint32_t client, const suture::HistorySums& sums) {
     log_.write({.kind = suture::HistoryEntry::Kind::Served,
@@ -50,9 +50,9 @@ class HistoryArm final : public suture::PeriodicTask, public suture::StillArm {
   /// Any thread: its next cycle takes so long.
   void hang(suture::Duration length) { hangs_ = length.count(); }
 
-  /// How many commands it has executed so far. Any thread.
+  /// Any thread: returns how many commands it has executed so far.
   std::uint64_t executions() const { return executions_; }
-  /// How many events so far. Any thread.
+  /// Any thread: returns how many events it has emitted so far.
   std::uint64_t emitted() const { return events_; }
 
   void servo_cp(const PoseStamped& goal) override {

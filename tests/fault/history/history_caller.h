@@ -1,6 +1,6 @@
 #pragma once
-// A client that writes down what it sends, how that ends, what it hears, and what it is told of its
-// connection.
+// This is a client that writes down what it sends, how that ends, what it hears, and what it is
+// told of its connection.
 
 #include <suture/component/channel/channel.h>
 #include <suture/component/device.h>
@@ -57,7 +57,7 @@ class HistoryCaller final : public Device {
     look();
   }
 
-  /// How many commands a burst has. The second of them tells the test that it runs.
+  /// Says how many commands a burst has. The second of them tells the test that it runs.
   static constexpr std::uint64_t kBurst = 6;
   /// Sends them all, then waits for them. The first one keeps the provider busy until the others
   /// have come, so that these wait for one drain.

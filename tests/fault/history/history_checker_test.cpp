@@ -18,7 +18,8 @@ using History = std::vector<HistoryEntry>;
 const Time kStart = fromNanoseconds(1'000'000'000);
 constexpr Tolerance kTolerance{.lateness = 100ms, .unheard = 10ms};
 
-/// Two clients with a hundred commands each, over four connections each, to two providers.
+/// Returns a history of two clients with a hundred commands each, over four connections each, to
+/// two providers.
 History sound() {
   History history;
   Time at = kStart;
@@ -39,7 +40,7 @@ History sound() {
   return history;
 }
 
-/// The `n`-th entry of a kind, from 0.
+/// Returns the `n`-th entry of a kind, from 0.
 HistoryEntry& nth(History& history, Kind kind, int n) {
   const auto found = std::find_if(history.begin(), history.end(), [&](const HistoryEntry& entry) {
     return entry.kind == kind && n-- == 0;
@@ -120,7 +121,7 @@ TEST(HistoryChecker, ACommandThatWasSentOnTheConnectionAfterTheLostOneIsFree) {
   expectNone(history);
 }
 
-/// What both ends of the first client's connection say in the end.
+/// Has what both ends of the first client's connection say in the end.
 struct Ledgers {
   HistorySums client{.accepted = 103,
                      .executed = 98,

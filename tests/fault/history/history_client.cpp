@@ -1,7 +1,7 @@
-// A client that writes down what it sends, how that ends, and what it hears: history_client
+// This is a client that writes down what it sends, how that ends, and what it hears: history_client
 // <manager address> <process name> <log> <its number> <robot> busy|idle|bursts <longest silence,
-// ms> <lane>. Says "begun", then "ready" when it is connected to <robot>:PSM/Arm. An idle one only
-// listens. Ends on SIGTERM.
+// ms> <lane>. It says "begun", then "ready" when it is connected to <robot>:PSM/Arm. An idle one
+// only listens. It ends on SIGTERM.
 
 #include <suture/manager/manager.h>
 
@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// As often as it is refused, unless it is to end.
+/// Connects, as often as it is refused, unless it is to end.
 void connect(const suture::HostedProcess& process, suture::Manager& manager, const std::string& arm,
              suture::Lane lane, suture::Duration silence) {
   while (!process.ended()) {
@@ -34,7 +34,7 @@ void connect(const suture::HostedProcess& process, suture::Manager& manager, con
   }
 }
 
-/// Those of commands that a connected provider has yet to tell.
+/// Waits for the outcomes of commands that a connected provider has yet to tell.
 void awaitOutcomes(const suture::Manager& manager) {
   const auto areKnown = [&manager] {
     const auto all = suture::sumsOf(manager);

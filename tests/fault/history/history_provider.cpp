@@ -1,7 +1,7 @@
-// A provider that writes down what it executes: history_provider <manager address> <process name>
-// <log> <its number> [<folder>]. The events that it emits are numbered. With a folder it also has a
-// component that fails all the time, and a black box there for it, and prints what the box tells.
-// Ends on SIGTERM.
+// This is a provider that writes down what it executes: history_provider <manager address> <process
+// name> <log> <its number> [<folder>]. The events that it emits are numbered. With a folder it also
+// has a component that fails all the time, and a black box there for it, and prints what the box
+// tells. It ends on SIGTERM.
 
 #include <suture/manager/manager.h>
 #include <suture/record/black_box.h>

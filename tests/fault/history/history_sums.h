@@ -1,5 +1,5 @@
 #pragma once
-// What the report of a process says of its connections, as a history has it.
+// These are what the report of a process says of its connections, as a history has it.
 
 #include <suture/manager/manager.h>
 #include <suture/observe/observe.h>
@@ -24,7 +24,7 @@ inline HistorySums sumsOf(const ConnectionReport& report, std::uint64_t process)
           .other = report.otherIncarnation};
 }
 
-/// By the connection's name.
+/// Returns the sums by the connection's name.
 inline std::map<std::string, HistorySums> sumsOf(const Manager& manager) {
   std::map<std::string, HistorySums> sums;
   for (const ConnectionReport& one : observe(manager, {}).connections) {
