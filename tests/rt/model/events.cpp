@@ -1,4 +1,4 @@
-// The event queue, with several senders, and the doorbell.
+// These use the event queue, with several senders, and the doorbell.
 #include <suture/rt/doorbell.h>
 #include <suture/rt/queue/event_queue.h>
 #include <sys/eventfd.h>
@@ -47,7 +47,7 @@ struct Events {
   }
 };
 
-/// Events from `senders`, received meanwhile.
+/// Runs the senders of events, and receives meanwhile.
 Run received(const std::shared_ptr<Events>& it, std::vector<std::function<void()>> senders) {
   senders.emplace_back([it] {
     for (int i = 0; i < 3; ++i) it->receive();
@@ -114,7 +114,7 @@ namespace {
 constexpr std::uint32_t kLargeSize = rt::EventRing::kMostShared + 8;
 constexpr rt::EventLimits kWithLarge[] = {{kLargeSize, 2, false}, {8, 1, false}};
 
-/// Large events among small ones.
+/// Sends large events among small ones.
 struct LargeEvents {
   explicit LargeEvents(rt::Producers producers) : queue(kWithLarge, producers) {}
 
@@ -178,7 +178,8 @@ Run eventQueueLargeOfOne() {
 
 namespace {
 
-/// A sleeper that lies down only if there is nothing to do, and somebody who brings work and rings.
+/// Has a sleeper that lies down only if there is nothing to do, and a thread that brings work and
+/// rings.
 struct Sleeper {
   Sleeper() : descriptor(eventfd(0, EFD_NONBLOCK)), bell(descriptor) {}
   ~Sleeper() { close(descriptor); }

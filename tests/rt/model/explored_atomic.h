@@ -1,9 +1,9 @@
 #pragma once
-// Included before everything else of the sources of runtime/rt that are to be explored: their
+// The sources of runtime/rt that are to be explored include this before everything else: their
 // std::atomic, std::atomic_flag and std::memcpy are then those below. The sources themselves are
 // not changed.
 
-// All of the standard library that they use, so that it keeps its own.
+// These are all headers of the standard library that they use, so that it keeps its own atomics.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -23,8 +23,8 @@
 
 namespace std {
 
-/// As std::atomic, and every access is a moment at which the other threads may come first. Exactly
-/// a T in memory. Never fails a compare_exchange for no reason.
+/// Does as std::atomic does, and every access is a moment at which the other threads may come
+/// first. It is exactly a T in memory. It never fails a compare_exchange for no reason.
 template <class T>
 class explored_atomic {
  public:

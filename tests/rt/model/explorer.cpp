@@ -45,7 +45,7 @@ class Exploration {
              bool readModifyWrite);
   void plain(const void* word, bool writes);
   void violate(const char* what);
-  /// True if `memory` can be seen by several threads of the run.
+  /// Returns true if several threads of the run can see `memory`.
   bool shared(const std::byte* memory) const;
 
  private:
@@ -76,7 +76,7 @@ class Exploration {
   Outcome outcome_;
 };
 
-// One exploration at a time: what the atomics of the code under test report to.
+// There is one exploration at a time: the atomics of the code under test report to it.
 Exploration* exploration = nullptr;
 
 Outcome Exploration::explore(const std::function<Run()>& scenario) {
@@ -102,7 +102,7 @@ void Exploration::run(const Run& one) {
   one.atEnd();
 }
 
-// Up to each thread's first access: what comes before concerns nobody else.
+// Runs each thread up to its first access: what comes before concerns no other thread.
 void Exploration::start(const Run& one) {
   run_ = &one;
   count_ = one.threads.size();
@@ -151,7 +151,8 @@ Threads Exploration::asleepAfter(const Choice& choice) const {
   return asleep;
 }
 
-/// Decides who is next, unless it has been decided. False if every choice has been seen elsewhere.
+/// Decides which thread is next, unless it has been decided. Returns false if every choice has been
+/// seen elsewhere.
 bool Exploration::choose() {
   Choice choice = present();
   if (depth_ < choices_.size()) {
@@ -166,7 +167,7 @@ bool Exploration::choose() {
   return true;
 }
 
-/// To the last choice that has another way; false if there is none.
+/// Goes back to the last choice that has another way; returns false if there is none.
 bool Exploration::backtrack() {
   while (!choices_.empty()) {
     Choice& last = choices_.back();

@@ -1,5 +1,5 @@
 #pragma once
-// Runs a few threads in every order in which their accesses to shared memory can come.
+// This runs a few threads in every order in which their accesses to shared memory can come.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace model {
 
-/// One run of a scenario, on objects of its own. At most four threads; none may wait for another in
-/// a loop, nor own memory on its stack: a run may be given up half-way.
+/// Is one run of a scenario, on objects of its own. It has at most four threads; none may wait for
+/// another in a loop, or own memory on its stack: a run may be given up half-way.
 struct Run {
   std::vector<std::function<void()>> threads;
   std::function<void()> atEnd;  ///< after all threads have ended
@@ -22,17 +22,17 @@ struct Outcome {
   std::string violation;  ///< what did not hold, and in which order the threads ran; "": nothing
 };
 
-/// Every order of the accesses, but of those that differ only in accesses that do not matter to
-/// each other (different places, or both of them reads) one: sleep sets (Godefroid, LNCS 1032,
-/// 1996). In each order, every value that a load may return under the memory orders stated
-/// (memory.h).
+/// Explores every order of the accesses, but only one of those that differ only in accesses that do
+/// not matter to each other (different places, or both of them reads): sleep sets (Godefroid, LNCS
+/// 1032, 1996). In each order it explores every value that a load may return under the memory
+/// orders stated (memory.h).
 Outcome explore(const std::function<Run()>& scenario);
 
 // --- in a run
 
 /// Ends the exploration unless `holds`.
 void require(bool holds, const char* what);
-/// A word of plain memory, as a payload is: to be ordered by what the code under test does.
+/// Uses a word of plain memory, as a payload is, which the code under test must order.
 void write(std::byte* word, std::uint64_t value);
 std::uint64_t read(const std::byte* word);
 
@@ -41,11 +41,11 @@ std::uint64_t read(const std::byte* word);
 /// Copies word by word: of plain memory, unless it is on the calling thread's stack.
 void copy(std::byte* to, const std::byte* from, std::size_t size);
 
-/// The calling thread is about to access `place`; others may come first.
+/// Says that the calling thread is about to access `place`; others may come first.
 void access(const void* place, bool writes);
-/// ...loads it: a value that it may see. `newest`: the last one stored.
+/// Returns a value that its load of `place` may see. `newest` is the last one stored.
 std::uint64_t load(const void* place, std::uint64_t newest, bool acquires, bool newestOnly);
-/// ...stores to it, in the place of `old`.
+/// Stores its `value` to `place`, which had `old`.
 void store(const void* place, std::uint64_t old, std::uint64_t value, bool releases,
            bool readModifyWrite);
 

@@ -1,6 +1,6 @@
 #pragma once
-// Programs of a few lines of which it is known what can come out: what the explorer must show, and
-// what it must not.
+// These are programs of a few lines of which it is known what can come out: what the explorer must
+// show, and what it must not.
 
 #include "rt/model/explorer.h"
 

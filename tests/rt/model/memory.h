@@ -1,5 +1,5 @@
 #pragma once
-// What the C++ memory model lets each thread of a run see.
+// This is what the C++ memory model lets each thread of a run see.
 
 #include <array>
 #include <cstddef>
@@ -11,19 +11,20 @@ namespace model {
 
 constexpr std::size_t kMaxThreads = 4;
 
-/// Per place the stores in the order in which they came, and per thread what has happened before
-/// its present. A load may return any store but those that a later one is known to have replaced:
-/// by happens-before, or since the thread has seen it.
+/// Keeps for each place the stores in the order in which they came, and for each thread what has
+/// happened before its present. A load may return any store but those that a later one is known to
+/// have replaced: by happens-before, or since the thread has seen it.
 ///
-/// Stronger than the standard in three ways: a store comes last in its place's order when it is
-/// made; nothing is read before it is stored; seq_cst loads and failed exchanges see the newest.
+/// It is stronger than the standard in three ways: a store comes last in its place's order when it
+/// is made; nothing is read before it is stored; seq_cst loads and failed exchanges see the newest.
 class Memory {
  public:
   void begin(std::size_t threads);
 
-  /// How many different stores a load may return. `initial`: what the place held before the run.
+  /// Returns how many different stores a load may return. `initial` is what the place held before
+  /// the run.
   std::size_t choices(std::size_t thread, const void* place, std::uint64_t initial);
-  /// The store that is `age` places from the newest.
+  /// Loads the store that is `age` places from the newest.
   std::uint64_t load(std::size_t thread, const void* place, std::size_t age, bool acquires);
   void store(std::size_t thread, const void* place, std::uint64_t initial, std::uint64_t value,
              bool releases, bool readModifyWrite);

@@ -1,4 +1,4 @@
-// The parts between threads in every order of their accesses.
+// These run the parts between threads in every order of their accesses.
 #include <gtest/gtest.h>
 
 #include <iostream>

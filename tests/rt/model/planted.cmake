@@ -1,5 +1,5 @@
-# Bugs planted in the real sources, each of which the exploration must find. Whoever changes a line that is named here
-# changes it here too: a text that is not found is an error.
+# These bugs are planted in the real sources, and the exploration must find each. A change of a line that is named here
+# has to be made here too: a text that is not found is an error.
 
 # suture_planted(name PART p TEXT t REPLACEMENT r SCENARIO s FINDS regex)
 function(suture_planted name)

@@ -1,4 +1,5 @@
-// The rings and the newest-wins cell: what comes out is what went in, in order, and complete.
+// These use the rings and the newest-wins cell: what comes out is what went in, in order, and
+// complete.
 #include <suture/rt/queue/latest_cell.h>
 #include <suture/rt/queue/mpsc_ring.h>
 #include <suture/rt/queue/spsc_ring.h>

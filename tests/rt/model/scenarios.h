@@ -1,5 +1,5 @@
 #pragma once
-// What is explored: small uses of each part between threads, in which every order can be tried.
+// These are explored: small uses of each part between threads, in which every order can be tried.
 
 #include <functional>
 

@@ -1,4 +1,4 @@
-// Every kind of command with every prototype, waited for.
+// These wait for every kind of command with every prototype.
 #include <chrono>
 
 #include "rt/scenarios/setup.h"

@@ -22,7 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Work for a component's thread.
+/// Takes work for a component's thread.
 class Errands {
  public:
   std::future<void> add(std::function<void()> work) {
@@ -43,7 +43,7 @@ class Errands {
   std::vector<std::packaged_task<void()>> waiting_;
 };
 
-/// The interfaces of both directions on a component of kind Base.
+/// Has the interfaces of both directions on a component of kind Base.
 template <class Base>
 class Ported : public Base, public Store, public End {
  public:
@@ -100,7 +100,7 @@ class ContinuousEnd final : public TaskEnd<suture::ContinuousTask> {
   }
 };
 
-/// Called by another thread, as a driver would.
+/// Lets another thread call it, as a driver would.
 class CallbackEnd final : public TaskEnd<suture::CallbackTask> {
  public:
   void begin() override {

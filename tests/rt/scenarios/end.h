@@ -15,10 +15,10 @@ class Manager;
 
 namespace scenarios {
 
-/// Where a component's code runs: the original's kinds, and the task that borrows a thread.
+/// Says where a component's code runs: the original's kinds, and the task that borrows a thread.
 enum class Kind { Device, Periodic, Continuous, FromSignal, FromCallback, Guest };
 
-/// What arrived as events.
+/// Has what arrived as events.
 struct Received {
   std::vector<double> scalars;
   std::vector<Vector> vectors;
@@ -35,21 +35,21 @@ class End {
 
   /// Adds the component, and what it needs to run, to `manager`.
   virtual void addTo(suture::Manager& manager, const std::string& name) = 0;
-  /// After the manager's start() and before its stop().
+  /// Is called after the manager's start(), and end() before its stop().
   virtual void begin() {}
   virtual void end() {}
 
   /// Runs `work` in the component's thread, which is the caller's for a device, and returns when it
   /// has ended.
   virtual void with(const std::function<void(Used&)>& work) = 0;
-  /// Until its code finds the other end connected, at most 10 s: one that is in a cycle when it is
-  /// connected takes the connection over in its next.
+  /// Waits until its code finds the other end connected, at most 10 s: one that is in a cycle when
+  /// it is connected takes the connection over in its next.
   bool awaitConnection();
   /// Has it look at what has been received until `enough` says so, at most 10 s.
   bool await(const std::function<bool(const Received&)>& enough);
 
  protected:
-  /// In the component's thread: what has arrived until now.
+  /// Returns what has arrived until now; call it in the component's thread.
   virtual const Received& received() = 0;
 };
 

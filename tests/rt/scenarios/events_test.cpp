@@ -1,4 +1,4 @@
-// Events of every prototype, in both directions at once.
+// These emit events of every prototype, in both directions at once.
 #include "rt/scenarios/setup.h"
 
 namespace scenarios {
@@ -6,7 +6,7 @@ namespace {
 
 class Events : public Scenario {
  protected:
-  /// From `sender`: commands whose execution the other end tells with an event, each twice.
+  /// Sends commands from `sender` whose execution the other end tells with an event, each twice.
   static void provoke(End& sender) {
     sender.with([](Used& used) {
       for (int i = 0; i < 2; ++i) {

@@ -1,4 +1,4 @@
-// Every kind of command with every prototype, without waiting: sent, and its effect seen later.
+// These send every kind of command with every prototype, without waiting, and see its effect later.
 #include <optional>
 #include <utility>
 
@@ -42,7 +42,7 @@ TEST_P(NonBlocking, AWrittenValueIsReadLater) {
   }));
 }
 
-// Started in one cycle, looked at in later ones.
+// An answer is started in one cycle, and looked at in later ones.
 TEST_P(NonBlocking, AnAnswerIsPolledFor) {
   using Question = decltype(std::declval<Used&>().twice_text.start(""));
   using Exchange = decltype(std::declval<Used&>().swap_scalar.start(0.0));

@@ -1,5 +1,5 @@
 #pragma once
-// What both ends of a scenario serve.
+// Both ends of a scenario serve this.
 
 #include <string>
 
@@ -24,7 +24,7 @@ inline Vector doubled(const Vector& value) { return 2 * value; }
 inline std::string doubled(const std::string& value) { return value + value; }
 PosePrm doubled(const PosePrm& value);
 
-/// Keeps a value of each prototype. Confined to whichever thread the runtime calls it in.
+/// The thread that the runtime calls it in has it alone. Keeps a value of each prototype.
 class Store : public AllKinds {
  public:
   void clear() override;

@@ -15,7 +15,8 @@ void setWord(std::span<std::byte> memory, std::size_t index, std::uint64_t word)
   std::memcpy(memory.data() + 8 * index, &word, 8);
 }
 
-// SplitMix64 (Steele, Lea, Flood 2014): one word after another of a sequence that `state` begins.
+// Returns one word after another of a sequence that `state` begins, by SplitMix64 (Steele, Lea,
+// Flood 2014).
 std::uint64_t mixed(std::uint64_t& state) {
   state += 0x9e3779b97f4a7c15;
   std::uint64_t word = state;

@@ -1,5 +1,5 @@
 #pragma once
-// What the stress sends: bytes that tell whether they belong together.
+// The stress sends these: bytes that tell if they belong together.
 
 #include <array>
 #include <cstddef>
@@ -21,7 +21,7 @@ inline std::span<const std::byte> at(const std::byte* memory, std::size_t size =
 /// over all.
 void fill(std::span<std::byte> memory, std::uint64_t serial);
 
-/// The serial number; 0 if the bytes are not those of one fill().
+/// Returns the serial number; 0 if the bytes are not those of one fill().
 std::uint64_t serialOf(std::span<const std::byte> memory);
 
 }  // namespace stress

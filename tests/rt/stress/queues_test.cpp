@@ -1,4 +1,4 @@
-// Mailbox and event queue under the same stress as the rings that they are made of.
+// Mailbox and event queue are under the same stress as the rings that they are made of.
 
 #include <gtest/gtest.h>
 #include <suture/rt/queue/event_queue.h>
@@ -69,7 +69,7 @@ TEST(Stress, Mailbox) {
   EXPECT_EQ(mailbox.counters.superseded, 0u);
 }
 
-// A queued event and a newest-wins one from each of several threads, as a device's may come. Of two
+// A queued event and a newest-wins one come from each of several threads, as a device's may. Of two
 // newest-wins events at the same moment either may be lost.
 TEST(Stress, EventQueue) {
   constexpr rt::EventLimits kEvents[] = {{sizeof(Bytes), 16, false}, {sizeof(Bytes), 1, true}};
@@ -110,7 +110,7 @@ TEST(Stress, EventQueue) {
   expectNone(newest, "newest-wins events");
 }
 
-// The same from one thread, as a task's come.
+// The same events come from one thread, as a task's do.
 TEST(Stress, EventQueueOfOne) {
   constexpr rt::EventLimits kEvents[] = {{sizeof(Bytes), 16, false}, {sizeof(Bytes), 1, true}};
   rt::EventQueue queue(kEvents, rt::Producers::One);

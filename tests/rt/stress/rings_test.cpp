@@ -1,5 +1,5 @@
-// Rings and newest-wins cell, driven as fast as they go from all processors. Whatever comes out is
-// one whole thing that went in, in order; of what is queued, all of it.
+// Rings and newest-wins cell are driven as fast as they go from all processors. Each thing that
+// comes out is a whole one that went in, in order; of what is queued, all comes out.
 
 #include <gtest/gtest.h>
 #include <suture/rt/queue/latest_cell.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace rt = suture::rt;
 
-/// Records of many lengths, so that the ring's end falls everywhere.
+/// Returns one of many lengths of records, so that the ring's end falls everywhere.
 std::size_t lengthOf(std::uint64_t serial) { return 16 + 8 * (serial % 23); }
 
 TEST(Stress, SpscRing) {

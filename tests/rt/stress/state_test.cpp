@@ -1,4 +1,4 @@
-// The state table under stress, and what the stress is worth.
+// The state table is under stress, and the last test says what the stress is worth.
 
 #include <gtest/gtest.h>
 #include <suture/rt/state/state_table.h>
@@ -60,7 +60,7 @@ TEST(Stress, StateTable) {
   EXPECT_EQ(apart, 0u);
 }
 
-// A table of one row without its sequence: what the sums are for.
+// This is a table of one row without its sequence, and shows what the sums are for.
 TEST(Stress, FindsATornPayload) {
   std::array<std::atomic<std::uint64_t>, sizeof(Bytes) / 8> shared{};
   std::atomic<bool> ended{false};

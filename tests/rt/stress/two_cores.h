@@ -1,5 +1,5 @@
 #pragma once
-// How long the stress lasts and where its threads run.
+// These say how long the stress lasts and where its threads run.
 
 #include <atomic>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace stress {
 
-/// Runs until a time is over: a tenth of a second, or as many seconds as SUTURE_STRESS_SECONDS
+/// Lasts until a time is over: a tenth of a second, or as many seconds as SUTURE_STRESS_SECONDS
 /// says.
 class Span {
  public:
@@ -27,14 +27,14 @@ void runAcrossProcessors(const std::vector<std::function<void()>>& bodies);
 
 constexpr std::uint64_t kProducers = 3;
 
-/// Bodies of kProducers threads that each call `send(producer, serial)` until `span` is over, with
-/// the same serial number again where it returns false at a full queue. `sent` gets how many each
-/// could send, `ended` how many have ended.
+/// Returns bodies of kProducers threads that each call `send(producer, serial)` until `span` is
+/// over, with the same serial number again where it returns false at a full queue. `sent` gets how
+/// many each could send, `ended` how many have ended.
 std::vector<std::function<void()>> producers(
     const Span& span, std::vector<std::uint64_t>& sent, std::atomic<std::uint64_t>& ended,
     const std::function<bool(std::uint64_t, std::uint64_t)>& send);
 
-/// A serial number that tells which producer sent it.
+/// Returns a serial number that tells which producer sent it.
 inline std::uint64_t tagged(std::uint64_t producer, std::uint64_t serial) {
   return serial * kProducers + producer;
 }
@@ -45,7 +45,7 @@ struct Faults {
 
   /// Returns the serial number of what was received; it must be greater than any before.
   std::uint64_t take(std::uint64_t serial);
-  /// No use to go on: what is broken may never come to an end.
+  /// Tells if it is of no use to go on: what is broken may never come to an end.
   bool hopeless() const { return torn + backwards > 100; }
 
  private:

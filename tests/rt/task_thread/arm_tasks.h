@@ -12,7 +12,7 @@
 
 namespace proof {
 
-/// A master arm with its seven named joints.
+/// Returns a master arm with its seven named joints.
 robots::ArmModel<7> masterArm();
 
 /// Does in each cycle what robots::Mtm does, and `also`.

@@ -70,8 +70,9 @@ void ArmUser::subscribe() {
   on.error([this](const suture::Message&) { ++events; });
 }
 
-// Ends enabled and homed: what follows moves the arm. An arm that rests where it is at home is
-// homed in the cycle that it is asked in. One word is none of the commands' names, for `error`.
+// The steps end with an arm that is enabled and homed, since what follows moves it. An arm that
+// rests where it is at home is homed in the cycle in which it is asked. One word names no command,
+// for `error`.
 std::vector<ArmUser::Step> ArmUser::stateSteps() {
   static const std::string enable = "enable", nonsense = "no such command";
   return {

@@ -1,5 +1,5 @@
 #pragma once
-// Uses all of the Arm contract, without ever waiting.
+// This uses all of the Arm contract, without ever waiting.
 
 #include <cstdint>
 #include <functional>
@@ -10,16 +10,16 @@
 
 namespace proof {
 
-/// In each cycle: every read, the next of all commands, and a question that is followed by poll().
-/// Subscribes to every event.
+/// Uses in each cycle every read, the next of all commands, and a question that is followed by
+/// poll(). It subscribes to every event.
 class ArmUser {
  public:
   explicit ArmUser(suture::Required<robots::Arm>& arm);
 
-  /// The thread that owns the required interface.
+  /// The thread that owns the required interface calls this.
   void cycle();
 
-  // What came of it.
+  // These count what came of it.
   std::uint64_t reads = 0, commands = 0, refused = 0, answers = 0, events = 0;
 
   /// Each command has been executed, each value read and each question answered, some times over,
@@ -52,7 +52,7 @@ class ArmUser {
   std::optional<Question> question_;
   std::optional<Problem> problem_;
 
-  // What is read, keeping its memory, and what is sent.
+  // These are what is read, keeping its memory, and what is sent.
   robots::JointConfiguration configuration_;
   robots::OperatingState state_;
   robots::IntervalStatistics periods_;

@@ -1,5 +1,5 @@
-// Stands in for the allocator and the locks of the C library: each call is told to the thread's
-// watch. operator new and std::mutex end here. What waits in another way, say on a condition
+// These stand in for the allocator and the locks of the C library: each call is told to the
+// thread's watch. operator new and std::mutex end here. A wait of another kind, say on a condition
 // variable, ends in a system call.
 
 #include <dlfcn.h>

@@ -1,5 +1,5 @@
 #pragma once
-// What a component must not do in its cycle, done on purpose. Each names itself in the findings.
+// These do on purpose what a component must not do in its cycle. Each names itself in the findings.
 
 #include <atomic>
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace planted {
 [[gnu::noinline]] void allocateAndFree();
 [[gnu::noinline]] void askTheKernel();
 
-/// A lock that another thread holds until somebody has waited for it.
+/// Is a lock that another thread holds until a thread has waited for it.
 class BusyLock {
  public:
   BusyLock();
@@ -26,7 +26,7 @@ class BusyLock {
   std::thread holder_;
 };
 
-/// Memory that nobody has touched yet.
+/// Is memory that no thread has touched yet.
 class FreshMemory {
  public:
   explicit FreshMemory(std::size_t pages);

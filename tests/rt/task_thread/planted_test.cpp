@@ -32,8 +32,8 @@ using testing::StartsWith;
 
 constexpr std::uint64_t kWarmUp = 2'000, kCycles = 1'000;
 
-/// The findings about an arm that does `crime` in every tenth of its cycles, and
-/// about its client.
+/// Has the findings about an arm that does `crime` in every tenth of its cycles, and about its
+/// client.
 struct Case {
   std::vector<std::string> arm, client;
 };
@@ -96,7 +96,8 @@ TEST(Watch, ReportsASystemCall) {
   EXPECT_THAT(found.client, IsEmpty());
 }
 
-// What a sleeping task may ask of the kernel, it may ask once in a cycle.
+// A task may sleep once in a cycle, and ring a sleeping peer once; the watch reports what is
+// beyond.
 TEST(Watch, ReportsASecondSleepAndASecondRingOfOneCycle) {
   suture::rt::Doorbell bell;
   Watch watch("PSM", 2, 1, {.sleeps = 1, .wakes = 1});

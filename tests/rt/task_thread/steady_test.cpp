@@ -1,5 +1,4 @@
-// A million cycles of the full Arm contract on the `local` lane, and what they cost beside time:
-// nothing.
+// A million cycles of the full Arm contract on the `local` lane cost nothing beside time.
 
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -34,7 +33,7 @@ bool eventuallyDone(const Watch& watch) {
   return watch.done();
 }
 
-/// A processor that this process may use: threads that wake each other are best off on one.
+/// Returns a processor that this process may use: threads that wake each other are best off on one.
 int someProcessor() {
   cpu_set_t set;
   sched_getaffinity(0, sizeof(set), &set);
@@ -72,7 +71,7 @@ TEST(TaskThread, CyclesInOneThreadCostNothing) {
   EXPECT_EQ(counters.executed + counters.late, counters.sent);
 }
 
-// No warm-up: what a command, an event or a read needs is there before its first use.
+// There is no warm-up: what a command, an event or a read needs is there before its first use.
 TEST(TaskThread, NotEvenTheFirstUseOfAnythingAllocates) {
   ArmTask<suture::CallbackTask> arm;
   UserTask<suture::CallbackTask> client;
@@ -94,7 +93,7 @@ TEST(TaskThread, NotEvenTheFirstUseOfAnythingAllocates) {
   }
 }
 
-// Both run as fast as they can, on two processors if there are two; nobody ever sleeps.
+// Both run as fast as they can, on two processors if there are two; no thread ever sleeps.
 TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
   ArmTask<suture::ContinuousTask> arm;
   UserTask<suture::ContinuousTask> client;
@@ -121,8 +120,8 @@ TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
   EXPECT_GT(client.user.answers, 1000u);
 }
 
-// An arm and two clients that sleep whenever they have nothing to do, and wake each other: in a
-// cycle one sleep, and a ring for each peer that sleeps.
+// An arm and two clients sleep whenever they have nothing to do, and wake each other: in a cycle
+// that is one sleep, and a ring for each peer that sleeps.
 TEST(TaskThread, CyclesThatSleepCostASleepAndARingForEachSleepingPeer) {
   const suture::EventOptions options{.scheduling = {.processor = someProcessor()}};
   ArmTask<suture::EventTask> arm(options);

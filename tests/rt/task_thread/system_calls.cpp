@@ -20,7 +20,7 @@
 #error "Which registers a system call uses is known here for x86-64 only"
 #endif
 
-// The one place from which a system call is not trapped: what the handler makes them with.
+// This is the one place from which a system call is not trapped: the handler makes them here.
 extern "C" long proof_system_call(long number, const long* arguments);
 extern "C" const char proof_after_system_call;
 asm(R"(
@@ -63,7 +63,7 @@ void check(bool good, const char* step) {
   if (!good) throw std::system_error(errno, std::generic_category(), step);
 }
 
-// SA_NODEFER: what the handler calls may make system calls of its own.
+// SA_NODEFER is set because what the handler calls may make system calls of its own.
 void handleTraps() {
   struct sigaction action {};
   action.sa_sigaction = tellAndMake;

@@ -3,8 +3,8 @@
 
 namespace proof {
 
-/// From now on each system call of the calling thread is first told to Watch::noteSystemCall(), and
-/// then made. Stays so until the thread ends; such a thread must not start others. Throws
+/// Tells from now on each system call of the calling thread first to Watch::noteSystemCall(), and
+/// then makes it. It stays so until the thread ends; such a thread must not start others. Throws
 /// std::system_error if the kernel refuses.
 void trapSystemCallsOfThisThread();
 

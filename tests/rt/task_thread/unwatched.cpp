@@ -1,4 +1,4 @@
-// In place of watch.cpp where nothing can be watched: CMakeLists.txt says where.
+// This is in place of watch.cpp where nothing can be watched: CMakeLists.txt says where.
 #include <utility>
 
 #include "rt/task_thread/watch.h"

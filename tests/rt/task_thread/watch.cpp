@@ -18,8 +18,8 @@
 namespace proof {
 namespace {
 
-// The watch that looks at this thread. None while a finding is written down: that may do what is
-// watched for.
+// This watch looks at the calling thread. It is null while a finding is written down, since that
+// may do what is watched for.
 constinit thread_local Watch* current = nullptr;
 
 std::uint64_t pageFaults() {
@@ -28,7 +28,7 @@ std::uint64_t pageFaults() {
   return static_cast<std::uint64_t>(usage.ru_minflt + usage.ru_majflt);
 }
 
-/// The function at `address`; "" if it has no name that other files can see.
+/// Returns the function at `address`; "" if it has no name that other files can see.
 std::string functionAt(void* address) {
   Dl_info info{};
   if (dladdr(address, &info) == 0 || info.dli_sname == nullptr) return "";

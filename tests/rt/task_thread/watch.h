@@ -1,5 +1,5 @@
 #pragma once
-// What a thread does that a task thread in steady state must not do.
+// This finds what a thread does that a task thread in steady state must not do.
 
 #include <atomic>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace proof {
 
-/// What a thread may ask of the kernel in one cycle.
+/// Says what a thread may ask of the kernel in one cycle.
 struct Allowance {
   unsigned sleeps = 0;  ///< waits for its doorbell, beside those that a late wake ends
   unsigned wakes = 0;   ///< sleeping peers that it rings, each once
@@ -19,18 +19,19 @@ struct Allowance {
 /// Under the sanitizers (unwatched.cpp) it only counts cycles.
 class Watch {
  public:
-  /// `thread`: whose it is, for the findings.
+  /// `thread` says which thread it is, for the findings.
   Watch(std::string thread, std::uint64_t warmUp, std::uint64_t cycles, Allowance allowance = {});
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// The watched thread, once in each cycle, always at the same place of the cycle. From the end
-  /// of the warm-up on, the thread must not start others.
+  /// The watched thread calls this once in each cycle, always at the same place of the cycle. From
+  /// the end of the warm-up on, the thread must not start others.
   void cycle();
 
-  /// Any thread: true when all cycles have been seen.
+  /// Any thread: returns true when all cycles have been seen.
   bool done() const { return done_.load(std::memory_order_acquire); }
-  /// When done(): a line for each thing found: who, what, how often, and where it was seen first.
+  /// Returns, once done(), a line for each thing found: in which thread, what, how often, and where
+  /// it was seen first.
   std::vector<std::string> findings() const;
 
   // --- for what stands in for the C library and the kernel: the calling thread, if it is watched
