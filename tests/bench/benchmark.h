@@ -1,5 +1,5 @@
 #pragma once
-// A subcommand of suture-bench.
+// This is a subcommand of suture-bench.
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -20,19 +20,19 @@ class Benchmark {
   virtual void run(Report& report) = 0;
 };
 
-/// The loops and the overhead of the paper's Table 2.
+/// Measures the loops and the overhead of the paper's Table 2.
 std::unique_ptr<Benchmark> makeTable2();
-/// suturec itself and the code that it writes.
+/// Measures suturec itself and the code that it writes.
 std::unique_ptr<Benchmark> makeCompiler();
-/// What carries the traffic within one process.
+/// Measures what carries the traffic within one process.
 std::unique_ptr<Benchmark> makeLocal();
-/// What carries the traffic between processes.
+/// Measures what carries the traffic between processes.
 std::unique_ptr<Benchmark> makeNetwork();
-/// The emergency stop of a system.
+/// Measures the emergency stop of a system.
 std::unique_ptr<Benchmark> makeStop();
-/// What the arms compute in each cycle.
+/// Measures what the arms compute in each cycle.
 std::unique_ptr<Benchmark> makeKinematics();
-/// What a guided motion solves in each cycle.
+/// Measures what a guided motion solves in each cycle.
 std::unique_ptr<Benchmark> makeFixtures();
 
 }  // namespace bench

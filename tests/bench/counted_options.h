@@ -1,5 +1,5 @@
 #pragma once
-// What a user may choose of a subcommand that measures very many calls, one at a time.
+// A user may choose these for a subcommand that measures very many calls, one at a time.
 
 #include <CLI/CLI.hpp>
 #include <cstddef>

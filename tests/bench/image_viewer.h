@@ -1,5 +1,5 @@
 #pragma once
-// Who looks at images in a measurement.
+// This looks at images in a measurement.
 
 #include <suture/component/required.h>
 #include <suture/component/task/periodic_task.h>
@@ -17,7 +17,7 @@ class ImageViewer final : public suture::PeriodicTask {
  public:
   ImageViewer() : PeriodicTask({.period = std::chrono::milliseconds(10)}) {}
 
-  /// Any thread: how many images it has seen.
+  /// Any thread: returns how many images it has seen.
   std::uint64_t images() const { return images_.load(); }
 
  private:

@@ -1,4 +1,4 @@
-// suture-bench: every performance figure of the project, and whether it keeps to its bound.
+// This is suture-bench: every performance figure of the project, and if it keeps to its bound.
 
 #include <fmt/format.h>
 
@@ -24,7 +24,7 @@ namespace {
 using bench::Benchmark;
 using bench::Report;
 
-/// The options that all subcommands share.
+/// Has the options that all subcommands share.
 struct CommonOptions {
   std::string jsonFile;
   bool check = false;
@@ -44,7 +44,7 @@ std::vector<bench::Bound> readBounds(const std::string& file) {
   return bench::parseBounds(std::string(std::istreambuf_iterator<char>(in), {}));
 }
 
-/// Prints what falls short. True if nothing does.
+/// Prints what falls short. Returns true if nothing does.
 bool keepsItsBounds(const Report& report, const std::string& subcommand, const std::string& file) {
   const auto bounds = readBounds(file);
   const auto lines = bench::shortfalls(bounds, subcommand, report);

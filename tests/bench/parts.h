@@ -1,5 +1,5 @@
 #pragma once
-// A subcommand that measures one thing after the other.
+// This is a subcommand that measures one thing after the other.
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ namespace bench {
 template <class Options>
 struct Part {
   const char* title;
-  /// Its table.
+  /// Returns its table.
   std::string (*measure)(const Options& options, Report& report);
 };
 

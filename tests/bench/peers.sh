@@ -36,7 +36,7 @@ out=${out:-$build/results}
 
 is_installed() { dpkg-query -W -f='${db:Status-Abbrev}' "$1" 2>/dev/null | grep -q '^ii'; }
 
-# A package that cannot be had leaves out its peer alone.
+# Installs the packages; one that cannot be had leaves out its peer alone.
 install_packages() {
   local package missing=() sudo=''
   while read -r package; do is_installed "$package" || missing+=("$package"); done < <(grep -v '^#' "$source/packages.txt")
@@ -60,7 +60,8 @@ install_suture() (
   cmake --install "$build/suture" --prefix "$build/prefix" --component suture >/dev/null
 )
 
-# One that does not compile is a row that says so: what an earlier build left is not measured in its place.
+# Builds the peers. A peer that does not compile is a row that says so, since what an earlier build left must not be
+# measured in its place.
 build_peers() {
   rm -rf "$build/project/bin"
   cmake -S "$source" -B "$build/project" -G Ninja -DCMAKE_PREFIX_PATH="$build/prefix" --log-level=WARNING >/dev/null

@@ -1,5 +1,5 @@
 #pragma once
-// Where the threads of a measurement run.
+// These say where the threads of a measurement run.
 
 #include <sched.h>
 #include <suture/rt/scheduling.h>
@@ -40,15 +40,15 @@ class Unpreempted {
   sched_param parameters_;
 };
 
-/// The last of the processors that this process may use: the first serves most interrupts.
+/// Returns the last of the processors that this process may use: the first serves most interrupts.
 int preferredCpu();
-/// The last of them that is not `cpu`; `cpu` if it is the only one.
+/// Returns the last of them that is not `cpu`; `cpu` if it is the only one.
 int cpuBeside(int cpu);
 
-/// SCHED_FIFO at `priority` where this process may, else the default policy.
+/// Returns SCHED_FIFO at `priority` where this process may have it, else the default policy.
 suture::rt::Scheduling urgent(int priority, std::optional<int> processor = std::nullopt);
 
-/// Why a thread cannot have SCHED_FIFO at `priority`; "" if it can.
+/// Says why a thread cannot have SCHED_FIFO at `priority`; "" if it can.
 std::string whyNotFifo(int priority);
 
 }  // namespace bench

@@ -1,5 +1,5 @@
 #pragma once
-// Calls that are long enough for a clock, one at a time.
+// These time calls that are long enough for a clock, one at a time.
 
 #include <suture/base/time.h>
 
@@ -11,7 +11,7 @@
 
 namespace bench {
 
-/// us, in wall time.
+/// Has costs in us of wall time.
 struct CallCosts {
   std::vector<double> shortest;  ///< of each case, the shortest of its five calls
   std::vector<double> every;     ///< every call, with what interrupted it

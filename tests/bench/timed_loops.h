@@ -15,7 +15,8 @@ void keep(T& value) {
   asm volatile("" : : "r"(&value) : "memory");
 }
 
-/// Processor time of the calling thread, ns: while others have the processor it stands still.
+/// Returns the processor time of the calling thread, ns: while others have the processor it stands
+/// still.
 inline double threadTime() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

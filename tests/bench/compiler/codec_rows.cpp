@@ -16,7 +16,7 @@
 #include "robot_types/pose.suture.h"
 #include "support/allocations.h"
 
-// The generated converters, which only generated code calls otherwise.
+// These are the generated converters, which only generated code calls otherwise.
 namespace robots {
 void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out);
 suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift);
@@ -33,7 +33,7 @@ constexpr std::size_t kTurn = 5;
 
 using Scratch = std::array<capnp::word, 64>;
 
-/// One way to turn a record into the bytes of a message and back.
+/// Is one way to turn a record into the bytes of a message and back.
 template <class Value, class Wire, class Conversion>
 class RecordCodec {
  public:
@@ -78,7 +78,7 @@ struct ByHand {
 
 void append(std::vector<double>& to, const Statistics& loops) { to.push_back(loops.p50); }
 
-/// Both ways of both contestants: medians over turns.
+/// Compares both ways of both contestants: medians over turns.
 template <class Value, class Slot, class Wire>
 void compare(const char* title, const char* figure, const Value& value, std::size_t loops,
              Report& report, Table& table) {

@@ -23,7 +23,7 @@ constexpr const char* kHandwritten[] = {"arm_client.cpp", "arm_server.cpp"};
 constexpr const char* kHandwrittenTypes[] = {"cartesian_conversions.cpp", "joint_conversions.cpp",
                                              "pose_conversions.cpp"};
 
-/// How this build compiles the generated source of the contract, for any source.
+/// Says how this build compiles the generated source of the contract, for any source.
 class CompileCall {
  public:
   CompileCall() {
@@ -70,7 +70,7 @@ class CompileCall {
   fs::path generated_;
 };
 
-/// A user's file that includes one header of the interface and nothing else.
+/// Writes a user's file that includes one header of the interface and nothing else.
 fs::path userFile(const fs::path& scratch, const char* name, const char* header) {
   fs::path file = scratch / name;
   std::ofstream(file) << "#include \"" << header << "\"\n";

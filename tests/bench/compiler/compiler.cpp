@@ -1,4 +1,5 @@
-// suture-bench compiler: what suturec costs, what it makes run again, and what its code costs.
+// This is suture-bench compiler: what suturec costs, what it makes run again, and what its code
+// costs.
 
 #include <fmt/format.h>
 #include <suture/base/errors.h>

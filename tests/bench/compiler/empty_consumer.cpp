@@ -1,5 +1,5 @@
-// An empty libTooling consumer: parses a file with function bodies skipped, and looks at nothing.
-// What suturec cannot do without, and so the yardstick for its time.
+// This is an empty libTooling consumer: it parses a file with function bodies skipped, and looks at
+// nothing. suturec cannot do without that, so it is the yardstick for its time.
 
 #include <clang/AST/ASTConsumer.h>
 #include <clang/Frontend/CompilerInstance.h>

@@ -1,5 +1,5 @@
 #pragma once
-// The same record through the serializer of Fast DDS, the rival of the figures.
+// This sends the same record through the serializer of Fast DDS, the rival of the figures.
 
 #include <cstddef>
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace bench {
 
-/// ns to serialize `value` and to deserialize it into a second object, both in memory that is used
-/// again. Nothing where this program was built without Fast CDR.
+/// Returns the ns to serialize `value` and to deserialize it into a second object, both in memory
+/// that is used again; nothing where this program was built without Fast CDR.
 std::optional<Statistics> fastCdrBothWays(const robots::PosePrm& value, std::size_t loops,
                                           std::size_t length);
 

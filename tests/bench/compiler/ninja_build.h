@@ -1,5 +1,5 @@
 #pragma once
-// A project built with Ninja, and what ran in each build.
+// This is a project built with Ninja, and what ran in each build.
 
 #include <filesystem>
 #include <map>
@@ -21,10 +21,10 @@ class NinjaBuild {
     std::set<std::string> objects;  ///< compiled ones
     std::size_t rewritten = 0;      ///< generated files with a new time
   };
-  /// Builds `target`; "": everything.
+  /// Builds `target`, or everything if it is "".
   Ran build(const std::string& target = "");
 
-  /// The objects that include a file of which the path ends so, as the compiler said.
+  /// Returns the objects that include a file whose path ends so, as the compiler said.
   std::set<std::string> including(const std::set<std::string>& endings) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// What a user may choose of `suture-bench compiler`.
+// A user may choose these for `suture-bench compiler`.
 
 #include <CLI/CLI.hpp>
 #include <cstddef>

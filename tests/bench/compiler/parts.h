@@ -1,6 +1,6 @@
 #pragma once
-// The four parts of `suture-bench compiler`: each measures, leaves its figures in the report and
-// returns its table. What cannot be had is said in the report, not thrown.
+// These are the four parts of `suture-bench compiler`: each measures, leaves its figures in the
+// report and returns its table. The report says what cannot be had; it is not thrown.
 
 #include <string>
 
@@ -9,13 +9,13 @@
 
 namespace bench {
 
-/// suturec itself beside an empty libTooling consumer and clang++ -fsyntax-only.
+/// Measures suturec itself beside an empty libTooling consumer and clang++ -fsyntax-only.
 std::string toolRows(const CompilerOptions& options, Report& report);
-/// What runs again after which edit.
+/// Measures what runs again after which edit.
 std::string rebuildRows(const CompilerOptions& options, Report& report);
-/// Generated conversions beside hand-written ones and Fast CDR.
+/// Measures generated conversions beside hand-written ones and Fast CDR.
 std::string codecRows(const CompilerOptions& options, Report& report);
-/// How long the compiler takes for generated code, beside hand-written code.
+/// Measures how long the compiler takes for generated code, beside hand-written code.
 std::string compileRows(const CompilerOptions& options, Report& report);
 
 }  // namespace bench

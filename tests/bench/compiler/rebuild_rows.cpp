@@ -28,7 +28,7 @@ void edit(const fs::path& file, const std::string& old, const std::string& repla
   std::ofstream(file) << text.replace(at, old.size(), replacement);
 }
 
-/// How many of `objects` are not among `allowed`.
+/// Returns how many of `objects` are not among `allowed`.
 std::size_t surplus(const std::set<std::string>& objects, const std::set<std::string>& allowed) {
   return static_cast<std::size_t>(
       std::count_if(objects.begin(), objects.end(),

@@ -1,5 +1,5 @@
 #pragma once
-// Other programs, run and timed.
+// These run and time other programs.
 
 #include <filesystem>
 #include <string>
@@ -20,7 +20,7 @@ using Command = std::vector<std::string>;
 /// Throws SetupError with the end of what it printed if it cannot be started or fails.
 CommandCost run(const Command& command, const std::filesystem::path& directory);
 
-/// The words of a command line of compile_commands.json.
+/// Returns the words of a command line of compile_commands.json.
 Command wordsOf(const std::string& commandLine);
 
 /// Several ways to do a job, compared: in each round each of them once, so that what disturbs the
@@ -31,8 +31,8 @@ class Comparison {
   std::size_t add(std::vector<Command> commands, std::filesystem::path directory);
   void run(std::size_t rounds, const std::string& what);
   Statistics seconds(std::size_t contestant) const;
-  /// What `contestant` takes beyond what `other` takes in the same round: a host that slows down
-  /// for some rounds slows both.
+  /// Returns what `contestant` takes beyond what `other` takes in the same round: a host that slows
+  /// down for some rounds slows both.
   Statistics secondsBeyond(std::size_t other, std::size_t contestant) const;
   double megabytes(std::size_t contestant) const;
 

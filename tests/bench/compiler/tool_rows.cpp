@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kHeaders = 10;
 
-/// How the build calls suturec for the components of the tree.
+/// Says how the build calls suturec for the components of the tree.
 struct Call {
   Command headers;    ///< the largest ones
   Command options;    ///< what precedes "--", without --out

@@ -1,5 +1,5 @@
 #pragma once
-// What the figures must keep to: bounds.txt, compiled in.
+// The figures must keep to these: bounds.txt, compiled in.
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace bench {
 
-/// One line of bounds.txt.
+/// Is one line of bounds.txt.
 struct Bound {
   std::string subcommand;
   std::string figure;
@@ -22,11 +22,11 @@ struct Bound {
 /// Reads the form that bounds.txt explains. Throws std::runtime_error that names the line.
 std::vector<Bound> parseBounds(std::string_view text);
 
-/// The text of bounds.txt as it was when this program was built.
+/// Returns the text of bounds.txt as it was when this program was built.
 std::string_view boundsText();
 
-/// What falls short, a line each for people: figures beyond their bound, and figures that have a
-/// bound and no value.
+/// Returns what falls short, a line each for people: figures beyond their bound, and figures that
+/// have a bound and no value.
 std::vector<std::string> shortfalls(const std::vector<Bound>& bounds, const std::string& subcommand,
                                     const Report& report);
 

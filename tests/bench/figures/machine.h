@@ -1,5 +1,5 @@
 #pragma once
-// What a figure is worth depends on where it was measured.
+// This says where a figure was measured, since its worth depends on that.
 
 #include <nlohmann/json.hpp>
 

@@ -10,25 +10,25 @@
 
 namespace bench {
 
-/// One value with its unit.
+/// Is one value with its unit.
 struct Value {
   double value;
   std::string unit;
 };
 
-/// Figures in the order in which they were added. A figure is a distribution, a single value, or
-/// the reason why it could not be had: none is left out silently. Names are dotted:
+/// Has figures in the order in which they were added. A figure is a distribution, a single value,
+/// or the reason why it could not be had: none is left out silently. Names are dotted:
 /// "event.csc.network".
 class Report {
  public:
   void add(const std::string& figure, const std::string& unit, const Statistics& statistics);
   void add(const std::string& figure, const std::string& unit, double value);
   void addUnavailable(const std::string& figure, const std::string& reason);
-  /// Anything else worth keeping beside the figures: options, machine.
+  /// Notes anything else worth keeping beside the figures: options, machine.
   void note(const std::string& key, const nlohmann::json& value);
 
-  /// A single value by its name, one of a distribution as "event.csc.network.p50". Nothing if it
-  /// was not measured.
+  /// Returns a single value by its name, one of a distribution as "event.csc.network.p50"; nothing
+  /// if it was not measured.
   std::optional<Value> find(const std::string& name) const;
   /// Why figure `name`, or the one that `name` is a part of, is not available; "" if it was not
   /// even tried.

@@ -1,5 +1,5 @@
 #pragma once
-// What a figure says about many samples.
+// These are what a figure says about many samples.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace bench {
 
-/// In the unit of the samples. All zero if there are none.
+/// Is in the unit of the samples, and all zero if there are none.
 struct Statistics {
   std::size_t count = 0;
   double mean = 0, std = 0, min = 0, p50 = 0, p99 = 0, p999 = 0, max = 0;
@@ -16,7 +16,7 @@ struct Statistics {
 /// Percentiles are samples (nearest rank), not interpolations; the deviation is that of a sample.
 Statistics statisticsOf(std::vector<double> samples);
 
-/// Durations in nanoseconds as `unitNanoseconds` long units.
+/// Returns durations in nanoseconds as units of `unitNanoseconds`.
 std::vector<double> inUnits(const std::vector<std::int64_t>& nanoseconds, double unitNanoseconds);
 
 constexpr double kMicrosecond = 1e3;

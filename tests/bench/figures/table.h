@@ -1,5 +1,5 @@
 #pragma once
-// Aligned tables on a terminal.
+// These are aligned tables on a terminal.
 
 #include <string>
 #include <vector>
@@ -15,7 +15,7 @@ class Table {
   explicit Table(std::size_t leftColumns) : leftColumns_(leftColumns) {}
 
   void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  /// A horizontal line.
+  /// Adds a horizontal line.
   void line() { rows_.emplace_back(); }
   std::string toString() const;
 
@@ -26,9 +26,9 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// The titles that belong to cellsOf().
+/// Returns the titles that belong to cellsOf().
 std::vector<std::string> statisticsTitles();
-/// Mean, std, min, p50, p99, p99.9, max, with so many digits after the point.
+/// Returns mean, std, min, p50, p99, p99.9, max, with so many digits after the point.
 std::vector<std::string> cellsOf(const Statistics& statistics, int digits);
 std::string number(double value, int digits);
 

@@ -1,4 +1,4 @@
-// suture-bench kinematics: what a call of inverse kinematics costs.
+// This is suture-bench kinematics: what a call of inverse kinematics costs.
 
 #include <cmath>
 
@@ -18,13 +18,13 @@ namespace {
 
 using namespace robots::kinematics;
 
-// The wrist in the remote centre, or its yaw axis through that.
+// Puts the wrist in the remote centre, or its yaw axis through that.
 void makePsmSingular(Chain<6>::Joints& q, int which) {
   q[4] *= 0.6;  // beyond that the yaw axis leads through it beyond the limits only
   q[2] = kPsmCarriage - kPsmShaft - (which == 0 ? 0 : kPsmWrist / std::cos(q[4]));
 }
 
-// The axes of platform and roll in line.
+// Puts the axes of platform and roll in line.
 void makeMtmSingular(Chain<7>::Joints& q, int which) {
   q[4] = which == 0 ? kHalfPi : -kHalfPi;
   q[5] = 0;
@@ -50,7 +50,7 @@ Calls measure(const Chain<N>& chain, InverseFunction<N> solve, Queries<N> querie
   Calls calls;
   std::size_t asked = 0;
   const auto next = [&] {
-    // Every other round of kinds as a stream asks.
+    // Every other round of kinds asks as a stream does.
     return Pose<N>{queries.next(), asked++ / 8 % 2 == 0 ? Postures::All : Postures::Near};
   };
   const auto call = [&](Pose<N>& pose) {

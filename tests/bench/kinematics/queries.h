@@ -15,7 +15,7 @@ struct Query {
   bool admissible = true;  ///< joints within the limits reach it
 };
 
-/// An endless sequence that is the same each time.
+/// Is an endless sequence that is the same each time.
 template <int N>
 class Queries {
  public:
@@ -47,7 +47,7 @@ class Queries {
     return std::uniform_real_distribution<double>(lower, upper)(random_);
   }
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
-  // Uniform between the limits, each widened by so much of its range.
+  // Returns joints that are uniform between the limits, each widened by so much of its range.
   Joints within(double wider = 0) {
     const Joints margin = wider * (chain_.upper() - chain_.lower());
     Joints q;
@@ -75,7 +75,7 @@ class Queries {
     return {chain_.forward(q), beside(q), false};
   }
   Query<N> farBeyond() { return {chain_.forward(within(0.2)), within(), false}; }
-  // On the singular joints, or by a millionth to a trillionth beside them.
+  // Returns singular joints, or joints by a millionth to a trillionth beside them.
   Query<N> singular() {
     Joints q = within();
     makeSingular_(q, below(2));

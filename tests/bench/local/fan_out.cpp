@@ -35,7 +35,7 @@ class BurstSender final : public suture::EventTask, public SampleServer {
   void run() override {}
 
   suture::ProvidedBase& provided() { return provided_; }
-  /// ns an event and subscriber, a sample a round. Once the task has been stopped.
+  /// Returns ns an event and subscriber, a sample a round, once the task has been stopped.
   const std::vector<double>& costs() const { return costs_; }
 
  private:

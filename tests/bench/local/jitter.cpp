@@ -19,7 +19,7 @@ using suture::rt::Histogram;
 
 constexpr suture::Duration kPeriod = 1ms;
 
-/// Does nothing, on time. Says when it has done so `cycles` times.
+/// Does nothing, on time, and says when it has done so `cycles` times.
 class IdleTask final : public suture::PeriodicTask {
  public:
   IdleTask(int cpu, std::size_t cycles)

@@ -1,4 +1,4 @@
-// suture-bench local: what carries the traffic within one process.
+// This is suture-bench local: what carries the traffic within one process.
 
 #include "bench/local/options.h"
 #include "bench/local/rows.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What a user may choose of `suture-bench local`.
+// A user may choose these for `suture-bench local`.
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -16,7 +16,7 @@ struct LocalOptions {
   nlohmann::json toJson() const;
 
   bool twoProcessors() const { return cpu != otherCpu; }
-  /// `full`, or the hundredth part of it.
+  /// Returns `full`, or the hundredth part of it.
   std::size_t count(std::size_t full) const { return quick ? (full + 99) / 100 : full; }
 };
 

@@ -48,7 +48,7 @@ struct TableReads {
   Statistics cost;
   std::uint64_t checked = 0, torn = 0, rows = 0;
 
-  /// %: exactly 100 if none was torn.
+  /// Returns the share of whole rows, %: exactly 100 if none was torn.
   double whole() const {
     return 100 * static_cast<double>(checked - torn) / static_cast<double>(checked);
   }

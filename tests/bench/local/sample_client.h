@@ -1,5 +1,5 @@
 #pragma once
-// The client that goes round and round with a pose.
+// This client goes round and round with a pose.
 
 #include <suture/component/task/event_task.h>
 
@@ -20,7 +20,7 @@ class SampleClient final : public suture::EventTask {
   ~SampleClient() override { stop(); }
 
   void run() override;
-  /// ns of each round but the first `skipped`. Once.
+  /// Returns, once, what will have the ns of each round but the first `skipped`.
   std::future<Samples> samples() { return finished_.get_future(); }
 
   suture::Required<SampleServer> server{*this, "Server"};

@@ -1,5 +1,5 @@
 #pragma once
-// The provider in the measurements of `suture-bench local`.
+// This is the provider in the measurements of `suture-bench local`.
 
 #include <suture/component/task/event_task.h>
 
@@ -9,7 +9,7 @@
 
 namespace bench {
 
-/// A pose in which no element is zero.
+/// Returns a pose in which no element is zero.
 robots::PoseSample poseSample();
 
 /// Sleeps until a command arrives.
@@ -26,7 +26,7 @@ class SampleTask final : public suture::EventTask, public SampleServer {
   suture::ProvidedBase& provided() { return provided_; }
   /// Any thread: how many put() have been executed.
   std::uint64_t executed() const { return executed_.load(std::memory_order_acquire); }
-  /// Any thread: how many of them came out of their order.
+  /// Any thread: returns how many of them came out of their order.
   std::uint64_t outOfOrder() const { return outOfOrder_.load(std::memory_order_relaxed); }
 
  private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kDepth = 4096;  // queue(4096) of the contract
 
-/// Processor time of all threads of this process, ns.
+/// Returns the processor time of all threads of this process, ns.
 double processTime() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
@@ -92,8 +92,8 @@ Statistics measureWrites(int clientCpu, int serverCpu,
   return statistics;
 }
 
-// Millions a second of processor time: on one processor, the time that passes if nobody else wants
-// it.
+// Returns millions a second of processor time: on one processor, that is the time that passes if no
+// other process wants it.
 Statistics onOneProcessor(const LocalOptions& options) {
   constexpr std::size_t kFills = 50;
   return measureWrites(options.cpu, options.cpu, [&](Flooder& client, SampleTask&) {

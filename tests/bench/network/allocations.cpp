@@ -29,7 +29,7 @@ void awaitCycles(const AllocationCount& count, std::uint64_t cycles) {
   }
 }
 
-// What nobody used has not been shown to allocate nothing.
+// Throws if the contract was not used, since then nothing shows that it allocates nothing.
 void requireUse(const proof::ArmUser& user, const std::vector<ArmResult>& arm) {
   if (user.reads > 0 && user.events > 0 && user.answers > 0 && arm.size() == 1 && arm[0].cycles > 0)
     return;
@@ -50,7 +50,7 @@ Counts countOver(suture::Lane lane, std::uint64_t cycles) {
   manager.start();
   connectBy(lane, manager, "Client/Arm", "arm:Arm/Arm");
   awaitCycles(count, cycles);
-  // Ending allocates.
+  // Count before the ending, which allocates.
   Counts counts{
       .client = count.found(), .arm = 0, .lane = count.foundInLane(), .laneThreads = laneThreads()};
   const auto written = resultIn<ArmResult>(arm.finish());
@@ -62,8 +62,8 @@ Counts countOver(suture::Lane lane, std::uint64_t cycles) {
   return counts;
 }
 
-// On shm and rpc there is no such thread: tasks do it themselves, or the control threads do. That
-// there is none is the figure of shm.
+// Leaves the figures of the lane's own threads. On shm and rpc there is no such thread: tasks do it
+// themselves, or the control threads do. That there is none is the figure of shm.
 void addLane(suture::Lane lane, const std::string& figure, const Counts& counts, Report& report) {
   if (lane == suture::Lane::Rpc) return;
   report.add(figure + ".lane_threads", "threads", static_cast<double>(counts.laneThreads));

@@ -33,7 +33,7 @@ struct Sockets {
   }
 };
 
-/// Until all values are there.
+/// Receives until all values are there.
 std::vector<std::int64_t> receive(const Sockets& sockets, std::vector<char> message,
                                   std::size_t values) {
   const int poll = epoll_create1(0);

@@ -1,5 +1,5 @@
 #pragma once
-// The floor of a fan-out: the same bytes, written to as many sockets.
+// This is the floor of a fan-out: the same bytes, written to as many sockets.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +12,9 @@ struct FanOut {
   double load = 0;                 ///< of one processor, by both sides together, %
 };
 
-/// Once a millisecond `bytes` bytes to each of `receivers` Unix sockets, which another process
-/// reads by one epoll; `rounds` times. No other thread of this process may run. Throws SetupError.
+/// Writes once a millisecond `bytes` bytes to each of `receivers` Unix sockets, which another
+/// process reads by one epoll; `rounds` times. No other thread of this process may run. Throws
+/// SetupError.
 FanOut bareFanOut(std::size_t bytes, std::size_t receivers, std::size_t rounds);
 
 }  // namespace bench

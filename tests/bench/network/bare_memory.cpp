@@ -21,7 +21,7 @@ namespace {
 using robots::PoseSample;
 using suture::now;
 
-/// One direction: the value, and a number that counts it.
+/// Is one direction: the value, and a number that counts it.
 struct Way {
   std::atomic<std::uint32_t> count{0};
   alignas(64) char value[sizeof(PoseSample)];
@@ -31,7 +31,7 @@ struct Way {
     count.fetch_add(1, std::memory_order_release);
     syscall(SYS_futex, &count, FUTEX_WAKE, 1, nullptr, nullptr, 0);
   }
-  /// The one after `seen` values.
+  /// Receives the value that comes after `seen` values.
   void receive(std::uint32_t seen, PoseSample& pose) {
     while (count.load(std::memory_order_acquire) == seen) {
       syscall(SYS_futex, &count, FUTEX_WAIT, seen, nullptr, nullptr, 0);

@@ -1,5 +1,5 @@
 #pragma once
-// The floor of the shm lane: two rings and two futexes in memory that two processes share.
+// This is the floor of the shm lane: two rings and two futexes in memory that two processes share.
 
 #include <cstddef>
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace bench {
 
-/// Round trips of a PoseSample between two processes on processor `cpu`, ns; the first `skip` are
-/// left out. No other thread of this process may run. Throws SetupError.
+/// Returns the round trips of a PoseSample between two processes on processor `cpu`, ns; the first
+/// `skip` are left out. No other thread of this process may run. Throws SetupError.
 std::vector<std::int64_t> bareMemoryRounds(int cpu, std::size_t skip, std::size_t samples);
 
 }  // namespace bench

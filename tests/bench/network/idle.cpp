@@ -26,7 +26,7 @@ using suture::SetupError;
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
-/// What a pair of processes has used, or holds.
+/// Says what a pair of processes has used, or holds.
 struct Usage {
   double processor = 0;  ///< s
   double wakeUps = 0;
@@ -61,7 +61,7 @@ Usage usageOf(pid_t client) {
           .resident = residentOf(client)};
 }
 
-/// What a second of idle connections costs, and what has been used to make them.
+/// Says what a second of idle connections costs, and what has been used to make them.
 struct Idle {
   Usage each;  ///< s
   Usage held;
@@ -115,7 +115,8 @@ Idle idle(suture::Lane lane, std::size_t connections, const NetworkOptions& opti
 
 constexpr std::array<std::size_t, 4> kConnections = {1, 16, 64, 256};
 
-/// What a client keeps for a connection, for as long as it stands, KiB: its queues and rows.
+/// Returns what a client keeps for a connection, for as long as it stands, KiB: its queues and
+/// rows.
 double queuesAndRows() {
   const suture::InterfaceInfo& contract = suture::interfaceInfo<SampleServer>();
   std::vector<std::uint32_t> columns;

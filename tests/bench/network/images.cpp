@@ -21,7 +21,7 @@ namespace {
 using Ages = std::vector<std::int64_t>;
 using namespace std::chrono_literals;
 
-/// Notes how old the goals are that it executes, when somebody asks.
+/// Notes how old the goals are that it executes, while a measurement asks for it.
 class AgedServer final : public suture::EventTask, public SampleServer {
  public:
   AgedServer() : EventTask({.scheduling = urgent(70)}) {}
@@ -38,7 +38,8 @@ class AgedServer final : public suture::EventTask, public SampleServer {
   robots::PoseSample value() const override { return {}; }
   void run() override {}
 
-  /// The thread of the measurement: ns, of the next `count` goals. Throws SetupError.
+  /// The thread of the measurement calls this. Returns the ages of the next `count` goals, ns.
+  /// Throws SetupError.
   Ages measure(std::size_t count) {
     ages_.clear();
     ages_.reserve(count);

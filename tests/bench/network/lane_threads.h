@@ -1,5 +1,5 @@
 #pragma once
-// The threads of this process that carry frames.
+// These are the threads of this process that carry frames.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace bench {
 /// Such a thread has this name: runtime/suture/lane/frame/lane_thread.cpp says it.
 inline constexpr const char* kLaneThread = "suture-lane";
 
-/// How many there are now.
+/// Returns how many there are now.
 inline std::uint64_t laneThreads() {
   std::uint64_t found = 0;
   for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task")) {

@@ -1,5 +1,5 @@
 #pragma once
-// The lanes that rows measure one after the other.
+// These are the lanes that rows measure one after the other.
 
 #include <suture/manager/manager.h>
 
@@ -9,11 +9,11 @@
 
 namespace bench {
 
-/// Those that another process of this machine can be reached by; part of the figures' names.
+/// Another process of this machine can be reached by these; they are part of the figures' names.
 inline constexpr suture::Lane kLanes[] = {suture::Lane::Shm, suture::Lane::Frame,
                                           suture::Lane::Rpc};
 
-/// A lane, over one kind of socket.
+/// Is a lane, over one kind of socket.
 struct LaneOverSocket {
   const char* title;
   const char* figure;  ///< part of the figures' names
@@ -29,11 +29,11 @@ inline constexpr LaneOverSocket kLanesOverSockets[] = {
     {"rpc, TCP", "rpc.tcp", Transport::Tcp, suture::Lane::Rpc},
 };
 
-/// `frame` as between builds that differ, in a process that has had addEncodedFrames().
+/// Is `frame` as between builds that differ, in a process that has had addEncodedFrames().
 inline constexpr suture::Lane kEncodedFrames{"frame-encoded"};
 void addEncodedFrames(suture::Manager& manager);
 
-/// Manager::connect(). Throws SetupError too if the connection has another lane.
+/// Does as Manager::connect(). Throws SetupError too if the connection has another lane.
 void connectBy(suture::Lane lane, suture::Manager& manager, const std::string& required,
                const std::string& provided, const suture::ConnectionContract& contract = {});
 

@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 constexpr suture::Duration kSilenceBound = 200ms;
 
-/// A client that is connected to the provider in another process.
+/// Is a client that is connected to the provider in another process.
 struct Connected {
   Connected(suture::Lane lane, const NetworkOptions& options,
             const suture::ConnectionContract& contract = {})
@@ -33,12 +33,12 @@ struct Connected {
     channel = server.manager().channels().at(0);
   }
 
-  /// From the signal until the client's connection is known to be lost, ns.
+  /// Returns the time from the signal until the client's connection is known to be lost, ns.
   std::int64_t untilLost(int signal) {
     return after(signal, "a lost connection",
                  [this] { return channel->status != suture::ChannelStatus::Connected; });
   }
-  /// From the signal until the client is connected anew, ns.
+  /// Returns the time from the signal until the client is connected anew, ns.
   std::int64_t untilBack(int signal) {
     return after(signal, "a new connection", [this] { return client.server.connected(); });
   }
@@ -87,14 +87,14 @@ std::int64_t stopOne(suture::Lane lane, const NetworkOptions& options) {
   return elapsed;
 }
 
-/// From the end of a silence that lost the connection.
+/// Returns the time from the end of a silence that lost the connection.
 std::int64_t resumeOne(suture::Lane lane, const NetworkOptions& options) {
   Connected connected(lane, options, {.silence = kSilenceBound});
   connected.untilLost(SIGSTOP);
   return connected.untilBack(SIGCONT);
 }
 
-/// Beyond its task and the one that main() runs in.
+/// Returns how many threads there are beyond its task and the one that main() runs in.
 double threadsBeyondTasks(suture::Lane lane, const NetworkOptions& options) {
   const Connected connected(lane, options);
   const std::filesystem::directory_iterator threads(

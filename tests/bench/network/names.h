@@ -1,5 +1,5 @@
 #pragma once
-// The global manager between the processes of a measurement.
+// This is the global manager between the processes of a measurement.
 
 #include <suture/loop/control_thread.h>
 #include <suture/names/global_manager.h>
@@ -15,13 +15,13 @@
 
 namespace bench {
 
-/// How `process` proves who it is; `keys`: a folder, "" without TLS. Throws SetupError.
+/// Returns how `process` proves who it is; `keys` is a folder, "" without TLS. Throws SetupError.
 inline suture::Security securityWith(const std::string& keys, const std::string& process) {
   if (keys.empty()) return {};
   return {.keys = std::make_shared<const suture::tls::Keys>(keys, process), .policy = {}};
 }
 
-/// Made before the processes that it serves, and gone after them.
+/// Make it before the processes that it serves, and let it go after them.
 class Names {
  public:
   /// Throws SetupError.
@@ -30,7 +30,7 @@ class Names {
         manager_(control_, wanted(transport), madeSecurity()) {}
 
   const std::string& address() const { return manager_.address(); }
-  /// The folder with those of the processes "server" and "client"; "" without TLS.
+  /// Returns the folder with the keys of the processes "server" and "client"; "" without TLS.
   const std::string& keys() const { return keys_; }
 
  private:

@@ -1,4 +1,4 @@
-// suture-bench network: what carries the traffic between two processes.
+// This is suture-bench network: what carries the traffic between two processes.
 
 #include "bench/network/rows.h"
 #include "bench/parts.h"

@@ -1,5 +1,5 @@
 #pragma once
-// What a user may choose of `suture-bench network`.
+// A user may choose these for `suture-bench network`.
 
 #include <CLI/CLI.hpp>
 #include <chrono>

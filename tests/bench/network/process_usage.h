@@ -19,7 +19,7 @@ inline double wakeUpsOf(const std::filesystem::path& task) {
   return 0;
 }
 
-/// The same of all threads of process `pid`.
+/// Returns the same of all threads of process `pid`.
 inline double wakeUpsOf(pid_t pid) {
   double sum = 0;
   const std::filesystem::path tasks = "/proc/" + std::to_string(pid) + "/task";

@@ -1,5 +1,5 @@
 #pragma once
-// What a process has used of the processors.
+// This tells what a process has used of the processors.
 
 #include <sys/types.h>
 
@@ -7,7 +7,7 @@
 
 namespace bench {
 
-/// What all threads of process `pid` have had until now, s; 0 if it is gone.
+/// Returns what all threads of process `pid` have had until now, s; 0 if it is gone.
 inline double processorTime(pid_t pid) {
   clockid_t clock{};
   timespec time{};

@@ -1,6 +1,6 @@
 #pragma once
-// The parts of `suture-bench network`. Each measures, leaves its figures in the report and returns
-// a table. Nothing else may run in this process meanwhile.
+// These are the parts of `suture-bench network`. Each measures, leaves its figures in the report
+// and returns a table. Nothing else may run in this process meanwhile.
 
 #include <string>
 
@@ -19,37 +19,38 @@ std::string roundTripRows(const NetworkOptions& options, Report& report);
 /// "local_read": the same in this one.
 std::string mirrorRows(const NetworkOptions& options, Report& report);
 
-/// "allocations.shm.client", "allocations.shm.arm", ...: what the task threads at both ends of a
-/// complete CRTK arm allocate in steady state, nothing of it waiting; "allocations.frame.lane":
-/// what the lane threads of both do; "allocations.shm.lane_threads": how many there are.
+/// Measures "allocations.shm.client", "allocations.shm.arm", ...: what the task threads at both
+/// ends of a complete CRTK arm allocate in steady state, with no wait in it;
+/// "allocations.frame.lane": what the lane threads of both do; "allocations.shm.lane_threads": how
+/// many there are.
 std::string allocationRows(const NetworkOptions& options, Report& report);
 
-/// "fan_out.raw", "fan_out.shm", ...: the ages of an event when its handlers run, at 1 kHz to 64
-/// interfaces of one task in another process, ".load": of both sides; ".ratio": of the 99th
+/// Measures "fan_out.raw", "fan_out.shm", ...: the ages of an event when its handlers run, at 1 kHz
+/// to 64 interfaces of one task in another process, ".load": of both sides; ".ratio": of the 99th
 /// percentiles; "fan_out.shm.processes", ...: to 16 processes.
 std::string networkFanOutRows(const NetworkOptions& options, Report& report);
 
-/// "images.shm.alone", "images.shm.beside", ...: how old goals at 1 kHz are when they are executed,
-/// without and with pairs of images of 2 x 921,600 bytes, 15 a second, on the same lane between the
-/// same processes; ".growth.p50", ".growth.p99": the difference; ".seen": how many pairs came;
-/// ".lost": whether their connection, which bears 100 ms of silence, was lost meanwhile.
+/// Measures "images.shm.alone", "images.shm.beside", ...: how old goals at 1 kHz are when they are
+/// executed, without and with pairs of images of 2 x 921,600 bytes, 15 a second, on the same lane
+/// between the same processes; ".growth.p50", ".growth.p99": the difference; ".seen": how many
+/// pairs came; ".lost": if their connection, which bears 100 ms of silence, was lost meanwhile.
 std::string imageRows(const NetworkOptions& options, Report& report);
 
-/// "idle.shm.load.ratio", "idle.frame.wake_ups.ratio", "idle.rpc.bytes.ratio", ...: what 256
-/// connections between two processes cost in a second in which nothing is sent, to what one does;
-/// ".descriptors", ".memory", ".further": what each but the first takes of both processes, of the
-/// client's memory beyond its queues and rows, and of time.
+/// Measures "idle.shm.load.ratio", "idle.frame.wake_ups.ratio", "idle.rpc.bytes.ratio", ...: what
+/// 256 connections between two processes cost in a second in which nothing is sent, to what one
+/// does; ".descriptors", ".memory", ".further": what each but the first takes of both processes, of
+/// the client's memory beyond its queues and rows, and of time.
 std::string idleRows(const NetworkOptions& options, Report& report);
 
-/// "sleeping.10.wake_ups", ...: how often the threads of 10, 100 and 1,000 components that nobody
-/// is connected to wake up within the window; ".descriptors": of each.
+/// Measures "sleeping.10.wake_ups", ...: how often the threads of 10, 100 and 1,000 components
+/// without a connection wake up within the window; ".descriptors": of each.
 std::string sleepingRows(const NetworkOptions& options, Report& report);
 
-/// "sizes.shm.small", "sizes.frame.unix.small", "sizes.frame.tcp.small", "sizes.rpc.unix.small",
-/// "sizes.rpc.tcp.small": 120 bytes in a type with as much room, from task to task and back between
-/// two processes;
-/// ".roomy": the same in a type with room for 1 MiB, ".room": the ratio; ".large": 1 MiB in it,
-/// ".large.ratio": to as many bytes over a bare socket in the same run, Unix for `shm`.
+/// Measures "sizes.shm.small", "sizes.frame.unix.small", "sizes.frame.tcp.small",
+/// "sizes.rpc.unix.small", "sizes.rpc.tcp.small": 120 bytes in a type with as much room, from task
+/// to task and back between two processes; ".roomy": the same in a type with room for 1 MiB,
+/// ".room": the ratio; ".large": 1 MiB in it, ".large.ratio": to as many bytes over a bare socket
+/// in the same run, Unix for `shm`.
 std::string sizeRows(const NetworkOptions& options, Report& report);
 
 /// "streams.shm", "streams.frame.unix", ...: how many poses a second go one way between two

@@ -7,7 +7,7 @@
 
 namespace bench {
 
-/// Serves, and sleeps until somebody asks for something.
+/// Serves, and sleeps until a client asks for something.
 class Sleeper final : public suture::EventTask, public SampleServer {
  public:
   ~Sleeper() override { stop(); }

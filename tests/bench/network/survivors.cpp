@@ -32,7 +32,8 @@ constexpr suture::Duration kSilence = 100ms, kStopped = 200ms, kBetween = 100ms;
 
 constexpr int kPriority = 80;  // of the survivor's task
 
-// What else runs on the machine would hide one loop behind the noise of the other.
+// Both loops have real-time priority, since what else runs on the machine would hide one loop
+// behind the noise of the other.
 suture::rt::Scheduling scheduling(const NetworkOptions& options, int priority) {
   return urgent(priority, options.cpu);
 }
@@ -52,10 +53,11 @@ struct Periods {
   }
 };
 
-/// The arm's process, to which it happens.
+/// Is the arm's process, to which it happens.
 class Victim {
  public:
-  /// `cpu`: of all of its threads; a process that begins takes a processor for a while.
+  /// `cpu` is the processor of all of its threads; a process that begins takes a processor for a
+  /// while.
   Victim(const Names& names, int cpu) : names_(names), cpu_(cpu) { begin(); }
 
   void killAndBegin() {
@@ -82,7 +84,7 @@ class Victim {
   std::uint64_t faults_ = 0;
 };
 
-/// A client of the arm that lives on.
+/// Is a client of the arm that lives on.
 class Survivor {
  public:
   Survivor(suture::Lane lane, const Names& names, const NetworkOptions& options)
@@ -133,7 +135,7 @@ class Survivor {
   }
 
  private:
-  // Its task's thread, once a cycle.
+  // Its task's thread calls this once a cycle.
   void look(bool connected) {
     if (connected && !connected_) ++connections_;
     connected_ = connected;
@@ -162,9 +164,9 @@ void injectFor(suture::Duration length, Victim& victim, Survivor& survivor) {
   } while (now() < end);
 }
 
-/// A loop that only sleeps, on the survivor's processor at the same time: what the machine takes
-/// from the one it takes from the other. It has the higher priority, so what the survivor itself
-/// takes too long for is missing to the survivor alone.
+/// Is a loop that only sleeps, on the survivor's processor at the same time: what the machine takes
+/// from the one it takes from the other. It has the higher priority, so that what the survivor
+/// itself takes too long for is missing to the survivor alone.
 class BareLoop {
  public:
   explicit BareLoop(const NetworkOptions& options)

@@ -25,7 +25,7 @@ namespace bench {
 
 inline constexpr std::size_t kArmCount = 4;
 
-/// Where an arm is: "left:PSM2".
+/// Says where an arm is: "left:PSM2".
 struct ArmPlace {
   const char* process;
   const char* name;
@@ -33,9 +33,9 @@ struct ArmPlace {
 inline constexpr std::array<ArmPlace, kArmCount> kArms{
     {{"left", "MTML"}, {"left", "PSM2"}, {"right", "MTMR"}, {"right", "PSM1"}}};
 
-/// A master and a slave, whose drives need a permit, and somebody who looks at the images.
+/// Has a master and a slave, whose drives need a permit, and a viewer that looks at the images.
 struct ArmPair {
-  /// `first`: of kArms.
+  /// `first` is the place in kArms.
   ArmPair(std::size_t first, robots::Side side);
   void addTo(suture::Manager& manager);
 
@@ -57,7 +57,7 @@ struct StopDesk {
   robots::Coordinator coordinator{robots::CoordinatorParameters{}};
 };
 
-/// An endoscope that looks at a strand between both slaves.
+/// Has an endoscope that looks at a strand between both slaves.
 struct StopVision {
   void addTo(suture::Manager& manager);
 
@@ -66,7 +66,7 @@ struct StopVision {
   robots::SyntheticEndoscope endoscope{robots::EndoscopeParameters{}};
 };
 
-/// Presses, releases and enables, in the thread of the measurement.
+/// The thread of the measurement uses it. Presses, releases and enables.
 class StopPanel final : public suture::Device {
  public:
   suture::Required<robots::EmergencyStop> stop{*this, "Stop"};
@@ -86,9 +86,9 @@ class StopWatch final : public suture::PeriodicTask {
 
   /// Any thread: all drives have that power.
   bool all(robots::DrivePower power) const;
-  /// Any thread: what has stopped until now is forgotten.
+  /// Any thread: forgets what has stopped until now.
   void reset();
-  /// Any thread: the cycle in which the last of the drives stopped; zero before all have.
+  /// Any thread: returns the cycle in which the last of the drives stopped; zero before all have.
   suture::Time allStopped() const;
 
  private:

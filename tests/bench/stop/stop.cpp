@@ -1,4 +1,5 @@
-// suture-bench stop: how soon an emergency stop stops the drives of four arms, while images flow.
+// This is suture-bench stop: how soon an emergency stop stops the drives of four arms, while images
+// flow.
 
 #include "bench/figures/table.h"
 #include "bench/network/lanes.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The desk, a pair of arms or the endoscope in a process of its own.
+// This is the desk, a pair of arms or the endoscope in a process of its own.
 
 #include <suture/lane/lane.h>
 
@@ -25,7 +25,7 @@ void connectVision(suture::Manager& manager, const Places& places, suture::Lane 
 /// Adds the hidden subcommand: is process "desk", "left", "right" or "vision" until it is told to
 /// end; a pair then writes how many images it has seen.
 void addStopProcess(CLI::App& program);
-/// How this program is called to be that process.
+/// Says how this program is called to be that process.
 std::vector<std::string> stopProcessArguments(const std::string& process,
                                               const std::string& managerAddress, suture::Lane lane);
 

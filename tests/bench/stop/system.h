@@ -1,5 +1,5 @@
 #pragma once
-// A whole system with an emergency stop, which is pressed and cut off again and again.
+// This is a whole system with an emergency stop, which is pressed and cut off again and again.
 
 #include <suture/manager/manager.h>
 
@@ -25,11 +25,12 @@ class StopSystem {
   StopSystem(const StopSystem&) = delete;
   StopSystem& operator=(const StopSystem&) = delete;
 
-  /// From the call to the cycle in which the last drives stopped, ns.
+  /// Returns the time from the call to the cycle in which the last drives stopped, ns.
   std::int64_t press();
-  /// From when the desk's process is stopped (SIGSTOP); it must be another one.
+  /// Returns that time from when the desk's process is stopped (SIGSTOP); it must be another one.
   std::int64_t cutOff();
-  /// From when the desk's process is killed (SIGKILL), after which nothing has power any more.
+  /// Returns that time from when the desk's process is killed (SIGKILL), after which nothing has
+  /// power any more.
   std::int64_t killDesk();
   /// Ends it, and returns how many images both pairs have seen.
   std::uint64_t end();

@@ -17,7 +17,7 @@
 #include "robot_types/pose.capnp.h"
 #include "robot_types/pose.suture.h"
 
-// The generated converters, which only generated code calls otherwise.
+// These are the generated converters, which only generated code calls otherwise.
 namespace robots {
 void toWire(const PosePrmSlot& slot, wire::PosePrm::Builder out);
 suture::Errc fromWire(wire::PosePrm::Reader in, PosePrmSlot& slot, suture::Duration shift);
@@ -53,7 +53,7 @@ class ReusingBuilder final : public capnp::MessageBuilder {
   std::size_t usedBytes_ = 0;
 };
 
-/// Objects into the frames of a stream and back, as a lane does it.
+/// Turns objects into the frames of a stream and back, as a lane does it.
 class Codec {
  public:
   std::span<const std::byte> encode(const PosePrm& value) {

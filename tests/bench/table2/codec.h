@@ -19,7 +19,7 @@ struct CodecCost {
 
 constexpr std::size_t kCodecLoop = 10000;
 
-/// `loops` loops of each. Throws std::logic_error if what comes out is not what went in.
+/// Measures `loops` loops of each. Throws std::logic_error if what comes out is not what went in.
 CodecCost measureCodec(std::size_t loops);
 
 }  // namespace bench

@@ -7,10 +7,11 @@
 
 namespace bench {
 
-/// The descriptors of two connected, blocking stream sockets.
+/// Has the descriptors of two connected, blocking stream sockets.
 using SocketPair = std::array<int, 2>;
 
-/// Over the loopback if it is TCP, with each send leaving at once. Throws SetupError.
+/// Connects them, over the loopback if it is TCP, with each send leaving at once. Throws
+/// SetupError.
 SocketPair connectedSockets(Transport transport);
 
 }  // namespace bench

@@ -48,7 +48,7 @@ Both measureBoth(const Table2Options& options, Loop loop) {
   return {measureLocally(setup), measureAcross(setup, options.between())};
 }
 
-/// `floor`: what a bare socket takes for as much of a round trip, us.
+/// Adds a row; `floor` is what a bare socket takes for as much of a round trip, us.
 void addRow(const EventRow& row, const Both& results, double floor, Table& table, Report& report) {
   const Statistics local = statisticsOf(inUnits(results.local.*row.samples, kMicrosecond));
   const Statistics network = statisticsOf(inUnits(results.network.*row.samples, kMicrosecond));

@@ -1,5 +1,6 @@
 #pragma once
-// The loops where the network shows: both tasks event-driven, everything on one processor.
+// These are the loops where the network shows: both tasks event-driven, everything on one
+// processor.
 
 #include <cstddef>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// Execution: what is left of a command when nothing has to be carried.
+// Execution is what is left of a command when nothing has to be carried.
 
 #include <cstddef>
 

@@ -22,7 +22,7 @@ namespace {
 
 using suture::SetupError;
 
-/// Waits for all samples: the periods that they take, and some.
+/// Waits for all samples: the periods that they take, and some more.
 void await(std::future<void> finished, const LoopSetup& setup) {
   const auto limit = 3 * setup.period * setup.total() + std::chrono::seconds(30);
   if (finished.wait_for(limit) == std::future_status::ready) return;
@@ -67,7 +67,7 @@ void requireLane(const std::string& lane, const LoopResult& result) {
                    "The figures would not be those of a network");
 }
 
-/// Once that process has a namespace of its own.
+/// Stretches the cable once that process has a namespace of its own.
 void stretch(const suture::Cable& cable, pid_t server) {
   const std::string ours = suture::Cable::namespaceOf("thread-self");
   const suture::Time limit = suture::now() + std::chrono::seconds(10);

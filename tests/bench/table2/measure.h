@@ -1,5 +1,5 @@
 #pragma once
-// Runs one loop, in one process or across two.
+// This runs one loop, in one process or across two.
 
 #include <cstdint>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace bench {
 
-/// What came out of one loop, without the skipped samples.
+/// Is what came out of one loop, without the skipped samples.
 struct LoopResult {
   std::vector<std::int64_t> elapsed;  ///< now - stamp where the stamp was made, ns
   std::vector<std::int64_t>
@@ -19,10 +19,10 @@ struct LoopResult {
   std::uint64_t bytes = 0;  ///< that crossed the lane, both ways, at the client
 };
 
-/// Both tasks in this process. Throws SetupError.
+/// Runs both tasks in this process. Throws SetupError.
 LoopResult measureLocally(const LoopSetup& setup);
 
-/// The client here, the server in a process of its own, the global manager in this one. Throws
+/// Runs the client here, the server in a process of its own, the global manager in this one. Throws
 /// SetupError, also when the connection is not what it should be.
 LoopResult measureAcross(const LoopSetup& setup, const Between& between);
 

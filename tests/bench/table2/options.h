@@ -1,5 +1,5 @@
 #pragma once
-// What a user may choose of `suture-bench table2`.
+// A user may choose these for `suture-bench table2`.
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -27,7 +27,7 @@ struct Table2Options {
   nlohmann::json toJson() const;
 
   Between between() const;
-  /// "rpc over TCP".
+  /// Returns "rpc over TCP".
   std::string betweenInWords() const;
   std::size_t kept() const { return quick ? 100 : samples; }
   std::size_t skipped() const { return quick ? 10 : skip; }

@@ -1,5 +1,5 @@
 #pragma once
-// The three parts into which the paper takes the overhead apart.
+// These are the three parts into which the paper takes the overhead apart.
 
 #include <string>
 
@@ -8,7 +8,8 @@
 
 namespace bench {
 
-/// The figures "codec.encode", "codec.create", "codec.decode", "codec.sum" and "execution", ns.
+/// Adds the figures "codec.encode", "codec.create", "codec.decode", "codec.sum" and "execution",
+/// ns.
 void addOverhead(const CodecCost& codec, const Statistics& execution, Report& report);
 
 /// Leaves "overhead.scs.transmission" and its like, us, made of the event-driven differences that

@@ -1,7 +1,7 @@
 #pragma once
-// Table 2 of the paper, "A Surgical Assistant Workstation (SAW) Application for a Teleoperated
-// Surgical Robot System", section 4. Milliseconds; two machines in one network, Pentium 4 of 3.2
-// GHz, Linux 2.6.24.
+// This is Table 2 of the paper, "A Surgical Assistant Workstation (SAW) Application for a
+// Teleoperated Surgical Robot System", section 4. It is in milliseconds; two machines in one
+// network, Pentium 4 of 3.2 GHz, Linux 2.6.24.
 
 #include <cstddef>
 
@@ -11,7 +11,7 @@ struct Row {
   double mean, std, min, max;
 };
 
-/// One operating system.
+/// Is one operating system.
 struct System {
   const char* name;
   Row scsLocal, scsNetwork;

@@ -27,7 +27,7 @@ std::vector<std::string> paperCells(const paper::Row& row) {
   return {"|", number(row.mean, 3), number(row.std, 3), number(row.min, 3), number(row.max, 3)};
 }
 
-/// One loop of one policy: measured, reported, and in the table.
+/// Measures, reports and puts in the table one loop of one policy.
 class LoopRows {
  public:
   LoopRows(const Policy& policy, Loop loop, Table& table, Report& report)

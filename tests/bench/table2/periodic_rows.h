@@ -1,5 +1,5 @@
 #pragma once
-// The paper's own experiment: both tasks periodic, SCHED_OTHER and SCHED_FIFO.
+// This is the paper's own experiment: both tasks periodic, SCHED_OTHER and SCHED_FIFO.
 
 #include <string>
 

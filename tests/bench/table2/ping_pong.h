@@ -1,5 +1,5 @@
 #pragma once
-// The floor: the same bytes over a bare socket.
+// This is the floor: the same bytes over a bare socket.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace bench {
 
-/// Round trips of `bytes` bytes between two processes on processor `cpu`, blocking, ns; the first
-/// `skip` are left out. No other thread of this process may run. Throws SetupError.
+/// Returns round trips of `bytes` bytes between two processes on processor `cpu`, blocking, ns; the
+/// first `skip` are left out. No other thread of this process may run. Throws SetupError.
 std::vector<std::int64_t> pingPong(Transport transport, std::size_t bytes, std::optional<int> cpu,
                                    std::size_t skip, std::size_t samples);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What one measurement of a loop is.
+// This is what one measurement of a loop is.
 
 #include <suture/base/time.h>
 #include <suture/lane/lane.h>

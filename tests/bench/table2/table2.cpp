@@ -1,4 +1,5 @@
-// suture-bench table2: the paper's Table 2, and the same loops where the network can be seen.
+// This is suture-bench table2: the paper's Table 2, and the same loops where the network can be
+// seen.
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 namespace handwritten {
 namespace {
 
-/// What travels with every command: the sender's clock, and that the answer shall come when the
-/// command has been executed.
+/// Fills what travels with every command: the sender's clock, and that the answer shall come when
+/// the command has been executed.
 void fill(suture::wire::Sent::Builder sent) {
   sent.setStamp(suture::toNanoseconds(suture::now()));
   sent.setAnswer(true);

@@ -1,6 +1,6 @@
 #pragma once
-// A client of the complete arm interface, written by hand on Cap'n Proto: a method for each
-// command, a handler for each event. Belongs to the thread of its event loop.
+// The thread of its event loop uses this. It is a client of the complete arm interface, written by
+// hand on Cap'n Proto: a method for each command, a handler for each event.
 
 #include <kj/async.h>
 
@@ -11,14 +11,14 @@
 
 namespace handwritten {
 
-/// A value and when the arm made it.
+/// Is a value and when the arm made it.
 template <class T>
 struct Stamped {
   T value;
   suture::Time stamp;
 };
 
-/// What a subscriber is told. Handlers that are empty are not called.
+/// Has what a subscriber is told. Handlers that are empty are not called.
 struct ArmHandlers {
   std::function<void(const robots::OperatingState&)> operating_state;
   std::function<void(robots::ArmState)> desired_state;

@@ -9,7 +9,7 @@
 namespace handwritten {
 namespace {
 
-/// The schema's range of a ratio.
+/// Requires the schema's range of a ratio.
 double ratioOf(double value) {
   KJ_REQUIRE(value >= 0.01 && value <= 1, "a ratio is out of its range", value);
   return value;

@@ -1,7 +1,7 @@
 #pragma once
-// A server of the complete arm interface, written by hand on Cap'n Proto: calls an implementation
-// of the contract, and tells subscribers events and rows. Belongs to the thread of its event loop,
-// in which the implementation runs as well.
+// The thread of its event loop uses this, and the implementation runs there as well. It is a server
+// of the complete arm interface, written by hand on Cap'n Proto: it calls an implementation of the
+// contract, and tells subscribers events and rows.
 
 #include <kj/async.h>
 
@@ -20,7 +20,7 @@ class ArmServer final : public wire::Arm::Server, private kj::TaskSet::ErrorHand
   /// Evaluates the reads that each subscriber asked for and sends them as a row.
   void sendRows();
 
-  // To all who asked for the event.
+  // These emit to all who asked for the event.
   void emitOperatingState(const robots::OperatingState& value);
   void emitDesiredState(robots::ArmState value);
   void emitGoalReached(bool value);

@@ -1,6 +1,7 @@
 #pragma once
-// Between the types of the complete arm interface and Cap'n Proto, as one writes it by hand: the
-// yardstick for what suturec writes. Reading throws kj::Exception at what cannot be an argument.
+// These convert between the types of the complete arm interface and Cap'n Proto, as one writes it
+// by hand: the yardstick for what suturec writes. Reading throws kj::Exception at what cannot be an
+// argument.
 
 #include <suture/standard/messages.capnp.h>
 #include <suture/standard/messages.h>
@@ -55,7 +56,7 @@ void read(wire::IntervalStatistics::Reader in, robots::IntervalStatistics& value
 void read(wire::OperatingState::Reader in, robots::OperatingState& value);
 robots::ArmState read(wire::ArmState in);
 
-/// The same as a new value.
+/// Does the same as a new value.
 template <class Value, class Reader>
 Value as(Reader in) {
   Value value;

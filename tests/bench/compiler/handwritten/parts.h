@@ -1,5 +1,5 @@
 #pragma once
-// What the conversions are made of.
+// The conversions are made of these parts.
 
 #include <capnp/blob.h>
 #include <capnp/list.h>
@@ -44,7 +44,7 @@ void readRotation(const Reader& in, Rotation& r) {
   r(2, 2) = in.getM22();
 }
 
-/// What the schema lets a list, a name of a frame and a joint's name hold.
+/// These are the most that the schema lets a list, a name of a frame and a joint's name hold.
 constexpr unsigned kMaxElements = 8, kMaxName = 15;
 
 inline capnp::Text::Reader textOf(const std::string& text) { return {text.c_str(), text.size()}; }

@@ -1,5 +1,5 @@
 #pragma once
-// Between the two records of the figures and Cap'n Proto, as one writes it by hand.
+// These convert between the two records of the figures and Cap'n Proto, as one writes it by hand.
 
 #include "robot_types/pose.capnp.h"
 #include "robot_types/pose.h"

@@ -1,5 +1,6 @@
 #pragma once
-// An arm with the complete CRTK interface in a process of its own, which counts what it allocates.
+// This is an arm with the complete CRTK interface in a process of its own, which counts what it
+// allocates.
 
 #include <suture/component/task/periodic_task.h>
 
@@ -17,11 +18,11 @@ namespace bench {
 /// The cycle of both ends.
 inline constexpr suture::PeriodicOptions kCycle{.period = std::chrono::milliseconds(1)};
 
-/// Allocations of a task's thread and of the lane threads of its process in steady state: after its
-/// first connected cycles.
+/// Counts allocations of a task's thread and of the lane threads of its process in steady state:
+/// after its first connected cycles.
 class AllocationCount {
  public:
-  /// The task's thread, once a cycle.
+  /// The task's thread calls this once a cycle.
   void cycle(bool connected) {
     if (!connected) return;
     const std::uint64_t total = suture::allocations();
@@ -51,7 +52,7 @@ class AllocationCount {
   std::atomic<std::uint64_t> cycles_{0}, found_{0}, foundInLane_{0};
 };
 
-/// What an arm process says of itself.
+/// Is what an arm process says of itself.
 struct ArmResult {
   std::uint64_t cycles, allocations, laneAllocations;  ///< of its AllocationCount
   std::uint64_t laneThreads;
@@ -60,7 +61,7 @@ struct ArmResult {
 /// Adds the hidden subcommand: serves "arm:Arm/Arm" at 1 kHz until it is told to end, then writes
 /// an ArmResult.
 void addArmProcess(CLI::App& program);
-/// How this program is called to be that process.
+/// Says how this program is called to be that process.
 std::vector<std::string> armProcessArguments(const std::string& managerAddress);
 
 }  // namespace bench

@@ -1,5 +1,5 @@
 #pragma once
-// A process that sends goals to an arm and images to a viewer, in `suture-bench network`.
+// This process sends goals to an arm and images to a viewer, in `suture-bench network`.
 
 #include <suture/manager/manager.h>
 
@@ -9,8 +9,8 @@
 
 namespace bench {
 
-/// Of the threads of connections: a thread that computes on an image for milliseconds would else
-/// keep a goal waiting.
+/// Is the priority of the threads of connections: otherwise a thread that computes on an image for
+/// milliseconds would keep a goal waiting.
 inline constexpr int kLanePriority = 60;
 
 /// Adds the hidden subcommand that the process runs.

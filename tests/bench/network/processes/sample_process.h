@@ -1,5 +1,5 @@
 #pragma once
-// The provider of `suture-bench network`, in a process of its own.
+// This is the provider of `suture-bench network`, in a process of its own.
 
 #include <suture/manager/manager.h>
 
@@ -13,11 +13,11 @@ namespace bench {
 /// Adds the hidden subcommand that the process runs.
 void addSampleProcess(CLI::App& program);
 
-/// The process, the global manager between, and this process's manager. The provider is
+/// Has the process, the global manager between, and this process's manager. The provider is
 /// "server:Server/Samples".
 class SampleProcess {
  public:
-  /// `serverCpu`: of all of its threads. Throws SetupError.
+  /// `serverCpu` is the processor of all of its threads. Throws SetupError.
   SampleProcess(Transport transport, int serverCpu);
   ~SampleProcess();
 

@@ -33,7 +33,7 @@ class Subscribers final : public suture::EventTask {
   ~Subscribers() override { stop(); }
 
   void run() override {}
-  /// ns. Once the task has been stopped.
+  /// Returns the ages, ns, once the task has been stopped.
   std::span<const std::int64_t> ages() const { return ages_; }
 
  private:

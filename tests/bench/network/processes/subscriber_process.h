@@ -1,5 +1,5 @@
 #pragma once
-// An event-driven task that subscribes many times to one event, in a process of its own.
+// This is an event-driven task that subscribes many times to one event, in a process of its own.
 
 #include <suture/lane/lane.h>
 #include <CLI/CLI.hpp>
@@ -10,7 +10,7 @@
 
 namespace bench {
 
-/// Set in the flags of the values that count.
+/// Is set in the flags of the values that count.
 inline constexpr std::uint32_t kMeasured = 2;
 
 struct SubscriberSetup {
@@ -24,7 +24,7 @@ struct SubscriberSetup {
 /// Adds the hidden subcommand: connects to "sender:Sender/Samples", keeps the age of each kMeasured
 /// echo in its handler until it is told to end, then writes them, ns, std::int64_t.
 void addSubscriberProcess(CLI::App& program);
-/// How this program is called to be that process.
+/// Says how this program is called to be that process.
 std::vector<std::string> subscriberProcessArguments(const SubscriberSetup& setup);
 
 }  // namespace bench

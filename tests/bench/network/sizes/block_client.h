@@ -1,5 +1,5 @@
 #pragma once
-// The client that goes round and round with a block of bytes.
+// This client goes round and round with a block of bytes.
 
 #include <suture/component/task/event_task.h>
 
@@ -31,7 +31,7 @@ class BlockClient final : public suture::EventTask {
     begun_ = true;
     send();
   }
-  /// ns of each round but the first `skipped`. Once.
+  /// Returns, once, what will have the ns of each round but the first `skipped`.
   std::future<Samples> samples() { return finished_.get_future(); }
 
   suture::Required<Contract> server{*this, "Server"};

@@ -1,5 +1,5 @@
 #pragma once
-// The provider of `suture-bench network --part sizes`, in a process of its own.
+// This is the provider of `suture-bench network --part sizes`, in a process of its own.
 
 #include <suture/manager/manager.h>
 
@@ -13,11 +13,11 @@ namespace bench {
 /// Adds the hidden subcommand that the process runs.
 void addBlockProcess(CLI::App& program);
 
-/// The process, the global manager between, and this process's manager. The providers are
+/// Has the process, the global manager between, and this process's manager. The providers are
 /// "server:Small/Blocks" and "server:Large/Blocks".
 class BlockProcess {
  public:
-  /// `cpu`: of all of its threads. Throws SetupError.
+  /// `cpu` is the processor of all of its threads. Throws SetupError.
   BlockProcess(Transport transport, int cpu);
   ~BlockProcess();
 

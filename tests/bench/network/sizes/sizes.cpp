@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kPose = 120, kImage = std::size_t{1} << 20;
 
-/// Many rounds of small blocks, few of large ones.
+/// Returns many rounds for small blocks, few for large ones.
 std::size_t roundsOf(std::size_t bytes, std::size_t all) {
   return bytes == kImage ? (all + 19) / 20 : all;
 }

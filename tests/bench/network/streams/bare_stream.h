@@ -1,5 +1,5 @@
 #pragma once
-// The floor of streams: the same messages over a bare socket.
+// This is the floor of streams: the same messages over a bare socket.
 
 #include <cstddef>
 

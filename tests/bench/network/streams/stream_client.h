@@ -1,5 +1,5 @@
 #pragma once
-// The client that sends poses as fast as there is room for them.
+// This client sends poses as fast as there is room for them.
 
 #include <suture/base/errors.h>
 #include <suture/component/task/event_task.h>

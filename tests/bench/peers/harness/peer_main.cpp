@@ -16,7 +16,8 @@ namespace {
 
 using Measurement = void (*)(Peer&, const Options&, ControlBlock&);
 
-/// Nothing outlives a run, whatever happens to the process that started it.
+/// Ends the process with the one that started it, and after two minutes, so that nothing outlives a
+/// run.
 void boundThisProcess() {
   constexpr unsigned kLongestRun = 120;  // s
   prctl(PR_SET_PDEATHSIG, SIGKILL);

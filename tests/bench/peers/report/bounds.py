@@ -42,7 +42,7 @@ def rows_of(bound, peer, measurements, rows):
 
 
 def shortfall(bound, ours, theirs):
-    """What is to be said of a bound, by the rows of the two peers; "" if it is kept."""
+    """Returns what is to be said of a bound, by the rows of the two peers; "" if it is kept."""
     for peer, own in ((bound.peer, ours), (bound.rival, theirs)):
         if results.median(own, bound.figure) is None:
             return f"no figure of {peer}"
@@ -56,7 +56,7 @@ def shortfall(bound, ours, theirs):
 
 
 def shortfalls(bounds, measurements, rows):
-    """A line for people for each bound that is not kept."""
+    """Returns a line for people for each bound that is not kept."""
     lines = []
     for bound in bounds:
         ours, theirs = (rows_of(bound, peer, measurements, rows) for peer in (bound.peer, bound.rival))

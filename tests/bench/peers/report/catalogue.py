@@ -1,4 +1,4 @@
-"""Who is measured. A peer is a program of this project, in one of its variants."""
+"""Lists the peers that are measured. A peer is a program of this project, in one of its variants."""
 
 import dataclasses
 
@@ -53,7 +53,7 @@ def ours(lane):
 OURS = tuple(map(ours, ("shm", "frame-unix", "frame-tcp", "rpc-unix", "rpc-tcp")))
 # The answer of a round trip is a return value, not an event.
 OURS_BY_RETURN = tuple(map(ours, ("shm-return", "frame-tcp-return", "rpc-unix-return")))
-# Those that have a serializer.
+# These have a serializer.
 CONVERTERS = (
     Peer("hand packer", "peer_floor", "packer"),
     Peer("capnp", "peer_capnp", "unix"),

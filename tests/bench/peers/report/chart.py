@@ -1,4 +1,4 @@
-"""The picture: four measurements, the peers in the order of their figures, Suture in one colour."""
+"""Draws the picture: four measurements, the peers in the order of their figures, Suture in one colour."""
 
 import dataclasses
 

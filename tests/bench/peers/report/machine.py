@@ -1,4 +1,4 @@
-"""What the figures depend on beside the peers themselves."""
+"""Tells what the figures depend on beside the peers themselves."""
 
 import datetime
 import os
@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def output(*command):
-    """What a command prints; "" if it fails or is missing."""
+    """Returns what a command prints; "" if it fails or is missing."""
     try:
         return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
     except (OSError, subprocess.CalledProcessError):
@@ -29,7 +29,7 @@ def commit():
 
 
 def packages(file):
-    """Those of the file with their versions."""
+    """Returns the packages of the file with their versions."""
     lines = file.read_text(encoding="utf-8").splitlines()
     names = [line for line in lines if line and not line.startswith("#")]
     versions = {name: output("dpkg-query", "-W", "-f=${Version}", name) or "missing" for name in names}

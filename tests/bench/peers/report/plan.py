@@ -1,4 +1,4 @@
-"""What is measured, how often, and what its table shows."""
+"""Says what is measured, how often, and what its table shows."""
 
 import dataclasses
 import os
@@ -37,7 +37,7 @@ def round_trip(quick):
                Column("max", "maximum", 0), Column("CPU client", "client_cpu"), Column("CPU server", "server_cpu"),
                Column("switches", "switches"), Column("lo bytes", "loopback_bytes", 0),
                Column("lo packets", "loopback_packets"))
-    # On one processor: what is left is the way through the middleware and two switches.
+    # Both run on one processor, so that what is left is the way through the middleware and two switches.
     return Measurement("round_trip", f"Round trip of a pose, us; {count} of them, both processes on one CPU",
                        blocking(catalogue.RIVALS + catalogue.OURS + catalogue.OURS_BY_RETURN), columns,
                        1 if quick else 5, ("--count", count), (0, 0))
@@ -77,6 +77,6 @@ def fan_out(quick, cpus):
 
 
 def measurements(quick):
-    """Those of a run; quick: fewer messages, and fan-out only to 16."""
+    """Returns the measurements of a run; with `quick` fewer messages, and fan-out only to 16."""
     cpus = (0, min(1, os.cpu_count() - 1))
     return (round_trip(quick), conversion(quick), stream(quick, cpus), payload(quick, cpus), fan_out(quick, cpus))

@@ -1,4 +1,4 @@
-"""One run of a peer: a server or several, a client, and what has to run beside. All that is started is ended, by its pid."""
+"""Runs a peer once: a server or several, a client, and what has to run beside. All that is started is ended, by its pid."""
 
 import contextlib
 import json
@@ -26,7 +26,7 @@ class Runs:
         self.count = 0
 
     def figures(self, peer, measurement, servers):
-        """The figures that the client prints, a dictionary a line. Raises Failure."""
+        """Returns the figures that the client prints, a dictionary a line. Raises Failure."""
         self.count += 1
         program = self.programs / peer.program
         if not program.exists():
@@ -113,6 +113,6 @@ def end(process):
 
 
 def remove(place):
-    """What a run has left in shared memory, also where its peers were killed."""
+    """Removes what a run has left in shared memory, also where its peers were killed."""
     for left in place.parent.glob(place.name + ".*"):
         shutil.rmtree(left) if left.is_dir() else left.unlink(missing_ok=True)

@@ -1,4 +1,4 @@
-"""What has been measured: a row, a dictionary, for each line of figures, or for each failure."""
+"""Keeps what has been measured: a row, a dictionary, for each line of figures, or for each failure."""
 
 import csv
 import json
@@ -12,7 +12,7 @@ def of(rows, measurement, peer):
 
 
 def median(rows, figure):
-    """Over repetitions; None if none has it."""
+    """Returns the median over repetitions; None if none has the figure."""
     values = [row[figure] for row in rows if figure in row]
     return statistics.median(values) if values else None
 
@@ -22,7 +22,7 @@ def in_group(rows, group, key):
 
 
 def wrongs(rows):
-    """What makes figures worthless, in words: they are of something else than was asked."""
+    """Says what makes figures worthless: they are of something else than was asked."""
     found = {
         "what came back was not what was sent": any(row.get("same") == 0 for row in rows),
         "poses were lost": any(row.get("lost") for row in rows),
@@ -32,7 +32,7 @@ def wrongs(rows):
 
 
 def remark(rows):
-    """What is to be said of a peer: why figures are missing or wrong, else ok."""
+    """Says of a peer why figures are missing or wrong, else ok."""
     if not rows:
         return "not run"
     reasons = [row[kind] for row in rows for kind in ("failure", "without") if kind in row]

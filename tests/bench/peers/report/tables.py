@@ -1,4 +1,4 @@
-"""Markdown of the results."""
+"""Writes the results in Markdown."""
 
 import results
 
@@ -21,7 +21,7 @@ def aligned(head, rows):
 
 
 def columns_of(measurement):
-    """Each column with the group that it belongs to, and its title."""
+    """Returns each column with the group that it belongs to, and its title."""
     if not measurement.group:
         return [(None, column, column.title) for column in measurement.columns]
     return [(key, column, f"{title} {column.title}") for key, title in measurement.titles.items()

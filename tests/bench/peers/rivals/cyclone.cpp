@@ -108,7 +108,7 @@ class Converter {
   }
 
  private:
-  /// The object that stands for the type comes with a sample that has been through a topic.
+  /// Takes the object that stands for the type from a sample that has been through a topic.
   void learnType(const peersdds_Pose& view) {
     const dds_entity_t writer = node_.writer(Topic::Stream), reader = node_.reader(Topic::Stream);
     cyclone::write(writer, &view);

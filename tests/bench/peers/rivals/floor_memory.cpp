@@ -15,7 +15,7 @@ struct Rings {
   Ring up, down;
 };
 
-/// Maps the rings of that server; whoever comes first makes them.
+/// Maps the rings of that server; the process that comes first makes them.
 Rings& ringsOf(const Options& options, int server) {
   const std::string file = options.place + "." + std::to_string(server) + ".rings";
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT, 0600);

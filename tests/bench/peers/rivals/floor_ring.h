@@ -24,7 +24,7 @@ struct Place {
   PlainPose pose;
 };
 
-/// It tells how far one side has come, and whether the other sleeps until it has come further.
+/// Tells how far one side has come, and if the other sleeps until it has come further.
 class alignas(64) Mark {
  public:
   std::uint32_t get() const { return number_.load(std::memory_order_acquire); }

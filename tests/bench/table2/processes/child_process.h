@@ -1,5 +1,5 @@
 #pragma once
-// This program once more, as another process.
+// This is this program once more, as another process.
 
 #include <sys/types.h>
 
@@ -13,7 +13,7 @@
 namespace bench {
 
 /// Runs this program with `arguments`. It ends when its standard input ends, and leaves its result
-/// on its standard output. Killed if it is still there when the object goes.
+/// on its standard output. The destructor kills it if it is still there.
 class ChildProcess {
  public:
   /// Throws SetupError if the kernel refuses.
@@ -34,14 +34,14 @@ class ChildProcess {
   int output_ = -1;
 };
 
-/// In the other process: waits until it is told to end.
+/// Waits, in the other process, until it is told to end.
 void awaitEndOfInput();
-/// In the other process, after that: leaves values as its result.
+/// Leaves values as its result, in the other process after that.
 template <class T>
 void writeResult(std::span<const T> values) {
   std::fwrite(values.data(), sizeof(T), values.size(), stdout);
 }
-/// The values in what finish() returned.
+/// Returns the values in what finish() returned.
 template <class T>
 std::vector<T> resultIn(const std::vector<std::byte>& written) {
   std::vector<T> values(written.size() / sizeof(T));

@@ -14,7 +14,7 @@ using suture::Time;
 
 constexpr suture::Duration kPatience = std::chrono::seconds(1);
 
-/// What the client does in each cycle, whatever the kind of task.
+/// Does what the client does in each cycle, whatever the kind of task.
 class Role {
  public:
   Role(suture::Component& owner, const LoopSetup& setup)

@@ -1,5 +1,5 @@
 #pragma once
-// The client of the paper's loops.
+// This is the client of the paper's loops.
 
 #include <suture/component/task/task.h>
 
@@ -12,21 +12,21 @@
 
 namespace bench {
 
-/// A task of the kind that the setup asks for, which requires the interface "Server" and goes round
-/// its loop as often as the setup says.
+/// Is a task of the kind that the setup asks for, which requires the interface "Server" and goes
+/// round its loop as often as the setup says.
 class Client {
  public:
   virtual ~Client() = default;
   virtual suture::Task& task() = 0;
-  /// Ready when all samples are there.
+  /// Returns what is ready when all samples are there.
   virtual std::future<void> finished() = 0;
 
   // The rest once the task has been stopped.
 
-  /// ns. CSC: from the write to the event. SCS, event-driven: from fresh() to the end of the
-  /// blocking write, twice across. SCS, periodic: nothing, since only the server measures.
+  /// Returns ns. CSC: from the write to the event. SCS, event-driven: from fresh() to the end of
+  /// the blocking write, twice across. SCS, periodic: nothing, since only the server measures.
   virtual const std::vector<std::int64_t>& elapsed() const = 0;
-  /// Calls that were refused or had no answer within a second.
+  /// Returns how many calls were refused or had no answer within a second.
   virtual std::size_t failures() const = 0;
 };
 

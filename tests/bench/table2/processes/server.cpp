@@ -8,7 +8,7 @@
 namespace bench {
 namespace {
 
-/// What both kinds of task do.
+/// Does what both kinds of task do.
 class Core final : public LoopServer {
  public:
   Core(suture::Component& owner, std::size_t capacity) : provided_(owner, "Loop", *this) {

@@ -1,5 +1,5 @@
 #pragma once
-// The server of the paper's loops.
+// This is the server of the paper's loops.
 
 #include <suture/component/task/task.h>
 
@@ -12,12 +12,13 @@
 
 namespace bench {
 
-/// A task of the kind that the setup asks for, which provides the interface "Loop".
+/// Is a task of the kind that the setup asks for, which provides the interface "Loop".
 class Server {
  public:
   virtual ~Server() = default;
   virtual suture::Task& task() = 0;
-  /// How long each value was away that came back by put(), ns. Once the task has been stopped.
+  /// Returns, once the task has been stopped, how long each value was away that came back by put(),
+  /// ns.
   virtual const std::vector<std::int64_t>& elapsed() const = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The server of a loop in a process of its own.
+// This is the server of a loop in a process of its own.
 
 #include <CLI/CLI.hpp>
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace bench {
 /// input ends, then writes its samples.
 void addServerProcess(CLI::App& program);
 
-/// How this program is called to be that process; `apart`: in a network namespace of its own, to
-/// which the caller stretches a cable.
+/// Says how this program is called to be that process; `apart` puts it in a network namespace of
+/// its own, to which the caller stretches a cable.
 std::vector<std::string> serverProcessArguments(const LoopSetup& setup,
                                                 const std::string& managerAddress, bool apart);
 
