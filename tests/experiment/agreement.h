@@ -1,5 +1,5 @@
 #pragma once
-// Whether a trial in real time comes to what it comes to on the stepped clock.
+// This tells if a trial in real time comes to what it comes to on the stepped clock.
 
 #include <string>
 #include <vector>
@@ -20,16 +20,18 @@ struct Point {
 std::vector<Trial> realTimePoints();
 constexpr std::uint32_t kSeeds = 3;
 
-/// What is compared at a point: with fixtures the time until the knot is placed, without the median
-/// tracking error, each the mean of all seeds. README.md says why not the other one.
+/// Returns what is compared at a point: with fixtures the time until the knot is placed, without
+/// them the median tracking error, each the mean of all seeds. README.md says why not the other
+/// one.
 double figureOf(const Trial& trial, const std::vector<Result>& results);
-/// By what share of the stepped figure the real one differs; infinite if a knot is not placed.
+/// Returns by what share of the stepped figure the real one differs; infinite if a knot is not
+/// placed.
 double difference(const Point& point);
-/// The figures differ by kAgrees at most, and the knot is placed each time.
+/// Returns true if the figures differ by kAgrees at most, and the knot is placed each time.
 bool agrees(const Point& point);
 constexpr double kAgrees = 0.1;
 
-/// Some lines for people: each result in real time and on the stepped clock.
+/// Returns some lines for people: each result in real time and on the stepped clock.
 std::string describe(const Point& point);
 
 }  // namespace experiment

@@ -1,4 +1,4 @@
-// When a trial in real time agrees with the stepped clock's.
+// These say when a trial in real time agrees with the stepped clock's.
 
 #include "experiment/agreement.h"
 
@@ -11,7 +11,7 @@ Result placed(double time, double tracking) {
   return {.outcome = Outcome::Placed, .time = time, .tracking50 = tracking};
 }
 
-/// Placed after 5 s, tracked within 2 mm.
+/// Returns a point with a knot that is placed after 5 s, and tracked within 2 mm.
 Point pointWith(const Result& real, bool fixtures) {
   return {.trial = {.link = {}, .fixtures = fixtures},
           .real = {placed(4, 0.001), real},

@@ -8,16 +8,16 @@
 
 namespace experiment {
 
-/// An operator places a knot over the link of the trial, for kLength from when the guide begins.
-/// Equal trials have equal results. The process must have no stepped clock.
+/// The process must have no stepped clock. Has an operator place a knot over the link of the trial,
+/// for kLength from when the guide begins. Equal trials have equal results.
 Result run(const Trial& trial);
 constexpr double kLength = 20;  ///< s
 
-/// Along which of the scene's axes: the strand hangs between the tips along the first, and swings
-/// across it like a pendulum, which is slower.
+/// Says along which of the scene's axes: the strand hangs between the tips along the first, and
+/// swings across it like a pendulum, which is slower.
 enum class Axis : std::uint8_t { AlongStrand, AcrossStrand };
 
-/// With both inputs and without fixtures, over a link of constant delay.
+/// Is the limit with both inputs and without fixtures, over a link of constant delay.
 struct Limit {
   double loop = 0;       ///< s: what the system delays the picture without a link, measured
   double byFormula = 0;  ///< s, round trip: pi / (2 w_c) - tau - loop

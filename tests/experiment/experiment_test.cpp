@@ -1,4 +1,5 @@
-// Two points of the grid: the operator places the knot at once, and not over half a second.
+// These are two points of the grid: the operator places the knot at once, and does not over half a
+// second.
 
 #include "experiment/experiment.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A process that does a part of this program's work.
+// This is a process that does a part of this program's work.
 
 #include <sys/types.h>
 
@@ -8,8 +8,8 @@
 
 namespace experiment {
 
-/// Ends with this program, however that ends. Forked, so that it needs no program of its own: only
-/// a process without other threads may make one.
+/// Ends with this program, however that ends. It is forked, so that it needs no program of its own:
+/// only a process without other threads may make one.
 class Forked {
  public:
   /// `work` runs there; what it throws goes to standard error. SIGTERM is blocked for it:
@@ -20,13 +20,13 @@ class Forked {
   Forked(const Forked&) = delete;
   Forked& operator=(const Forked&) = delete;
 
-  /// In its work: returns once the other process has called end().
+  /// Returns in its work once the other process has called end().
   static void awaitEnd();
 
   /// Can be read once it has ended.
   int handle() const { return handle_; }
   void end() const;
-  /// Once it has ended. Throws std::runtime_error if its work did.
+  /// Call it once it has ended. Throws std::runtime_error if its work did.
   void requireSuccess();
 
  private:

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using robots::OperatorParameters;
 
 constexpr suture::Duration kResolution = 2500us;
-// Nothing but the delay shall decide.
+// Only the delay shall decide.
 constexpr CameraModel kExact{.dropout = 0, .disparity = 0};
 
 Trial over(suture::Duration roundTrip) {
@@ -29,7 +29,7 @@ bool begins(suture::TestClock& clock, const OperatingRoom& room) {
   return clock.until([&] { return room.guiding(); }, 30s);
 }
 
-/// Before anybody moves it.
+/// Says where the knot is before any hand moves it.
 struct AtRest {
   Eigen::Vector3d knot = Eigen::Vector3d::Zero();  // m, in the scene
   double loop = 0;                                 // s: how late the picture is without a link
@@ -56,7 +56,7 @@ AtRest measureAtRest(const Eigen::Vector3d& direction) {
   return rest;
 }
 
-/// Whether the knot comes to rest 2 mm from `knot`: so near that no bound of speed, and no tissue,
+/// Tells if the knot comes to rest 2 mm from `knot`: so near that no bound of speed, and no tissue,
 /// is reached.
 bool isStable(const Eigen::Vector3d& knot, const Eigen::Vector3d& direction,
               suture::Duration roundTrip) {

@@ -1,4 +1,5 @@
-// suture-experiment: how well an operator places a knot over a link that is late, uneven and lossy.
+// This is suture-experiment: how well an operator places a knot over a link that is late, uneven
+// and lossy.
 
 #include <fmt/format.h>
 #include <suture/base/errors.h>
@@ -46,7 +47,7 @@ Limit tellLimit(Axis axis, const char* name) {
   return limit;
 }
 
-/// Each line as soon as it is known, since a grid takes its time.
+/// Tells each line as soon as it is known, since a grid takes its time.
 std::vector<TrialResult> runAll(const std::vector<Trial>& trials, std::ofstream* csv) {
   const auto tell = [csv](const std::string& line) {
     fmt::print("{}\n", line);
@@ -69,7 +70,7 @@ std::ofstream opened(const std::string& file) {
                            "Name a file in an existing folder that you may write to");
 }
 
-/// That of the demo's arms, if this user may have it.
+/// Returns that of the demo's arms, if this user may have it.
 suture::rt::Scheduling scheduling() {
   const auto granted =
       suture::rt::grantedOf("the two sides", {.policy = suture::rt::Policy::Fifo, .priority = 70});
@@ -91,7 +92,7 @@ experiment::Point runBothWays(Trial trial, std::uint32_t firstSeed,
   return point;
 }
 
-/// The program's exit status.
+/// Returns the program's exit status.
 int compare(const Options& options) {
   const suture::rt::Scheduling threads = scheduling();
   fmt::print(
@@ -108,7 +109,7 @@ int compare(const Options& options) {
   return all ? 0 : 1;
 }
 
-/// The program's exit status.
+/// Returns the program's exit status.
 int work(const Options& options) {
   std::ofstream csv;
   if (!options.csv.empty()) csv = opened(options.csv);

@@ -1,5 +1,5 @@
 #pragma once
-// The results of trials as curves over the delay of the link.
+// These draw the results of trials as curves over the delay of the link.
 
 #include <filesystem>
 #include <vector>
@@ -15,10 +15,10 @@ struct TrialResult {
   Result result;
 };
 
-/// A column for each kind of link among the results that has jitter or loss, but not both, or
-/// neither: above the error of the knot, below the time to place it. Marks what Xu 2014 and Nankaku
-/// 2022 found acceptable, and the operator's own limit. Throws suture::SetupError if the file
-/// cannot be written.
+/// Draws a column for each kind of link among the results that has jitter or loss, but not both, or
+/// has none: above the error of the knot, below the time to place it. Marks what Xu 2014 and
+/// Nankaku 2022 found acceptable, and the operator's own limit. Throws suture::SetupError if the
+/// file cannot be written.
 void plot(const std::filesystem::path& file, const std::vector<TrialResult>& results,
           const Limit& limit);
 

@@ -42,7 +42,7 @@ PacketFate fateOf(const Trial& trial) {
           .seed = trial.seed};
 }
 
-/// Of the packets, ahead of those who send them.
+/// Returns the scheduling of the packets, ahead of those who send them.
 suture::rt::Scheduling aheadOf(suture::rt::Scheduling scheduling) {
   if (scheduling.policy != suture::rt::Policy::Default) ++scheduling.priority;
   return scheduling;
@@ -55,7 +55,7 @@ Pair pairAt(Time then, const Course& master, const Course& slave, const Course& 
   return {at(master), at(slave), at(setpoint)};
 }
 
-/// As OperatingRoom::truth(), of an instant that has passed.
+/// Does as OperatingRoom::truth(), of an instant that has passed.
 Truth truthAt(Time then, const Trial& trial, const Record& console, const Record& table) {
   const Course& rightLead = trial.inputs == Inputs::Two ? console.right : console.left;
   return {.knot = table.knot.at(then),

@@ -1,5 +1,6 @@
 #pragma once
-// A trial in real time: two processes in two network namespaces, and the kernel's TCP between them.
+// This is a trial in real time: two processes in two network namespaces, and the kernel's TCP
+// between them.
 
 #include <suture/rt/scheduling.h>
 
@@ -15,9 +16,9 @@ struct RealTimeResult {
   std::uint64_t packets = 0, lost = 0;  ///< of both directions
 };
 
-/// It takes kLength and some seconds. `scheduling`: of all threads of both sides. Called in a
-/// process with one thread, that may make namespaces with TUN devices; throws suture::SetupError in
-/// another, and std::runtime_error if a side fails.
+/// Call it in a process with one thread, that may make namespaces with TUN devices: it throws
+/// suture::SetupError in another, and std::runtime_error if a side fails. It takes kLength and some
+/// seconds. `scheduling` is that of all threads of both sides.
 RealTimeResult runInRealTime(const Trial& trial, const suture::rt::Scheduling& scheduling);
 
 }  // namespace experiment

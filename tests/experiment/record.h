@@ -1,5 +1,5 @@
 #pragma once
-// What one side of a trial in real time has seen.
+// This is what one side of a trial in real time has seen.
 
 #include <suture/base/time.h>
 
@@ -10,7 +10,7 @@
 
 namespace experiment {
 
-/// Where something was, by stamps of its own that ascend.
+/// Says where something was, by stamps of its own that ascend.
 class Course {
  public:
   struct Place {
@@ -20,24 +20,25 @@ class Course {
 
   /// Keeps what is new.
   void add(suture::Time stamp, const Eigen::Vector3d& place);
-  /// Between two stamps on the line between the places; zero if nothing is known.
+  /// Returns the place between two stamps, on the line between the places; zero if nothing is
+  /// known.
   Eigen::Vector3d at(suture::Time then) const;
 
   std::vector<Place> places;
 };
 
-/// Of the console the masters, of the table all the rest.
+/// Has of the console the masters, of the table all the rest.
 struct Record {
   Course left, right;                  ///< the arms' tips, each in its own base frame
   Course leftSetpoint, rightSetpoint;  ///< and where they shall be
   Course knot;                         ///< in the scene
-  /// When the guide began to guide, when it ceased, and so on.
+  /// Has when the guide began to guide, when it ceased, and so on.
   std::vector<std::int64_t> guidance;
 
   bool guidedAt(suture::Time then) const;
 };
 
-/// Throws std::runtime_error if the file takes or has less than all.
+/// These throw std::runtime_error if the file takes or has less than all.
 void write(const Record& record, std::FILE* file);
 Record readRecord(std::FILE* file);
 

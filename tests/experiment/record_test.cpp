@@ -1,4 +1,4 @@
-// What becomes of what one side has seen.
+// These say what becomes of what one side has seen.
 
 #include "experiment/record.h"
 

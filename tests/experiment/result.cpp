@@ -28,7 +28,7 @@ double atEnd(const Moments& moments, const Figure& figure) {
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
-/// s until the knot is placed for kStaysPlaced.
+/// Returns the seconds until the knot is placed for kStaysPlaced.
 std::optional<double> timeToPlace(const Moments& moments) {
   std::size_t placed = 0;
   for (std::size_t i = 0; i < moments.size(); ++i) {
@@ -40,7 +40,8 @@ std::optional<double> timeToPlace(const Moments& moments) {
   return std::nullopt;
 }
 
-/// m, peak to peak along the widest axis, in the given quarter of the time, of 0 to 3.
+/// Returns the swing peak to peak along the widest axis, m, in the given quarter of the time, of 0
+/// to 3.
 double swingIn(const Moments& moments, std::size_t quarter) {
   const std::size_t first = moments.size() * quarter / 4, end = moments.size() * (quarter + 1) / 4;
   if (first == end) return 0;

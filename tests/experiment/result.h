@@ -1,5 +1,5 @@
 #pragma once
-// What became of a trial.
+// This says what became of a trial.
 
 #include <suture/base/time.h>
 
@@ -28,14 +28,14 @@ struct Result {
   std::optional<double> time;  ///< s, from the guide's beginning until the knot was placed
   double swing = 0;            ///< m: of the knot in the last quarter, along its widest axis
   double guided = 0;           ///< share of the time
-  /// m: a slave's tip from where its master asks it to be at the same instant, while it is guided;
-  /// what fixtures forbid is in it as well.
+  /// Is the distance of a slave's tip from where its master asks it to be at the same instant, m,
+  /// while it is guided; what fixtures forbid is in it as well.
   double tracking50 = 0, tracking99 = 0;
 
   bool operator==(const Result&) const = default;
 };
 
-/// An instant of a trial, by the truth.
+/// Is an instant of a trial, by the truth.
 struct Moment {
   Eigen::Vector3d error;  ///< m: of the knot from its target
   bool guided = false;
@@ -47,12 +47,12 @@ constexpr double kStaysPlaced = 2;      ///< s
 constexpr double kMomentLength = 1e-3;  ///< s between two moments
 constexpr suture::Duration kMomentPeriod = std::chrono::milliseconds(1);
 
-/// How many moments `seconds` have.
+/// Returns how many moments `seconds` have.
 inline std::size_t momentsIn(double seconds) {
   return static_cast<std::size_t>(std::lround(seconds / kMomentLength));
 }
 
-/// From the moment at which the guide began.
+/// Judges from the moment at which the guide began.
 Result judge(const std::vector<Moment>& moments);
 
 }  // namespace experiment

@@ -1,4 +1,4 @@
-// What the judge makes of courses that are known.
+// The judge gets courses that are known.
 
 #include "experiment/result.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMoments = 20'000;
 
-/// 20 s in which the knot is `error(t)` m from its target.
+/// Returns 20 s in which the knot is `error(t)` m from its target.
 template <class Error>
 std::vector<Moment> course(const Error& error) {
   std::vector<Moment> moments(kMoments);

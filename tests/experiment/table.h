@@ -1,5 +1,5 @@
 #pragma once
-// The results of trials as a table of comma-separated values.
+// These write the results of trials as a table of comma-separated values.
 
 #include <string>
 
@@ -10,7 +10,7 @@ namespace experiment {
 
 /// The names of the columns.
 std::string header();
-/// A trial in these columns: ms, %, mm and s. A time that is none is empty.
+/// Returns a trial in these columns: ms, %, mm and s. A time that is none is empty.
 std::string row(const Trial& trial, const Result& result);
 
 }  // namespace experiment

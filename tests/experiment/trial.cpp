@@ -10,7 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 using suture::Duration;
 
-// Linux waits at least this much longer than a round trip before a stream repeats what nobody
+// Linux waits at least this much longer than a round trip before a stream repeats what was not
 // acknowledged (RFC 6298 has 1 s; tcp_rto_min is 200 ms).
 constexpr Duration kLeastTimeout = 200ms;
 // RFC 5681: the third acknowledgement that repeats one before it makes the sender repeat.

@@ -1,5 +1,5 @@
 #pragma once
-// One trial of the experiment: what it varies.
+// This is one trial of the experiment: what it varies.
 
 #include <suture/base/time.h>
 #include <suture/lane/delay/connection_delay.h>
@@ -9,11 +9,11 @@
 
 namespace experiment {
 
-/// What is between the console and the operating table.
+/// Says what is between the console and the operating table.
 struct Link {
   /// There and back again; each way takes half of it.
   suture::Duration roundTrip{0};
-  /// Share of a way's time by which each message may take longer.
+  /// Is the share of a way's time by which each message may take longer.
   double jitter = 0;
   /// Chance of each message to be lost once. A stream sends it again, so it comes late.
   double loss = 0;
@@ -33,28 +33,28 @@ struct Trial {
   std::uint32_t seed = 1;
 };
 
-/// Slave metres a master metre, in every trial.
+/// Is slave metres a master metre, in every trial.
 constexpr double kScale = 0.4;
 
-/// What crosses the link on a connection: a message each `period`. So many connections with as much
-/// share a stream, where each waits for what another has lost.
+/// Says what crosses the link on a connection: a message each `period`. So many connections with as
+/// much share a stream, where each waits for what another has lost.
 struct Traffic {
   std::uint64_t stream = 0;  ///< which of the link's
   suture::Duration period{0};
   int sharing = 1;
 };
 
-/// How much longer a message takes that a stream has to repeat: README.md.
+/// Returns how much longer a message takes that a stream has to repeat: README.md.
 suture::Duration repetitionTime(const Link& link, const Traffic& traffic);
 
-/// The link as it is put on a connection. Equal seeds give equal faults, at the same moments to all
-/// of a stream.
+/// Returns the link as it is put on a connection. Equal seeds give equal faults, at the same
+/// moments to all of a stream.
 suture::ConnectionDelay delayOf(const Link& link, const Traffic& traffic, std::uint64_t seed);
 
-/// 0 to 500 ms by 50 ms, without and with 10 % of jitter, with 0, 1, 5 and 10 % of loss, with and
-/// without fixtures, with two inputs and one.
+/// Returns 0 to 500 ms by 50 ms, without and with 10 % of jitter, with 0, 1, 5 and 10 % of loss,
+/// with and without fixtures, with two inputs and one.
 std::vector<Trial> fullGrid();
-/// The delays that the literature names, and either jitter or loss or neither.
+/// Returns the delays that the literature names, and either jitter or loss, or none.
 std::vector<Trial> quickGrid();
 
 }  // namespace experiment

@@ -1,4 +1,4 @@
-// What the link of a trial does to a connection.
+// These say what the link of a trial does to a connection.
 
 #include "experiment/trial.h"
 

@@ -44,8 +44,8 @@ void Forwarder::runUntil(int end) {
   }
 }
 
-/// For the next packet that is due; a time that has passed ends the wait at once, and zero would
-/// stop the timer. What it has counted before is forgotten.
+/// Sets the timer for the next packet that is due; a time that has passed ends the wait at once,
+/// and zero would stop the timer. What it has counted before is forgotten.
 void Forwarder::setTimer() const {
   const suture::Time next = std::min(there_.next(), back_.next());
   itimerspec when{};

@@ -1,4 +1,4 @@
-// What packets meet on a link, and what the kernel's TCP makes of it.
+// These test what packets meet on a link, and what the kernel's TCP makes of it.
 
 #include "experiment/link/forwarder.h"
 
@@ -38,7 +38,7 @@ sockaddr_in addressOf(const char* host) {
   return address;
 }
 
-/// A socket of that end, bound to its address. A receipt waits no longer than a test's patience.
+/// Is a socket of that end, bound to its address. A receipt waits no longer than a test's patience.
 class Socket {
  public:
   Socket(const LinkEnd& end, int type, const char* host) {
@@ -67,7 +67,7 @@ class Socket {
   int descriptor;
 };
 
-/// A link with a thread that forwards for as long as it lives.
+/// Is a link with a thread that forwards for as long as it lives.
 class LiveLink {
  public:
   explicit LiveLink(const PacketFate& fate)
@@ -93,7 +93,7 @@ struct Datagram {
   Time sent;
 };
 
-/// Numbered datagrams from here to there.
+/// Sends numbered datagrams from here to there.
 class Datagrams {
  public:
   explicit Datagrams(LiveLink& link) : link_(link) { from_.connectTo(kThere); }
@@ -108,7 +108,7 @@ class Datagrams {
     return suture::eventually(
         [&] { return counts.taken == sent_ && counts.delivered + counts.lost == counts.taken; });
   }
-  /// What has arrived, or the next that does.
+  /// Takes what has arrived, or the next that does.
   bool receive(Datagram& one, int flags) const {
     return recv(to_.descriptor, &one, sizeof(one), flags) == ssize_t{sizeof(one)};
   }
@@ -148,7 +148,7 @@ TEST_F(ForwarderTest, NoPacketArrivesBeforeItsTimeAndNoneOvertakes) {
   }
 }
 
-/// The numbers of 1000 datagrams that arrive.
+/// Returns the numbers of those of 1000 datagrams that arrive.
 std::vector<std::uint32_t> arrivedOf(std::uint64_t seed) {
   LiveLink link({.loss = 0.1, .seed = seed});
   Datagrams datagrams(link);

@@ -32,7 +32,7 @@ int opened(const char* file, int flags) {
   return descriptor;
 }
 
-/// A device of the calling thread's namespace.
+/// Opens a device of the calling thread's namespace.
 int openDevice() {
   const int device = opened("/dev/net/tun", O_RDWR | O_NONBLOCK);
   ifreq request{};
@@ -59,7 +59,7 @@ void configure(const std::string& address, const std::string& peer) {
 
 }  // namespace
 
-// In a thread that ends: its caller stays where it is.
+// This runs in a thread that ends, so that its caller stays where it is.
 LinkEnd::LinkEnd(const std::string& address, const std::string& peer) {
   const auto make = [&] {
     if (unshare(CLONE_NEWNET) != 0) refuseFor("leaving for a network namespace");

@@ -27,7 +27,7 @@ PacketLine::PacketLine(int from, int to, const PacketFate& fate, std::uint32_t s
 
 double PacketLine::draw() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
 
-// Draws equally often for each packet, so that what befalls one does not change the next.
+// This draws equally often for each packet, so that what befalls one does not change the next.
 void PacketLine::take() {
   std::array<std::uint8_t, kLargest> bytes;
   for (;;) {

@@ -1,5 +1,5 @@
 #pragma once
-// One direction of a link: the packets that are under way.
+// This is one direction of a link: the packets that are under way.
 
 #include <suture/base/time.h>
 
@@ -11,7 +11,7 @@
 
 namespace experiment {
 
-/// What packets meet on a link, in each of its directions.
+/// Says what packets meet on a link, in each of its directions.
 struct PacketFate {
   suture::Duration way{0};     ///< how long each of them takes
   suture::Duration jitter{0};  ///< and up to so much longer; what follows waits behind it
@@ -19,7 +19,7 @@ struct PacketFate {
   std::uint64_t seed = 1;
 };
 
-/// How many packets have come, and how many of those were lost. Any thread may read.
+/// Any thread may read. Counts how many packets have come, and how many of those were lost.
 struct PacketCounts {
   std::atomic<std::uint64_t> taken{0}, lost{0}, delivered{0};
 };
@@ -27,7 +27,7 @@ struct PacketCounts {
 /// Belongs to one thread, but for its counts.
 class PacketLine {
  public:
-  /// `from`, `to`: where packets are read and written. Equal seeds and streams lose the same
+  /// `from` and `to` are where packets are read and written. Equal seeds and streams lose the same
   /// packets, counted from the first.
   PacketLine(int from, int to, const PacketFate& fate, std::uint32_t stream);
 
@@ -36,7 +36,7 @@ class PacketLine {
   void take();
   /// Writes what is due.
   void deliver(suture::Time now);
-  /// When the next packet is due; suture::Time::max() if there is none.
+  /// Returns when the next packet is due; suture::Time::max() if there is none.
   suture::Time next() const;
   const PacketCounts& counts() const { return counts_; }
 

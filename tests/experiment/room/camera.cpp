@@ -26,7 +26,7 @@ void Camera::run() {
   sighting_.stamp = strand->stamp;
 }
 
-/// In the frame of the left camera.
+/// Returns the point as it is seen, in the frame of the left camera.
 Vector3d Camera::seen(const Vector3d& point) {
   const double depth = cameras_.depthOf(point.z(), model_.disparity) * normal_(random_);
   const double across = point.z() / cameras_.focal * model_.disparity;

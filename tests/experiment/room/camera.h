@@ -1,5 +1,5 @@
 #pragma once
-// The endoscope and its tracker, reduced to what comes of them.
+// This is the endoscope and its tracker, reduced to what comes of them.
 
 #include <suture/component/provided.h>
 #include <suture/component/required.h>
@@ -15,9 +15,9 @@
 
 namespace experiment {
 
-/// What the synthetic endoscope and its tracker do to a sighting. 15 pictures a second, 1 % lost
-/// and 10 ms late are the endoscope's defaults; 10 ms more is the mean of the tracker's cycle of 20
-/// ms. `disparity` is robots::kDisparityNoise, to which the tests of vision hold the tracker.
+/// Says what the synthetic endoscope and its tracker do to a sighting. 15 pictures a second, 1 %
+/// lost and 10 ms late are the endoscope's defaults; 10 ms more is the mean of the tracker's cycle
+/// of 20 ms. `disparity` is robots::kDisparityNoise, to which the tests of vision hold the tracker.
 struct CameraModel {
   suture::Duration period = std::chrono::microseconds(66'667);
   suture::Duration latency = std::chrono::milliseconds(20);

@@ -1,5 +1,5 @@
 #pragma once
-// The operator's side of the link: two masters, and who holds them.
+// This is the operator's side of the link: two masters, and the operator who holds them.
 
 #include <suture/component/required.h>
 #include <suture/manager/manager.h>
@@ -31,18 +31,20 @@ class Readier final : public suture::PeriodicTask {
   robots::ArmWatch watch_{arm_};
 };
 
-/// Who carries the knot in a trial.
+/// Returns the operator who carries the knot in a trial.
 robots::OperatorParameters operatorOf(const Trial& trial);
 
-/// Used by one thread. Must outlive the manager's work.
+/// One thread uses it. It must outlive the manager's work.
 class Console {
  public:
   void addTo(suture::Manager& manager);
-  /// Who moves the masters, as "Surgeon", and looks. It requires "Left", "Right" and "Vision"; an
-  /// operator also what connectOperator() connects. `picturePeriod`: of the camera.
+  /// Adds the task that moves the masters, as "Surgeon", and looks. It requires "Left", "Right" and
+  /// "Vision"; an operator also what connectOperator() connects. `picturePeriod` is that of the
+  /// camera.
   static void seat(suture::Manager& manager, suture::Task& surgeon, const Crossing& cross,
                    suture::Duration picturePeriod);
-  /// Where things stand both sides know beforehand: "Registration" is of this process.
+  /// Connects an operator. Both sides know beforehand where things stand: "Registration" is of this
+  /// process.
   static void connectOperator(suture::Manager& manager, const Crossing& cross,
                               suture::Duration picturePeriod);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The whole system of a trial in one process: the console, the operating table, and the link
-// between them.
+// This is the whole system of a trial in one process: the console, the operating table, and the
+// link between them.
 
 #include <suture/manager/manager.h>
 
@@ -13,8 +13,8 @@
 
 namespace experiment {
 
-/// Used by the thread that made the stepped clock. What it reads between two advances is the truth
-/// of that instant.
+/// The thread that made the stepped clock uses this. What it reads between two advances is the
+/// truth of that instant.
 class OperatingRoom {
  public:
   OperatingRoom(const Trial& trial, const CameraModel& camera);
@@ -22,14 +22,14 @@ class OperatingRoom {
   OperatingRoom(const OperatingRoom&) = delete;
   OperatingRoom& operator=(const OperatingRoom&) = delete;
 
-  /// Who moves the masters (Console::seat); must live as long as this.
+  /// Adds the task that moves the masters (Console::seat); it must live as long as this.
   void seat(suture::Task& surgeon) { Console::seat(manager_, surgeon, overLink_, picturePeriod_); }
   void connectOperator() { Console::connectOperator(manager_, overLink_, picturePeriod_); }
   void start() { manager_.start(); }
   void stop() { manager_.stop(); }
 
   bool guiding() const { return table_.guide.guidance_state() == robots::GuidanceState::Guiding; }
-  /// Where the knot is, in the scene, m.
+  /// Returns where the knot is, in the scene, m.
   Eigen::Vector3d knot() const { return table_.strand.strand().nodes.col(robots::Strand::kKnot); }
   Truth truth() const;
 

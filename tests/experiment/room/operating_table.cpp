@@ -13,7 +13,8 @@ using robots::GuideParameters;
 // Both masters are of one process.
 constexpr Traffic kMasters{.stream = 1, .period = 1ms, .sharing = 2};
 
-/// The guide acts on data of the masters as late as the link makes them, and no later.
+/// Returns parameters by which the guide acts on data of the masters as late as the link makes
+/// them, and no later.
 GuideParameters guideOf(const Trial& trial) {
   const Link& link = trial.link;
   GuideParameters parameters{

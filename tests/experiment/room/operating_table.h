@@ -1,5 +1,6 @@
 #pragma once
-// The patient's side of the link: two slaves, the guide with its fixtures, strand and camera.
+// This is the patient's side of the link: two slaves, the guide with its fixtures, strand and
+// camera.
 
 #include <suture/manager/manager.h>
 
@@ -13,7 +14,7 @@
 
 namespace experiment {
 
-/// Used by one thread. Must outlive the manager's work.
+/// One thread uses it. It must outlive the manager's work.
 class OperatingTable {
  public:
   OperatingTable(const Trial& trial, const CameraModel& camera);

@@ -27,7 +27,7 @@ constexpr suture::Duration kLook = 10ms;
 
 std::string managerAddress() { return std::string("tcp://") + kTableAddress + ":7700?insecure"; }
 
-/// To the process of that name: the link between them is a real one.
+/// Connects to the process of that name: the link between them is a real one.
 Crossing crossingTo(suture::Manager& manager, const std::string& process) {
   return [&manager, process](const char* required, const char* provided, const Traffic&) {
     manager.connect(required, process + ":" + provided, {.patience = kPatience});

@@ -1,5 +1,5 @@
 #pragma once
-// What the judge is told of a trial: what is true at an instant, and what follows from it.
+// The judge is told this of a trial: what is true at an instant, and what follows from it.
 
 #include <Eigen/Geometry>
 #include <optional>
@@ -9,23 +9,23 @@
 
 namespace experiment {
 
-/// A slave and the master that leads it, each in its own base frame.
+/// Is a slave and the master that leads it, each in its own base frame.
 struct Pair {
   Eigen::Isometry3d master, slave, setpoint;
 };
 
-/// At one instant.
+/// Is what is true at one instant.
 struct Truth {
   Eigen::Vector3d knot;  ///< in the scene, m
   bool guided = false;
   Pair left, right;
 };
 
-/// How far each slave is from where its master asks it to be now, from where both were when the
-/// guide last began. A value.
+/// Tells how far each slave is from where its master asks it to be now, from where both were when
+/// the guide last began. It is a value.
 class Tracking {
  public:
-  /// `truth`: of instants that ascend.
+  /// `truth` must be of instants that ascend.
   Moment momentOf(const Truth& truth);
 
  private:

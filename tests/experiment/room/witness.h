@@ -1,5 +1,5 @@
 #pragma once
-// The task that records what is true on one side of a trial in real time.
+// This task records what is true on one side of a trial in real time.
 
 #include <suture/base/time.h>
 #include <suture/component/required.h>
@@ -20,11 +20,11 @@ class Witness final : public suture::PeriodicTask {
  public:
   Witness();
 
-  /// Any thread: when the guide was first seen to guide; suture::Time{} before.
+  /// Any thread: returns when the guide was first seen to guide; suture::Time{} before.
   suture::Time guidedSince() const {
     return suture::fromNanoseconds(guidedSince_.load(std::memory_order_relaxed));
   }
-  /// Once it has been stopped.
+  /// Returns the record, once it has been stopped.
   const Record& record() const { return record_; }
 
  private:
