@@ -1,4 +1,4 @@
-// Values of each form that the printers for gdb know; gdb stops in stopHere().
+// These are values of each form that the printers for gdb know; gdb stops in stopHere().
 
 #include <suture/base/sample.h>
 #include <suture/base/slots/slots.h>

@@ -1,5 +1,5 @@
 #pragma once
-// This contract has the standard messages among its members.
+// A contract that has the standard messages among its members.
 
 #include <suture/annotate.h>
 #include <suture/standard/messages.h>
