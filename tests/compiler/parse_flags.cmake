@@ -1,11 +1,11 @@
-# suture_parse_flags: what the tests give suturec to parse with. The standard headers and Eigen are precompiled: most of what a
-# run of suturec does is to read them, and the tests here run it some hundred times.
+# suture_parse_flags is what the tests give suturec to parse with. The standard headers and Eigen are precompiled, since
+# reading them is most of what a run of suturec does, and the tests here run it some hundred times.
 find_program(SUTURE_CLANGXX clang++-19 REQUIRED)
 get_target_property(eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
 set(precompiled ${PROJECT_BINARY_DIR}/tests/compiler/standard_headers.pch)
 if(NOT TARGET suture_standard_headers)
   set(standard_headers ${CMAKE_CURRENT_LIST_DIR}/standard_headers.h)
-  # With the options that suturec itself gives to Clang, without which it refuses the file.
+  # This takes the options that suturec itself gives to Clang, without which it refuses the file.
   add_custom_command(
     OUTPUT ${precompiled}
     COMMAND ${SUTURE_CLANGXX} -std=c++20 -DSUTUREC -nocudainc -nocudalib -isystem ${eigen} -MD -MT ${precompiled}

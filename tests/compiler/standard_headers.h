@@ -1,4 +1,4 @@
-// What headers under test include most. tests/compiler/parse_flags.cmake has it parsed once.
+// Headers under test include these most. tests/compiler/parse_flags.cmake has them parsed once.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>

@@ -1,5 +1,5 @@
 #pragma once
-// What a client of an arm asks of the arm's process, for tests that play the client by hand.
+// A client of an arm asks this of the arm's process, for tests that play the client by hand.
 
 #include <kj/debug.h>
 #include <suture/calls.capnp.h>
@@ -15,7 +15,7 @@
 
 namespace reference {
 
-/// `from`: the process that it says it is. Connects its "Teleop/Slave" to "PSM/Arm".
+/// Connects its "Teleop/Slave" to "PSM/Arm"; `from` is the process that it says it is.
 template <class Request>
 void askForArm(Request& request, const char* from) {
   const suture::InterfaceInfo& contract = suture::interfaceInfo<ArmLike>();
@@ -36,7 +36,7 @@ struct CallsSocket {
   suture::rpc::ByteStream bytes;
 };
 
-/// Opens it, on the thread of `port`. `provider`: where the process of `peer` listens.
+/// Opens it, on the thread of `port`. `provider` is where the process of `peer` listens.
 inline kj::Promise<CallsSocket> openCallsSocket(suture::rpc::EventPort& port,
                                                 suture::rpc::Address provider,
                                                 suture::wire::Peer::Client peer) {

@@ -12,13 +12,13 @@
 
 namespace reference {
 
-/// Returns ends at which nobody sleeps. `peer`: what a session knows of the other process.
+/// Returns ends at which no thread sleeps. `peer` is what a session knows of the other process.
 inline suture::Channel::Ends playedEnds(std::shared_ptr<const suture::PeerState> peer = nullptr) {
   const auto bell = std::make_shared<suture::rt::Doorbell>();
   return {.client = bell, .provider = bell, .watcher = bell, .peer = std::move(peer)};
 }
 
-/// Makes one. `lane`: its name, for people. The client wants the events `subscribed`.
+/// Makes a channel. `lane` is its name, for people. The client wants the events `subscribed`.
 inline std::shared_ptr<suture::Channel> playedChannel(
     const suture::InterfaceInfo& contract, const suture::Channel::Ends& ends, const char* lane,
     suture::EventSet subscribed = ~suture::EventSet{0}) {
@@ -27,7 +27,7 @@ inline std::shared_ptr<suture::Channel> playedChannel(
       suture::makeStateTable(contract, suture::rt::StateTable::Readers::Here), subscribed);
 }
 
-/// Makes one of an arm.
+/// Makes a channel of an arm.
 inline std::shared_ptr<suture::Channel> armChannel(const suture::Channel::Ends& ends,
                                                    const char* lane,
                                                    suture::EventSet subscribed = ~suture::EventSet{

@@ -1,5 +1,5 @@
 #pragma once
-// A session whose client a test plays.
+// This is a session whose client a test plays.
 
 #include <suture/framing/link.h>
 #include <suture/loop/control_thread.h>

@@ -116,7 +116,7 @@ class RemoteArm : public testing::Test {
     EXPECT_TRUE(eventually([&] { return openDescriptors() <= before + 3; })) << openDescriptors();
   }
   const std::string& manager() const { return global_->address(); }
-  /// Another process of that name, in the place of the one before.
+  /// Starts another process of that name, in the place of the one before.
   void restartRobot() {
     robot->stop();
     robot.reset();

@@ -1,5 +1,5 @@
 #pragma once
-// An arm that does nothing but count.
+// This is an arm that does nothing but count.
 
 #include <atomic>
 #include <string>

@@ -1,4 +1,4 @@
-"""Suture as a package: what is installed, and projects that use it: package_test.py SCENARIO --package P ..."""
+"""Tests Suture as a package: what is installed, and projects that use it: package_test.py SCENARIO --package P ..."""
 
 import argparse
 import os
@@ -13,7 +13,7 @@ PARTS = ("tally.h", "clicker.h", "main.cpp")
 
 
 def consumer(arguments, kind, *files):
-    """A project of consumers/ with files of the counter example."""
+    """Returns a project of consumers/ with files of the counter example."""
     root = empty(arguments.scratch / f"{arguments.scenario} {kind}")
     shutil.copytree(HERE / "consumers" / kind, root, dirs_exist_ok=True)
     for file in files:
@@ -29,7 +29,7 @@ def counts(folder):
 
 
 def sees_no_capnp(project):
-    """What main.cpp includes, as ninja has recorded it."""
+    """Expects that main.cpp includes no header of capnp, as ninja has recorded its headers."""
     text = succeed("ninja tells the headers", ["ninja", "-C", project.build_folder, "-t", "deps"])
     headers = next(block for block in text.split("\n\n") if "main.cpp.o:" in block)
     expect("counter.suture.h" in headers, "main.cpp includes generated code", headers)
@@ -74,7 +74,7 @@ def installed_contract(arguments):
 
 
 def robots(arguments):
-    """From a package in a folder with a space."""
+    """Builds a project with a package in a folder whose name has a space."""
     spaced = arguments.scratch / "a prefix"
     shutil.rmtree(spaced, ignore_errors=True)
     arguments.package = shutil.copytree(arguments.package, spaced, symlinks=True)
@@ -88,7 +88,7 @@ def robots(arguments):
 
 
 def missing_headers(include):
-    """What headers of the package include of it and do not find, as it is written there."""
+    """Returns what headers of the package include of it and do not find, as it is written there."""
     roots = [include, include / "suture-robots"]
     missing = set()
     for header in include.rglob("*.h"):
@@ -120,7 +120,7 @@ def installed_tree(arguments):
 
 
 def shared_cross_build(arguments):
-    """Suture itself, shared and without LLVM, as for another machine: by the suturec of this one."""
+    """Builds Suture itself, shared and without LLVM, as for another machine: by the suturec of this one."""
     build = empty(arguments.scratch / "shared cross build")
     succeed("configures Suture, shared, with SUTUREC_EXECUTABLE",
             ["cmake", "-S", TREE, "-B", build, "-G", "Ninja", "-DBUILD_SHARED_LIBS=ON", "-DCMAKE_BUILD_TYPE=Debug",
@@ -149,7 +149,7 @@ def shared_package(arguments):
 
 
 def without_suturec(arguments):
-    """Where LLVM is not, what is committed is compiled."""
+    """Without LLVM a build compiles what is committed."""
     project = consumer(arguments, "one", *CONTRACT, *PARTS)
     project.configure()
     project.must_build("update-generated", "update-generated")

@@ -1,4 +1,4 @@
-"""What suture_generate() refuses, each with the words that tell what to do: refusals_test.py --scratch S."""
+"""Tests what suture_generate() refuses, each with the words that tell what to do: refusals_test.py --scratch S."""
 
 import argparse
 import pathlib

@@ -1,4 +1,4 @@
-"""What runs and what is rewritten after each kind of change: rows_test.py ROW... --generator G --package P --scratch S."""
+"""Tests what runs and what is rewritten after each kind of change: rows_test.py ROW... --generator G --package P --scratch S."""
 
 import argparse
 import pathlib
@@ -173,7 +173,7 @@ def committed(project):
     expect(status != 0 and "count/old.suture.h is generated from no header" in text, "and names a left-over", text)
 
 
-# What begins in a project that has been configured, and in one that has been built.
+# The first rows begin in a project that has been configured, the others in one that has been built.
 CONFIGURED = {"no_lock": stops_without_lock}
 BUILT = {row.__name__: row for row in (no_change, touched_header, edited_comment, transitive_header, new_field,
                                        changed_define, added_header, removed_output, stale_output, bad_header,
@@ -181,7 +181,7 @@ BUILT = {row.__name__: row for row in (no_change, touched_header, edited_comment
 
 
 def fails(name, row, project, kept):
-    """Whether a row fails that begins with what was kept, at the place and with the times of then."""
+    """Returns True if a row fails that begins with what was kept, at the place and with the times of then."""
     shutil.rmtree(project.root)
     shutil.copytree(kept, project.root, symlinks=True)
     print(f"{name}:", flush=True)

@@ -35,7 +35,7 @@ def empty(folder):
 
 
 def install(build, prefix, *options):
-    """Into a folder that is then renamed: nothing may remember where it was put."""
+    """Installs into a folder that is then renamed, since nothing may remember where it was put."""
     first = prefix.with_name(prefix.name + " at first")
     for folder in (first, prefix):
         shutil.rmtree(folder, ignore_errors=True)
@@ -74,7 +74,7 @@ class Project:
         path.write_text(text.replace(old, new), encoding="utf-8")
 
     def times(self):
-        """When each generated file was written."""
+        """Returns when each generated file was written."""
         folders = [self.build_folder / "generated", self.build_folder / "generated-wire"]
         return {p: p.stat().st_mtime_ns for folder in folders for p in folder.rglob("*") if p.is_file()}
 

@@ -22,7 +22,7 @@ PAGES = HERE.parents[2] / "docs" / "diagnostics"
 COMPILER = HERE.parents[2] / "compiler"
 TIME_LIMIT = 120  # seconds; a hang must end the test, the machine may be slow
 
-# The forms in which a slug stands in the compiler's sources.
+# A slug stands in these forms in the compiler's sources.
 SLUG_FORMS = [
     r'\b(?:error|errorAt|warn)\(\s*[\w.>-]+,\s*"([a-z-]+)"',
     r'addError\(\s*\w+,\s*[\w.>-]+,\s*"([a-z-]+)"',
@@ -38,7 +38,7 @@ SLUG_FORMS = [
 
 
 def run(suturec, flags, header, directory, out, include="../include"):
-    """Exit status and messages. The lock folder of a case has its name."""
+    """Returns exit status and messages. The lock folder of a case has its name."""
     command = [suturec, "--target-name", "cases", "--base-dir", ".", "--out", str(out),
                "--lock-dir", f"schemas/{header.stem}", header.name, "--", f"-I{include}", *flags]
     done = subprocess.run(command, cwd=directory, capture_output=True, encoding="utf-8", errors="replace",
@@ -87,7 +87,7 @@ USAGE = [
 ]
 
 
-# suturec diff OLD NEW: the exit status, and the words that must come.
+# These are calls of suturec diff OLD NEW, each with the exit status and the words that must come.
 DIFFS = [
     ("schemas/lock_new/lock_new.capnp", 2, "new is required"),
     ("schemas/lock_new/lock_new.capnp missing.capnp", 2, "cannot read 'missing.capnp'"),
@@ -174,7 +174,7 @@ def check_slugs():
 
 
 def mutated(text, random_source):
-    """A header after an accident: bytes dropped, doubled or replaced."""
+    """Returns a header after an accident: bytes dropped, doubled or replaced."""
     text = bytearray(text)
     for _ in range(random_source.randint(1, 6)):
         place = random_source.randrange(len(text))
@@ -204,7 +204,7 @@ def check_mutation(suturec, flags, seed):
 
 
 def runs(part, suturec, flags, record, mutants):
-    """Each a function and its arguments."""
+    """Returns the runs, each a function and its arguments."""
     if part == "cases":
         return [(check_case, suturec, flags, h, record) for h in sorted(CASES.glob("*.h"))] + [(check_slugs,)]
     if part == "fixes":

@@ -21,14 +21,14 @@ HERE = pathlib.Path(__file__).resolve().parent
 PAGES = HERE.parents[2] / "docs" / "diagnostics"
 TIME_LIMIT = 120  # seconds; a hang must end the test, the machine may be slow
 
-# What the committed lock says where a page speaks of a lock.
+# The committed lock says this where a page speaks of a lock.
 BEFORE = {
     "lock-break": 'struct SUTURE_TYPE() Fragment { SUTURE_FIELD(unit("m")) double x = 0; };',
     "lock-range": "struct SUTURE_TYPE() Grip { SUTURE_FIELD(range(0, 40)) double force = 0; };",
     "lock-removed": "struct SUTURE_TYPE() Goal { double velocity = 0; };",
 }
 
-# Pages that show what to run instead of what to write, or includes.
+# These pages show what to run or to include instead of what to write.
 WITHOUT_EXAMPLE = {"enum-size", "forgotten-include", "lock-conflict", "lock-duplicate-id", "lock-missing", "lock-new", "lock-newer",
                    "lock-renamed", "lock-stale", "lock-syntax", "nesting", "own-generated-include", "slot-size"}
 
@@ -47,7 +47,7 @@ def includes_of(text, slug):
 
 
 def placed(text, slug):
-    """The fragment as a piece of a header."""
+    """Returns the fragment as a piece of a header."""
     first = next(line for line in text.splitlines() if line.strip() and not line.startswith("//"))
     commands = "crtk()" if slug.startswith("crtk-") else ""
     if re.match(r"(template <class T>\n)?SUTURE_(COMMAND|EVENT)|private:|public:", text[text.index(first):]):
@@ -61,12 +61,12 @@ def placed(text, slug):
 
 
 def stands_outside(text):
-    """Whether the example says itself in which namespace it is."""
+    """Returns True if the example says itself in which namespace it is."""
     return re.search(r"^namespace ", text, re.M) or "suture::Wire<" in text
 
 
 def header_of(text, slug, namespace="demo"):
-    """A whole header; what stands outside of namespaces on the page does so here."""
+    """Returns a whole header; what stands outside of namespaces on the page does so here."""
     own = [line for line in text.splitlines() if line.startswith("#include")]
     rest = "".join(line + "\n" for line in text.splitlines() if not line.startswith("#include"))
     body = rest if stands_outside(rest) else f"namespace {namespace} {{\n{placed(rest, slug)}}}\n"
@@ -150,7 +150,7 @@ def check_page(suturec, flags, page):
 
 
 def choose(pages, wanted):
-    """All, those named, or "1/2": every second."""
+    """Returns all pages, those named, or with "1/2" every second."""
     share = re.fullmatch(r"(\d+)/(\d+)", wanted[0]) if wanted else None
     if share:
         return pages[int(share[1]) - 1::int(share[2])]

@@ -13,7 +13,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 
-# By the names of the header; units are those that the description tells.
+# These go by the names of the header; units are those that the description tells.
 VALUES = {
     "weight": 2.25, "count": -5, "label": "stranger", "mode": "Fast", "period": 0.04, "values": [0.5, 1.5], "seen": 77e-9,
     "east": 12.5, "pair": [1, 2], "point": [3, 4, 5], "note": "unseen",
@@ -21,7 +21,7 @@ VALUES = {
 UNDERSTOOD = ("count=-5 label='stranger' values=0.5,1.5, period=40 seen=77 pair=1,2 point=3 4 5 east=12.5 weight=2.25 "
               "note='unseen' mode=Fast")
 
-# What is in bytes/v2.bin, in the description's terms.
+# This is what bytes/v2.bin has, in the description's terms.
 STORED = {
     "weight": 3, "count": 11, "label": "second", "mode": "Off", "period": 0.03, "values": [7], "seen": 11e-9, "east": -2.5,
     "pair": [2, 3], "point": [7, 8, 9], "note": "new",
@@ -37,7 +37,7 @@ class Description:
         self.enums = {one["name"]: one for one in self.json["enums"]}
 
     def to_wire(self, kind, value):
-        """A value of this type as capnp's JSON has it."""
+        """Returns a value of this type as capnp's JSON has it."""
         what = kind["kind"]
         if what in ("list", "array"):
             bound = kind.get("capacity", kind.get("length"))

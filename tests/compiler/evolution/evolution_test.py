@@ -18,7 +18,7 @@ HEADER = "evolution/sample.h"
 LOCK = "schemas/evolution/sample.capnp"
 CHOICE = "schemas/evolution/choice.capnp"
 
-# Reader, file, and what it makes of it.
+# Each row has a reader, a file, and what the reader makes of it.
 READS = [
     ("v1", "v1", "count=-3 label='first' values=1,2, period=20 seen=99 pair=0.5,-1 point=4 5 6 x=1.5 gone=8 mode=On"),
     ("v2", "v1", "count=-3 label='first' values=1,2, period=20 seen=99 pair=0.5,-1 point=4 5 6 east=1.5 weight=2.5 "
@@ -31,7 +31,7 @@ READS = [
     ("v1", "v2fast", "refused"),
 ]
 
-# The same for a Choice: an alternative that a reader does not know is refused, whatever else it is.
+# These are the same for a Choice: an alternative that a reader does not know is refused, whatever else it is.
 CHOICES = [
     ("v1", "v1choice", "value=1.500000 second=2.5 x=3 pace=fast"),
     ("v2", "v1choice", "value=1.500000 second=2.5 x=3 pace=fast"),
@@ -44,7 +44,7 @@ CHOICES = [
 WRITES = [("v1", "write", "v1"), ("v2", "write", "v2"), ("v2", "write-fast", "v2fast"), ("v1", "write-choice", "v1choice"),
           ("v2", "write-choice", "v2choice"), ("v2", "write-newest", "v2newest")]
 
-# An edit of the first header, and the words of the refusal.
+# Each row has an edit of the first header, and the words of the refusal.
 BREAKS = [
     ("double x = 0;", "float x = 0;", "type Float32 instead of Float64"),
     ("std::int32_t count", "std::int64_t count", "type Int64 instead of Int32"),
@@ -89,7 +89,7 @@ def check_bytes(programs, failures):
 
 
 class Copy:
-    """The first version in a folder of its own, to edit."""
+    """Is the first version in a folder of its own, to edit."""
 
     def __init__(self, folder, suturec, flags):
         self.root = pathlib.Path(folder) / "copy"

@@ -15,7 +15,7 @@ PARAMETERS = {name: text for name, _, _, text in kinds.PARAMETERS}
 
 
 def values(lines, source):
-    """What a process printed of the members that came from `source`."""
+    """Returns what a process printed of the members that came from `source`."""
     words = [line.split(" ", 2) for line in lines]
     return {one[1]: one[2] for one in words if one[0] == source}
 

@@ -1,5 +1,5 @@
 #pragma once
-// How kinds_peer.cpp prints a member of each kind.
+// kinds_peer.cpp prints a member of each kind so.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -20,7 +20,7 @@ namespace evolution {
 template <class T>
 std::string text(const T& value);
 
-/// A struct of the header, which has a member that no other has.
+/// Prints a struct of the header, which has a member that no other has.
 template <class T>
 std::string structText(const T& value) {
   if constexpr (requires { value.name; }) return "(" + text(value.a) + "," + text(value.name) + ")";

@@ -1,4 +1,4 @@
-"""Two processes that talk to each other by a manager of their own."""
+"""Starts two processes that talk to each other by a manager of their own."""
 
 import argparse
 import subprocess
@@ -11,7 +11,7 @@ LANES = ("frame", "rpc")
 
 
 def talk(programs, server, client, lane):
-    """What the server printed behind "ready", and what the client printed, line by line. They talk by `lane`, one of LANES."""
+    """Returns what the server printed behind "ready", and what the client printed, line by line. They talk by `lane`, one of LANES."""
     with tempfile.TemporaryDirectory() as folder:
         address = f"unix:{folder}/manager.sock"
         with subprocess.Popen([programs["manager"], "--listen", address], stdout=subprocess.PIPE, text=True) as manager:

@@ -1,5 +1,5 @@
 #pragma once
-// What each version says of its own Sample.
+// Each version says this of its own Sample.
 
 #include <ostream>
 
@@ -8,13 +8,13 @@
 
 namespace evolution {
 
-/// A sample in which every field has a value of its own.
+/// Returns a sample in which every field has a value of its own.
 Sample example();
 
-/// The fields that the two versions do not share.
+/// Prints the fields that the two versions do not share.
 void print(const Sample& sample, std::ostream& out);
 
-/// A choice of something that both versions have, or of the newest that this one has.
+/// Returns a choice of something that both versions have, or of the newest that this one has.
 Choice exampleChoice(bool newest);
 
 void print(const Choice& choice, std::ostream& out);

@@ -20,7 +20,7 @@ std::string contentOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The first line in which two texts differ, for a message that can be read.
+/// Returns the first line in which two texts differ, for a message that can be read.
 std::string firstDifference(const std::string& expected, const std::string& actual) {
   std::size_t line = 1;
   std::size_t start = 0;
@@ -35,7 +35,7 @@ std::string firstDifference(const std::string& expected, const std::string& actu
          "\n  actual:   " + from(actual);
 }
 
-/// Everything that is written for the model's own headers: locks and generated files.
+/// Returns everything that is written for the model's own headers: locks and generated files.
 std::vector<model::Artefact> allOf(const model::Model& model) {
   std::vector<model::Artefact> artefacts = lock::update(model, {}).files;
   model::Diagnostics none;
@@ -61,7 +61,7 @@ TEST(Golden, HandMadeModelGivesTheExpectedFiles) {
   EXPECT_EQ(artefacts.size(), 15u);
   for (const model::Artefact& artefact : artefacts) expectCommitted(artefact);
 
-  // The other target's turn.
+  // Now the headers of the other target are the own ones.
   for (model::Header& header : model.headers) header.own = !header.own;
   for (const model::Artefact& artefact : allOf(model)) expectCommitted(artefact);
 }

@@ -1,4 +1,4 @@
-"""A component that lacks a command of its contract, given to a compiler without suturec: one error, which stands where the
+"""Gives a component that lacks a command of its contract to a compiler without suturec: it reports one error, which stands where the
 component is made and names both.
 
   missing_command_test.py COMPILER FLAG...

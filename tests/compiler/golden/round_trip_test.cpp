@@ -1,4 +1,5 @@
-// What is generated for every type of member carries it: C++ -> slot -> message -> slot -> C++.
+// The code that is generated for every type of member carries it: C++ -> slot -> message -> slot ->
+// C++.
 
 #include <capnp/message.h>
 #include <gtest/gtest.h>
@@ -140,7 +141,7 @@ TEST_F(RoundTrip, WhatIsTooLargeOnTheWireIsRefused) {
   EXPECT_EQ(back(slot), Errc::TooLarge);
 }
 
-// As of a sender that is older than the member.
+// A sender that is older than the member sends such a message.
 TEST_F(RoundTrip, AMissingStructHasItsDefaults) {
   sent(something()).disownGoal();
   EverythingSlot slot{};

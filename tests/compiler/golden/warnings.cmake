@@ -1,5 +1,5 @@
-# suture_test_warnings(NAME COMPILERS ROOT FLAG...): these compilers on all that is generated below ROOT. What the build compiles
-# as strictly itself needs clang alone.
+# suture_test_warnings(NAME COMPILERS ROOT FLAG...) runs these compilers on all that is generated below ROOT. Only
+# clang has to compile what the build itself compiles as strictly.
 find_program(SUTURE_CLANGXX clang++-19)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 get_target_property(suture_test_eigen Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
@@ -12,7 +12,7 @@ function(suture_test_warnings name compilers root)
     add_test(NAME golden.warnings.${name}.${short}
       COMMAND ${Python3_EXECUTABLE} ${suture_test_warnings_script} ${compiler} ${root} ${ARGN}
         -I${PROJECT_SOURCE_DIR}/runtime -isystem ${PROJECT_BINARY_DIR}/schemas -isystem ${suture_test_eigen})
-    # Not in the fast tier: they need what every target of the tree generates.
+    # The fast tier leaves these out: they need what every target of the tree generates.
     set_tests_properties(golden.warnings.${name}.${short} PROPERTIES LABELS warnings)
     suture_compiling_tests(golden.warnings.${name}.${short})
   endforeach()

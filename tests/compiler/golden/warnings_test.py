@@ -15,7 +15,7 @@ LAUNCHER = os.environ.get("CMAKE_CXX_COMPILER_LAUNCHER")
 
 
 def compiles(compiler, flags, text):
-    """In the working folder, below which a launcher that remembers what it has compiled takes paths for equal."""
+    """Compiles in the working folder, so that a launcher that remembers what it has compiled takes paths below it for equal."""
     with tempfile.TemporaryDirectory(dir=".") as folder:
         pathlib.Path(folder, "unit.cpp").write_text(text, encoding="utf-8")
         done = subprocess.run([*filter(None, [LAUNCHER]), compiler, *flags, *STRICT], cwd=folder, check=False)

@@ -16,7 +16,7 @@ import random_contract
 
 
 def configure(folder, suture, compiler):
-    """As random_contract.build() does it, in a build folder of the compiler's name."""
+    """Configures as random_contract.build() does, in a build folder of the compiler's name."""
     random_contract.run(
         ["cmake", "-S", folder, "-B", folder / compiler, "-G", "Ninja", "--log-level=WARNING", f"-DSuture_DIR={suture}",
          f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS=-ffile-prefix-map={folder}=.", "-DCMAKE_CXX_STANDARD=20",

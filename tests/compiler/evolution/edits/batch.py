@@ -125,7 +125,7 @@ def handler(edit, command: Command, told):
 
 
 def kept(edit, side):
-    """What provides the contract of a breaking edit: nobody ever reaches it."""
+    """Returns what provides the contract of a breaking edit: no client ever reaches it."""
     all_commands = [Command("void stay()"), *side.commands, *([LAST] if side.base else [])]
     if side.has_struct:
         all_commands.append(Command("void put(const {T}&)"))

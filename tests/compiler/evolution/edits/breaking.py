@@ -91,7 +91,7 @@ BREAKING = FIELDS + COMMANDS + EVENTS + CONTRACTS
 
 SWAPPED = "two names, exchanged by `was()`"
 
-# Nobody can accept these: no lock tells what is meant, or capnp's C++ would have one name twice.
+# No tool can accept these: no lock tells what is meant, or capnp's C++ would have one name twice.
 IMPOSSIBLE = [
     Edit("two names swapped with was", SWAPPED, record("  double a = 1;\n  double b = 2;"),
          record('  SUTURE_FIELD(was("b")) double a = 1;\n  SUTURE_FIELD(was("a")) double b = 2;'),

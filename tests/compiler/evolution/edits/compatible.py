@@ -1,4 +1,4 @@
-"""Edits after which old and new peers work together. What a range or a capacity refuses is among the calls."""
+"""Lists edits after which old and new peers work together. What a range or a capacity refuses is among the calls."""
 
 from edit import FINE, NOTHING, REFUSES, Call, Command, Edit, Event, Side
 
@@ -39,7 +39,7 @@ FIELDS = [
          record("  double a = 1;\n  double b = 2;", sends={"a": "5", "b": "6"}, sees={"a": "7", "b": "8"}),
          record("  double b = 2;\n  double a = 1;", sends={"a": "7", "b": "8"}, sees={"a": "5", "b": "6"}),
          diff=NOTHING),
-    # The one whose default changed later still takes what the lock had first, from peers that do not send it.
+    # The peer whose default changed later still takes what the lock had first, from peers that do not send it.
     Edit("default changed", "a default",
          record("  double a = 1;", sends={"a": "5"}, sees={"a": "6"}),
          record("  double a = 2;\n  double b = 9;", sends={"a": "6"}, sees={"a": "5", "b": "3"}),
@@ -204,7 +204,7 @@ EVENTS = [
          Side(events=(Event("newest_event", "double", "latest()", emits="8", heard="7"),)), build="lock-stale"),
 ]
 
-# What a base gets stands before what the heir has, in the heir too, and does not move it on the wire.
+# A member that a base gets stands before what the heir has, in the heir too, and does not move that on the wire.
 INHERITED = [
     Edit("command added to a base", "a command, also of a base", Side(),
          commands(Command("void inherited(std::int32_t a)",

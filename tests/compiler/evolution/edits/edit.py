@@ -1,9 +1,9 @@
-"""What a row of the table says: an edit of a contract, each tool's verdict on it, and what two processes make of it."""
+"""Says what a row of the table says: an edit of a contract, each tool's verdict on it, and what two processes make of it."""
 
 import dataclasses
 import re
 
-# The worst line of `suturec diff`.
+# Each verdict is the worst line of `suturec diff`.
 NOTHING, FINE, REFUSES, BREAKS = "nothing", "fine", "refuses", "breaks"
 
 ANNOTATION = re.compile(r"SUTURE_FIELD\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\) ")
@@ -61,7 +61,7 @@ class Event:
 
 @dataclasses.dataclass(frozen=True)
 class Side:
-    """The contract before the edit, or behind it. A struct "{T}" travels by command, event, row and answer."""
+    """Is the contract before the edit, or behind it. A struct "{T}" travels by command, event, row and answer."""
 
     types: str = ""
     commands: tuple[Command, ...] = ()

@@ -100,7 +100,8 @@ void printEvents(Client& client) {
   }
 }
 
-/// One that was emitted before anybody asked for it: it is known by another word on the wire.
+/// Prints an event that was emitted before a client asked for it: it is known by another word on
+/// the wire.
 void printLatched(Client& client) {
   bool came = false;
   hear("rooted", client.edits.on().rooted([&](double value) {

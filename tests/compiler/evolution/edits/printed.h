@@ -1,5 +1,5 @@
 #pragma once
-// How the peers of both versions print what they get.
+// The peers of both versions print so what they get.
 
 #include <suture/base/errors.h>
 

@@ -37,7 +37,7 @@ def suturec(folder, headers, *options):
 
 
 def slugs(text):
-    """Of each edit the slugs that suturec printed for its headers or its lock."""
+    """Returns for each edit the slugs that suturec printed for its headers or its lock."""
     found = collections.defaultdict(set)
     for place, slug in re.findall(r"^(?:error: )?(?:schemas/)?(\w+)/\w+\.\w+[:\d]*: .*\[suture-([a-z-]+)\]$", text, re.M):
         found[place].add(slug)
@@ -45,7 +45,7 @@ def slugs(text):
 
 
 def told(text):
-    """Of each file the lines that suturec printed below its name when it wrote its lock."""
+    """Returns for each file the lines that suturec printed below its name when it wrote its lock."""
     found, lines = {}, []
     for line in text.splitlines():
         if line.startswith("updated "):
@@ -60,7 +60,7 @@ def write_all(folder, edits, version):
 
 
 class Versions:
-    """The old locks of all edits, and their new headers beside them."""
+    """Has the old locks of all edits, and their new headers beside them."""
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder)
@@ -138,7 +138,7 @@ class Verdicts(unittest.TestCase):
         self.each(self.judge_diff)
 
     def diff(self, edit):
-        """The verdicts and the sentence below them."""
+        """Returns the verdicts and the sentence below them."""
         lock = f"{edit.stem}/contract.capnp"
         done = subprocess.run([GIVEN.suturec, "diff", f"old/{lock}", f"schemas/{lock}"], cwd=self.folder,
                               capture_output=True, text=True)

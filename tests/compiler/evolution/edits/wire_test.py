@@ -17,7 +17,7 @@ PROGRAMS = {}
 
 
 def members(path, side_of):
-    """The lines of what came by one path to the peer whose side of an edit is side_of(edit)."""
+    """Returns the lines of what came by one path to the peer whose side of an edit is side_of(edit)."""
     return [f"{path} {edit.stem}.{name} {value}" for edit in COMPATIBLE for name, value in side_of(edit).sees.items()]
 
 

@@ -28,7 +28,7 @@ def declarations(side):
 
 
 def alone(edit: Edit, side: Side):
-    """The types and the contract of one edit. A command that never changes stands in front, so that no contract is empty."""
+    """Returns the types and the contract of one edit. A command that never changes stands in front, so that no contract is empty."""
     put = "  SUTURE_COMMAND() virtual void put(const {T}& value) = 0;\n" if side.has_struct else ""
     anchor = "  SUTURE_COMMAND() virtual void stay() = 0;\n"
     if edit.inherited:

@@ -1,5 +1,5 @@
 #pragma once
-// What the first version's processes do.
+// The first version's processes do this.
 
 #include <suture/component/task/event_task.h>
 
@@ -29,7 +29,7 @@ class Feeder final : public suture::EventTask, public Feed {
 
 inline auto startPut(suture::Required<Feed>& feed) { return feed.put.start(example(), 0.5); }
 
-/// What only a later version can ask.
+/// Does nothing, since only a later version can ask this.
 inline void tryNewest(suture::Required<Feed>&) {}
 
 }  // namespace evolution

@@ -1,5 +1,5 @@
 #pragma once
-// What the second version's processes do.
+// The second version's processes do this.
 
 #include <suture/component/task/event_task.h>
 

@@ -1,4 +1,4 @@
-// Blocks of bytes through generated code.
+// These send blocks of bytes through generated code.
 
 #include "round_trip.h"
 #include "shapes/bulk.capnp.h"

@@ -1,4 +1,4 @@
-// Optionals, tuples and variants through generated code.
+// These send optionals, tuples and variants through generated code.
 
 #include "round_trip.h"
 #include "shapes/containers.capnp.h"
@@ -113,7 +113,7 @@ TEST(Choices, WhatIsTooLargeOnTheWireIsRefused) {
   EXPECT_EQ(trip.receive(), Errc::TooLarge);
 }
 
-// As of a sender that is older than the member.
+// A sender that is older than the members sends such a message.
 TEST(Choices, AMissingOptionalIsNoneAndAMissingTupleHasItsDefaults) {
   Trip trip;
   auto sent = trip.send(full());

@@ -1,4 +1,4 @@
-// Derived, private, opaque and recursive classes through generated code.
+// These send derived, private, opaque and recursive classes through generated code.
 
 #include "round_trip.h"
 #include "shapes/classes.capnp.h"

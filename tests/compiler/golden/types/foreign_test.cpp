@@ -1,4 +1,4 @@
-// Structs of KDL, ROS and OpenCV, which were not made for this, through generated code.
+// These send structs of KDL, ROS and OpenCV, which were not made for this, through generated code.
 
 #include "foreign/kdl.capnp.h"
 #include "foreign/kdl.suture.h"

@@ -1,4 +1,4 @@
-// A component whose parameters are somebody else's type, listed in the component's own header.
+// The parameters of this component are a foreign type, which the component's own header lists.
 
 #include <gtest/gtest.h>
 #include <suture/component/factory/json_reader.h>

@@ -1,4 +1,4 @@
-// Composites as recordings and the command line show them.
+// These are composites as recordings and the command line show them.
 
 #include <suture/wire/json/to_json.h>
 

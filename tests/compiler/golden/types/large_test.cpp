@@ -55,7 +55,7 @@ std::span<std::byte> bytesOf(LargeSlot& slot) {
 /// Fills the memory with nonsense, as that of a slot in use.
 void soil(LargeSlot& slot, int byte) { std::memset(static_cast<void*>(&slot), byte, sizeof(slot)); }
 
-/// All that anybody reads in the slot.
+/// Returns all that a reader reads in the slot.
 std::vector<std::uint8_t> contentOf(const LargeSlot& slot) {
   capnp::MallocMessageBuilder message;
   toWire(slot, message.initRoot<wire::Large>());
@@ -96,7 +96,7 @@ TEST_P(LargeSlots, AreThereWhenTheyHaveTravelled) {
   EXPECT_EQ(contentOf(*received_), contentOf(*sent_));
 }
 
-// In a row of state, values are packed where they lie.
+// A row of state packs values where they lie.
 TEST_P(LargeSlots, ArePackedInPlaceAndInFrontOfIt) {
   const std::vector<std::byte> expected = packed();
   for (const std::size_t ahead : {0, 8, 4096}) {
@@ -126,7 +126,7 @@ TEST_P(LargeSlots, TakeWhatTheirContentNeeds) {
   std::size_t room = 0;
   for (const BoundedLevel& level : levels_) room += level.mostBytes();
   const auto used = static_cast<double>(packed().size() + room - sizeof(LargeSlot));
-  // Of a matrix with half of its rows and half of its columns, a quarter is used.
+  // A matrix with half of its rows and half of its columns uses a quarter.
   const double image = 20 * 30 * sizeof(float);
   const double part = GetParam();
   const double expected = part * (static_cast<double>(room) - image) + part * part * image;
@@ -136,7 +136,7 @@ TEST_P(LargeSlots, TakeWhatTheirContentNeeds) {
 TEST_P(LargeSlots, AreRefusedWhenTheirBytesAreTooFewOrTooMany) {
   std::vector<std::byte> all = packed();
   for (std::size_t size = 0; size < all.size(); ++size) {
-    // A copy, so that reading beyond its end is seen.
+    // This is a copy, so that reading beyond its end is seen.
     const std::vector<std::byte> cut(all.begin(), all.begin() + std::ptrdiff_t(size));
     ASSERT_FALSE(unpack(cut)) << size;
   }

@@ -1,4 +1,4 @@
-// Eigen types of all kinds through generated code.
+// These send Eigen types of all kinds through generated code.
 
 #include "round_trip.h"
 #include "shapes/containers.capnp.h"

@@ -1,4 +1,4 @@
-// Stamps in slots that another process with another clock has filled.
+// Another process with another clock has filled the stamps in these slots.
 
 #include <gtest/gtest.h>
 #include <suture/base/time.h>

@@ -1,4 +1,4 @@
-// Types without bounds through generated code.
+// These send types without bounds through generated code.
 
 #include "round_trip.h"
 #include "shapes/open.capnp.h"

@@ -1,4 +1,4 @@
-// What shapes/classes.h declares for a class that suturec cannot look into.
+// This defines what shapes/classes.h declares for a class that suturec cannot look into.
 
 #include "shapes/classes.h"
 

@@ -49,14 +49,14 @@ struct RoundTrip {
     return fromWire(message->template getRoot<Message>().asReader(), *slot, suture::Duration{});
   }
 
-  /// There and back.
+  /// Sends the value there and back.
   void carry(const Value& value, Value& received) {
     send(value);
     ASSERT_EQ(receive(), Errc{});
     load(*slot, received);
   }
 
-  /// Which part of the value the check refuses; "" if it refuses none.
+  /// Returns which part of the value the check refuses; "" if it refuses none.
   std::string refused(const Value& value) {
     send(value);
     EXPECT_EQ(receive(), Errc{});
@@ -66,7 +66,7 @@ struct RoundTrip {
     return std::string(path.text());
   }
 
-  /// The same where it is sent: before its message is written.
+  /// Does the same where it is sent: before its message is written.
   static std::string refusedUnsent(const Value& value) {
     auto one = std::make_unique<Slot>();
     EXPECT_TRUE(store(value, *one));
@@ -81,7 +81,7 @@ struct RoundTrip {
     return store(value, *one);
   }
 
-  /// The message as it goes over a wire.
+  /// Returns the message as it goes over a wire.
   std::vector<capnp::byte> bytes() {
     const auto words = capnp::messageToFlatArray(*message);
     return {words.asBytes().begin(), words.asBytes().end()};

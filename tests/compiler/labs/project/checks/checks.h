@@ -1,5 +1,5 @@
 #pragma once
-// What all of the libraries' checks need.
+// The checks of all libraries need this.
 
 #include "values/members.h"
 // It calls what members.h declares.
@@ -15,7 +15,7 @@ namespace invented {
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A few hundred values of one type.
+/// Checks a few hundred values of one type.
 template <class Value, class Slot, class Message>
 void checkType(const char* name, Random& random) {
   RoundTrip<Value, Slot, Message> trip(name);

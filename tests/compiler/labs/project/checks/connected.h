@@ -1,5 +1,5 @@
 #pragma once
-// A task that provides a contract, and a device that requires it, in one process.
+// This is a task that provides a contract, and a device that requires it, in one process.
 
 #include <suture/component/device.h>
 #include <suture/component/task/event_task.h>

@@ -1,4 +1,4 @@
-// The console's configuration: structs and enums in structs, and two that have one name.
+// This is the console's configuration: structs and enums in structs, and two that have one name.
 
 #include "values/console.h"
 #include "connected.h"

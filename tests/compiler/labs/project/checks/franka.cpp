@@ -1,4 +1,4 @@
-// The state of an arm of libfranka, with what its hooks carry.
+// This is the state of an arm of libfranka, with what its hooks carry.
 
 #include "values/franka.h"
 #include "connected.h"

@@ -1,4 +1,5 @@
-// MAVLink's packed structs. No reference to their members is taken, for few lie where they should.
+// These are MAVLink's packed structs. No reference to their members is taken, for few lie where
+// they should.
 
 #include "values/mavlink.h"
 #include "connected.h"

@@ -1,4 +1,4 @@
-// PX4's topics, whose padding is carried or not, as the header says.
+// These are PX4's topics, whose padding is carried or not, as the header says.
 
 #include "values/px4.h"
 #include "connected.h"

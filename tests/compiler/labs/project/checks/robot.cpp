@@ -1,4 +1,5 @@
-// The packed structs that libfranka's robot sends, with arrays and structs that are not aligned.
+// These are the packed structs that libfranka's robot sends, with arrays and structs that are not
+// aligned.
 
 #include "values/robot.h"
 #include "connected.h"

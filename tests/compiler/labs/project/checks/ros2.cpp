@@ -1,4 +1,5 @@
-// ROS 2's messages: templates with an allocator, and constructors that nothing calls by itself.
+// These are ROS 2's messages: templates with an allocator, and constructors that nothing calls by
+// itself.
 
 #include "values/ros2.h"
 #include "connected.h"

@@ -1,4 +1,5 @@
-// Ruckig's instances for seven joints: infinite limits, optionals, enums inside of a class.
+// These are Ruckig's instances for seven joints: infinite limits, optionals, enums inside of a
+// class.
 
 #include "values/ruckig.h"
 #include "connected.h"
@@ -67,7 +68,7 @@ void checkRuckig(Random& random) {
   checkType<lab::Output7, lab::Output7Slot, lab::wire::Output7>("Output7", random);
   checkType<Profile, lab::ruckigProfileSlot, lab::wire::Profile>("Profile", random);
 
-  // What ruckig's constructor makes has infinite limits; its other members are whatever was there.
+  // Ruckig's constructor makes infinite limits; the other members keep whatever was there.
   lab::Input7 input;
   input.max_velocity.fill(kInfinity);
   for (auto* position : {&input.current_position, &input.target_position}) position->fill(0);

@@ -1,4 +1,4 @@
-// How the flags of libfranka's errors are read one by one; none of its functions gives them all.
+// This reads the flags of libfranka's errors one by one; none of its functions gives them all.
 
 #include "labs/franka.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The console's configuration: structs and enums in structs, and two that have one name.
+// This is the console's configuration: structs and enums in structs, and two that have one name.
 
 #include "labs/console.h"
 #include "members.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The state of an arm of libfranka, with what its hooks carry.
+// This is the state of an arm of libfranka, with what its hooks carry.
 
 #include "labs/franka.h"
 #include "members.h"

@@ -1,5 +1,6 @@
 #pragma once
-// MAVLink's packed structs. No reference to their members is taken, for few lie where they should.
+// These are MAVLink's packed structs. No reference to their members is taken, for few lie where
+// they should.
 
 #include "labs/mavlink.h"
 #include "members.h"
@@ -25,7 +26,7 @@ void fillBytes(T& value, Random& random) {
   std::memcpy(&value, bytes.data(), sizeof value);
 }
 
-// Of a packed struct each byte counts: integers may have any, real numbers are drawn.
+// Each byte of a packed struct counts: integers may have any, real numbers are drawn.
 template <Packed T>
 void fill(T& value, Random& random, Bounds&) {
   fillBytes(value, random);

@@ -1,6 +1,6 @@
 #pragma once
-// A struct as the list of its members, so that it is filled and compared like a tuple. Each type
-// says fields(value, Tag()), whose members list() holds.
+// This is a struct as the list of its members, so that it is filled and compared like a tuple. Each
+// type says fields(value, Tag()), whose members list() holds.
 
 #include "values.h"
 
@@ -17,7 +17,7 @@ namespace invented {
 template <class T, class U>
 concept As = std::same_as<std::remove_const_t<T>, U>;
 
-/// A member that has capacity(bounds...).
+/// Is a member that has capacity(bounds...).
 template <class T>
 struct Bounded {
   T& value;
@@ -28,7 +28,7 @@ Bounded<T> bounded(T& value, B... bounds) {
   return {value, {static_cast<unsigned>(bounds)...}};
 }
 
-/// Numbers that have range(lowest, highest), either of which may be infinite.
+/// Has numbers with range(lowest, highest), either of which may be infinite.
 template <class T>
 struct Ranged {
   T& value;
@@ -115,13 +115,13 @@ bool equal(const T& a, const T& b, Tag) {
   return equalMembers(left, right, std::make_index_sequence<std::tuple_size_v<decltype(left)>>());
 }
 
-/// An enum of somebody else has no First.
+/// A foreign enum has no First, so this picks from all of its values.
 template <class E>
 void pick(E& value, Random& random, std::initializer_list<E> all) {
   value = all.begin()[random() % all.size()];
 }
 
-// What round_trip.h asks for.
+// round_trip.h asks for these.
 template <class T>
 void fill(T& value, Random& random) {
   fillMember(value, random);

@@ -1,5 +1,5 @@
 #pragma once
-// PX4's topics, whose padding is carried or not, as the header says.
+// These are PX4's topics, whose padding is carried or not, as the header says.
 
 #include "labs/px4.h"
 #include "members.h"

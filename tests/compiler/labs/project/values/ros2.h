@@ -1,5 +1,6 @@
 #pragma once
-// ROS 2's messages: templates with an allocator, and constructors that nothing calls by itself.
+// These are ROS 2's messages: templates with an allocator, and constructors that nothing calls by
+// itself.
 
 #include "labs/ros2.h"
 #include "members.h"

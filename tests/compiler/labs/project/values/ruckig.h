@@ -1,5 +1,6 @@
 #pragma once
-// Ruckig's instances for seven joints: infinite limits, optionals, enums inside of a class.
+// These are Ruckig's instances for seven joints: infinite limits, optionals, enums inside of a
+// class.
 
 #include "labs/ruckig.h"
 #include "members.h"

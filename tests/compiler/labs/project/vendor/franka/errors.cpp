@@ -1,4 +1,4 @@
-// What stands in libfranka's library, not in its headers.
+// This is what stands in libfranka's library, not in its headers.
 #include "errors.h"
 
 #include <algorithm>
