@@ -72,7 +72,7 @@ TEST_P(Answers, ItCanBePolled) {
   });
 }
 
-TEST_P(QueuedAnswers, WithoutALimitTheDeadlineOfTheContractHolds) {
+TEST_P(QueuedAnswers, TheContractsDeadlineHoldsByDefault) {
   arm->gate().close();
   client->with([](Arm& remote) {
     const auto begin = suture::now();
@@ -84,7 +84,7 @@ TEST_P(QueuedAnswers, WithoutALimitTheDeadlineOfTheContractHolds) {
   arm->gate().open();
 }
 
-TEST_P(QueuedAnswers, WhatDoesNotFitIsRefused) {
+TEST_P(QueuedAnswers, ATooLargeArgumentIsRefused) {
   client->with([](Arm& remote) {
     const auto text = remote.move.start(poseAt(1), 1, "a reason of 16 c").within(kPatience);
     ASSERT_FALSE(text);
@@ -94,7 +94,7 @@ TEST_P(QueuedAnswers, WhatDoesNotFitIsRefused) {
 }
 
 // The sender is told at once, also by a command that awaits no answer, and hears what was wrong.
-TEST_P(JudgedArguments, WhatNoProviderMayActOnIsRefusedWhereItIsSent) {
+TEST_P(JudgedArguments, InvalidArgumentsAreRefusedWhereTheyAreSent) {
   client->with([](Arm& remote) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const auto unknown = static_cast<Mode>(77);

@@ -86,7 +86,7 @@ TEST_P(Archives, WritesArriveWhole) {
   EXPECT_EQ(device.newest().name, "first");
 }
 
-TEST_P(Archives, WhatFindsNoRoomIsToldAndFreed) {
+TEST_P(Archives, AValueWithoutRoomIsRefusedAndFreed) {
   int taken = 0, refused = 0;
   for (int i = 0; i < 200; ++i) {
     reader.archive.put("key", sized(100)) ? ++taken : ++refused;
@@ -96,7 +96,7 @@ TEST_P(Archives, WhatFindsNoRoomIsToldAndFreed) {
   EXPECT_TRUE(eventually([&] { return device.puts() == taken; }));
 }
 
-TEST_P(Archives, OfNewestWinsTheLastArrives) {
+TEST_P(Archives, TheLastNewestWinsCommandArrives) {
   for (int i = 0; i <= 1000; ++i) EXPECT_TRUE(reader.archive.remark(std::to_string(i)));
   EXPECT_TRUE(eventually([&] { return device.remark() == "1000"; }));
 }
@@ -126,7 +126,7 @@ TEST_P(Archives, QuestionsAndAnswers) {
   EXPECT_EQ(replaced->samples.size(), 5000u);
 }
 
-TEST_P(Archives, AnAnswerThatNobodyWaitsForIsFreed) {
+TEST_P(Archives, AnAbandonedAnswerIsFreed) {
   shapes::Open slow = sized(10);
   slow.name = "slow";
   const bool remote = GetParam();  // otherwise it is executed at once, in this thread
@@ -165,7 +165,7 @@ TEST_P(Archives, EventsArriveWhole) {
   EXPECT_EQ(reader.grown, std::vector<std::string>{"oak 3"});
 }
 
-TEST_P(Archives, EventsThatNobodyTakesAreFreedAndCounted) {
+TEST_P(Archives, UntakenEventsAreFreedAndCounted) {
   const int kMany = 1000;
   for (int i = 0; i < kMany; ++i) {
     device.emit().grown("oak", {});
@@ -185,7 +185,7 @@ TEST_P(Archives, TheLastValueAwaitsLateJoiners) {
 /// Values are sent as messages.
 class RemoteArchives : public Archives {};
 
-TEST_P(RemoteArchives, WhatExceedsAMessageIsRefusedAlone) {
+TEST_P(RemoteArchives, ATooLargeMessageIsRefusedAlone) {
   shapes::Open huge;
   huge.name = std::string(17u << 20, 'x');
   const auto refused = reader.archive.put.start(huge.name, {}).within(kPatience);

@@ -42,7 +42,7 @@ TEST_P(CallersThread, AConcurrentReadIsAnsweredThere) {
   });
 }
 
-TEST_P(CallersThreadAndATask, NeitherWaitsForABusyProvider) {
+TEST_P(CallersThreadAndATask, CallersDoNotWaitForABusyProvider) {
   stall();
   client->withGripper([](Gripper& remote) {
     EXPECT_TRUE(remote.release.start().poll());

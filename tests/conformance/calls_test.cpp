@@ -16,7 +16,7 @@ class Calls : public Conformance {};
 /// The provider does not execute them before start() returns.
 class QueuedCalls : public Conformance {};
 
-TEST_P(QueuedCalls, ACancelledOneIsNeverExecutedAndAnyOtherIs) {
+TEST_P(QueuedCalls, OnlyACancelledCallIsNotExecuted) {
   bool cancelled = false;
   stall();
   client->with([&](Arm& remote) {

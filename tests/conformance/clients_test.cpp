@@ -18,7 +18,7 @@ class Clients : public Conformance {
   }
 };
 
-TEST_P(Clients, AConnectionIsToldOfAndItsEndAndTheNextOne) {
+TEST_P(Clients, EachConnectionAndItsEndAreTold) {
   const Lines first{named(" connected")};
   EXPECT_TRUE(eventuallyTold(first));
   disconnectArm();
@@ -32,7 +32,7 @@ TEST_P(Clients, AConnectionIsToldOfAndItsEndAndTheNextOne) {
 
 class WireClientProcesses : public Clients {};
 
-TEST_P(WireClientProcesses, TheEndOfTheClientsProcessIsToldOfOnce) {
+TEST_P(WireClientProcesses, TheEndOfAClientIsToldOnce) {
   EXPECT_TRUE(eventuallyTold({named(" connected")}));
   endClientsProcess();
   const Lines gone{named(" connected"), named(" closed")};

@@ -50,7 +50,7 @@ TEST_P(WireCommands, StringsAndListsArriveWhole) {
   });
 }
 
-TEST_P(QueuedCommands, WhatExceedsItsCapacityIsRefusedToTheCaller) {
+TEST_P(QueuedCommands, ATooLargeArgumentIsRefused) {
   JointState goal;
   goal.name = {"a name of 16 chr"};
   client->with([&](Arm& remote) {

@@ -47,7 +47,7 @@ TEST_P(DirectEvents, TheyRunInTheEmittersThread) {
                            : clients);
 }
 
-TEST_P(LentHandlers, TheyWaitForNobodyButTheEmitter) {
+TEST_P(LentHandlers, TheyWaitOnlyForTheEmitter) {
   client->with([&](Arm& remote) {
     EXPECT_TRUE(remote.on().arrived.direct(
         [&](const PoseStamped& pose) { handled = static_cast<int>(pose.pose.translation().x()); }));
@@ -77,7 +77,7 @@ TEST_P(ThrowingDirectEvents, AThrowParksTheSubscriberAlone) {
   EXPECT_EQ(arm->state(), suture::ComponentState::Running);
 }
 
-TEST_P(DirectEvents, NoneRunsAfterReset) {
+TEST_P(DirectEvents, NoHandlerRunsAfterReset) {
   client->with([&](Arm& remote) { EXPECT_TRUE(remote.on().stopped.direct([&] { ++handled; })); });
   settle();
   emitStop();
@@ -135,7 +135,7 @@ TEST_P(DirectEvents, ASuspendedSubscriberHandlesThemWhenItIsResumed) {
   EXPECT_TRUE(await([&] { return handled == 1; }));
 }
 
-TEST_P(DirectEvents, WhoHasADirectHandlerDoesNotWait) {
+TEST_P(DirectEvents, AClientWithADirectHandlerDoesNotWait) {
   client->with([&](Arm& remote) {
     auto armed = remote.on().stopped.next();
     EXPECT_TRUE(remote.on().stopped.direct([] {}));

@@ -32,7 +32,7 @@ TEST_P(WireEvents, TheirOrderHolds) {
 }
 
 // An enumerator without a declaration, or a NaN, must not reach a handler as if it were a value.
-TEST_P(Events, WhatNoHandlerMayActOnReachesNobody) {
+TEST_P(Events, InvalidValuesReachNoHandler) {
   arm->emitSoon([](Ports ports) {
     const double none = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(ports.arm.emit().moved(poseAt(1), none).error(), suture::Errc::Invalid);
@@ -48,7 +48,7 @@ TEST_P(Events, WhatNoHandlerMayActOnReachesNobody) {
 
 // A client that was told of a mode that no longer holds, and of nothing after it, would act on it
 // for ever.
-TEST_P(Events, TheLastValueOfALatchedEventIsHeardThoughTheQueueWasFull) {
+TEST_P(Events, AFullQueueKeepsTheLastLatchedValue) {
   constexpr std::size_t kEmitted = 200;
   client->with([this](Arm& remote) {
     arm->emitSoon([](Ports ports) {

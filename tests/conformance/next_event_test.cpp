@@ -28,7 +28,7 @@ class LastEvents : public NextEvents {};
 
 double placeOf(const PoseStamped& pose) { return pose.pose.translation().x(); }
 
-TEST_P(NextEvents, WithoutPayload) {
+TEST_P(NextEvents, MayHaveNoPayload) {
   client->with([&](Arm& remote) {
     auto stopped = remote.on().stopped.next();
     EXPECT_FALSE(stopped.poll());
@@ -38,7 +38,7 @@ TEST_P(NextEvents, WithoutPayload) {
   });
 }
 
-TEST_P(NextEvents, WithOneValueAndWithSeveral) {
+TEST_P(NextEvents, HaveOneValueOrSeveral) {
   client->with([&](Arm& remote) {
     auto arrived = remote.on().arrived.next();
     auto moved = remote.on().moved.next();
@@ -53,7 +53,7 @@ TEST_P(NextEvents, WithOneValueAndWithSeveral) {
   });
 }
 
-TEST_P(NextEvents, WhatWaitsInTheQueueIsNotCountedButHandled) {
+TEST_P(NextEvents, QueuedEventsAreHandledAndNotAwaited) {
   client->with([&](Arm& remote) {
     emitArrival(1);
     ASSERT_TRUE(awaitInPlace(remote, [&] { return channel()->events.pending(); }));
@@ -138,7 +138,7 @@ TEST_P(LastEvents, TheWaitEndsWithTheProvider) {
   });
 }
 
-TEST_P(NextEvents, NobodyWaitsInAHandler) {
+TEST_P(NextEvents, AHandlerCannotWait) {
   std::vector<Errc> errors;
   client->with([&](Arm& remote) {
     EXPECT_TRUE(remote.on().stopped([&errors, &remote] {

@@ -47,14 +47,14 @@ TEST_P(Order, TwoNewestWinsCommandsRunInTheOrderSent) {
   EXPECT_TRUE(eventuallyTaken({"disable", "servo_cp 1", "servo_jp 2"}));
 }
 
-TEST_P(Order, OfManyServosTheNewestRuns) {
+TEST_P(Order, TheNewestServoRuns) {
   whileStalled([](Arm& remote) {
     for (int x = 1; x <= 100; ++x) EXPECT_TRUE(remote.servo_cp(poseAt(x)));
   });
   EXPECT_TRUE(suture::eventually([&] { return arm->lastTaken() == "servo_cp 100"; }));
 }
 
-TEST_P(DirectOrder, OfManyServosOnlyTheNewestRuns) {
+TEST_P(DirectOrder, OnlyTheNewestServoRuns) {
   whileStalled([](Arm& remote) {
     for (int x = 1; x <= 100; ++x) EXPECT_TRUE(remote.servo_cp(poseAt(x)));
   });

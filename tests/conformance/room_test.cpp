@@ -47,7 +47,7 @@ TEST_P(Room, IsWhatMayBeSentBeforeTheQueueIsFull) {
   });
 }
 
-TEST_P(Room, IsWaitedForUntilTheLimitOrTheProviderTakesSomething) {
+TEST_P(Room, IsAwaitedUntilTheLimit) {
   fill();
   client->with([this](Arm& remote) {
     EXPECT_EQ(remote.hold.roomWithin(20ms).error(), Errc::Timeout);
@@ -59,7 +59,7 @@ TEST_P(Room, IsWaitedForUntilTheLimitOrTheProviderTakesSomething) {
   });
 }
 
-TEST_P(Room, WhoeverWaitsForItSendsAnyNumberAndNoneIsRefused) {
+TEST_P(Room, AWaitingSenderIsNotRefused) {
   constexpr int kMany = 50;
   const suture::Time begin = suture::now();
   client->with([](Arm& remote) {

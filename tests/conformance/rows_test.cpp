@@ -74,7 +74,7 @@ TEST(Rows, CoverEveryPairOfLaneKindProviderAndClient) {
   EXPECT_EQ(lanePairs(everyLaneRow()).size(), 6u * 3 + 6 * 2 + 3 * 2);
 }
 
-TEST(Rows, OfTheWireCoverEachLaneOnEachTransportInEachPlace) {
+TEST(Rows, WireRowsCoverLanesTransportsAndPlaces) {
   for (const auto& [which, keep] : kKeeps) {
     expectAll(wirePairs(kept(everyRow(), keep)), wirePairs(wireRows(keep)), which);
   }
@@ -133,7 +133,7 @@ TEST(Rows, LeaveNoLaneOutButWhereThisListSaysSo) {
   EXPECT_GT(kindsBySuite.size(), fewer.size());
 }
 
-TEST(Rows, TakeADozenScenariosToEachLaneOnEachTransportInEachPlace) {
+TEST(Rows, ADozenScenariosMeetEachWireRow) {
   std::map<std::pair<std::string, std::string>, int> scenarios;
   forEachCase([&](const std::string&, const Row& row) {
     ++scenarios[{row.laneName(), row.placeName()}];

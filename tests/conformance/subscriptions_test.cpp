@@ -59,7 +59,7 @@ TEST_P(Subscriptions, AnUnsubscribedEventIsNotSentAnyMore) {
   EXPECT_EQ(channel()->events.delivered() - before, 1u);
 }
 
-TEST_P(Subscriptions, WhatWaitsInTheQueueReachesNoLaterHandler) {
+TEST_P(Subscriptions, QueuedEventsReachNoLaterHandler) {
   std::vector<double> later;
   client->with([&](Arm& remote) {
     emitArrival(1);

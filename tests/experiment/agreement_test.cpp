@@ -18,14 +18,14 @@ Point pointWith(const Result& real, bool fixtures) {
           .stepped = {placed(4, 0.001), placed(6, 0.003)}};
 }
 
-TEST(Agreement, WithFixturesItIsOfTheTime) {
+TEST(Agreement, WithFixturesItComparesTheTime) {
   EXPECT_NEAR(difference(pointWith(placed(6.6, 9), true)), 0.06, 1e-9);
   EXPECT_TRUE(agrees(pointWith(placed(6.99, 9), true)));
   EXPECT_FALSE(agrees(pointWith(placed(7.01, 9), true)));
   EXPECT_FALSE(agrees(pointWith(placed(4.99, 9), true)));
 }
 
-TEST(Agreement, WithoutFixturesItIsOfTheTracking) {
+TEST(Agreement, WithoutFixturesItComparesTheTracking) {
   EXPECT_TRUE(agrees(pointWith(placed(9, 0.00339), false)));
   EXPECT_FALSE(agrees(pointWith(placed(9, 0.00341), false)));
 }

@@ -48,7 +48,7 @@ TEST(Judge, TellsSwingsFromSwingsThatGrowAndFromRest) {
   EXPECT_EQ(outcomeOf([](double) { return 0.003; }), Outcome::Misses);
 }
 
-TEST(Judge, AGuideThatDoesNotGuideAtTheEndHasPlacedNothing) {
+TEST(Judge, AnEndedGuideHasPlacedNothing) {
   auto moments = course([](double) { return 0.0005; });
   for (std::size_t i = kMoments - 1000; i < kMoments; ++i) moments[i].guided = false;
   EXPECT_EQ(judge(moments).outcome, Outcome::Unguided);

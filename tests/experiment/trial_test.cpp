@@ -26,7 +26,7 @@ TEST(Trial, AStreamRepeatsAfterThreeAcknowledgementsOrItsTimeout) {
   EXPECT_EQ(repetitionTime({.roundTrip = 300ms}, {.period = 100ms}), 500ms);
 }
 
-TEST(Trial, WhoSharesAStreamWaitsForWhatAnotherHasLost) {
+TEST(Trial, ASharedStreamWaitsForLosses) {
   const Link link{.roundTrip = 300ms, .loss = 0.1};
   const suture::ConnectionDelay delay = delayOf(link, {.period = 1ms, .sharing = 2}, 1);
   EXPECT_NEAR(delay.faults.delay, 0.19, 1e-9);

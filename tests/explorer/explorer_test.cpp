@@ -93,7 +93,7 @@ TEST_P(Explorer, FindsNothingUnderNewSeeds) {
 
 INSTANTIATE_TEST_SUITE_P(Blocks, Explorer, testing::Range(std::uint64_t{0}, kBlocks));
 
-TEST(Seeds, ThatOnceFailedFindNothing) {
+TEST(Seeds, FailuresOfThePastAreGone) {
   for (const std::uint64_t seed : failedSeeds()) expectSound(seed);
 }
 

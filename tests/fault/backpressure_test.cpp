@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, StoppedTask,
                          testing::Values(Lane::Auto, Lane::Shm, Lane::Frame, Lane::Rpc),
                          nameOfCase);
 
-TEST_P(StoppedTask, AsASubscriberHasItsEventsDroppedAndNobodyElseThem) {
+TEST_P(StoppedTask, AStoppedSubscriberLosesOnlyItsOwnEvents) {
   reference::HistoryArm arm(directory_.file("log"), 1, kEventsPerCycle);
   Subscriber stopped, live;
   here_.add("PSM", arm);
@@ -159,7 +159,7 @@ struct Caller final : Device {
   }
 };
 
-TEST_P(StoppedTask, AsAProviderHasAsManyCommandsWaitingAsDeclaredAndDelaysNobody) {
+TEST_P(StoppedTask, AStoppedProvidersCommandsAreBounded) {
   const PeriodicOptions often{.period = 1ms};
   const std::string file = directory_.file("hang");
   reference::FaultyArm<PeriodicTask> stopped(file, often), live(directory_.file("never"), often);
@@ -234,7 +234,7 @@ class StoppedProcess : public testing::TestWithParam<Lane> {
 INSTANTIATE_TEST_SUITE_P(Lanes, StoppedProcess, testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
                          nameOfCase);
 
-TEST_P(StoppedProcess, AsASubscriberDelaysNobody) {
+TEST_P(StoppedProcess, AStoppedSubscriberDelaysNoOther) {
   bool stopped = false;
   hurtASubscriber([&](Child& child) {
     if (std::exchange(stopped, true)) return 0;
@@ -244,7 +244,7 @@ TEST_P(StoppedProcess, AsASubscriberDelaysNobody) {
 }
 
 // It reads for a short while now and then.
-TEST_P(StoppedProcess, WhoReadsSlowlyDelaysNobody) {
+TEST_P(StoppedProcess, ASlowReaderDelaysNoOther) {
   std::mt19937 random(faultSeed());
   std::uniform_int_distribution<int> microseconds(0, 4000);
   hurtASubscriber([&](Child& child) {
@@ -255,7 +255,7 @@ TEST_P(StoppedProcess, WhoReadsSlowlyDelaysNobody) {
   });
 }
 
-TEST_P(StoppedProcess, AsAProviderDelaysNobody) {
+TEST_P(StoppedProcess, AStoppedProviderDelaysNoOther) {
   const auto stopped = system_.provider("stopped"), live = system_.provider("live");
   ASSERT_EQ(stopped->line(), "ready");
   ASSERT_EQ(live->line(), "ready");

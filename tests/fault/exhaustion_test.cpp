@@ -51,7 +51,7 @@ class Crowd {
   std::vector<int> callers_;
 };
 
-TEST(Exhaustion, OfDescriptorsHurtsNobodyWhoIsConnectedAndPasses) {
+TEST(Exhaustion, ConnectedClientsDoNotNoticeIt) {
   System system;
   const auto manager = system.manager();
   const auto provider = system.provider("robot", [] {

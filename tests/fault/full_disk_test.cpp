@@ -68,7 +68,7 @@ void expectWhole(const std::string& file) {
   EXPECT_GT(rows, 0) << file;
 }
 
-TEST(FullDisk, OfABlackBoxIsToldAndHurtsNobody) {
+TEST(FullDisk, IsToldAndHurtsNoOther) {
   if (geteuid() != 0) GTEST_SKIP() << "only root may mount a file system";
   System system;
   const std::string folder = system.file("box");

@@ -99,7 +99,7 @@ class HostNames : public testing::Test {
   System system_{"tcp://operating-room.test:7700?insecure"};
 };
 
-TEST_F(HostNames, WhoHasFoundTheManagerGoesOnWithoutThem) {
+TEST_F(HostNames, AConnectedProcessNeedsNoNameService) {
   names_.know("operating-room.test", "127.0.0.1");
   auto manager = system_.managerAt(at("127.0.0.1"));
   const auto provider = system_.provider("robot", enter_);
@@ -130,7 +130,7 @@ TEST_F(HostNames, WhoHasFoundTheManagerGoesOnWithoutThem) {
   expectSoundHistory(system_.history());
 }
 
-TEST_F(HostNames, WhoHasNotWaitsForThem) {
+TEST_F(HostNames, ANewProcessWaitsForTheNameService) {
   const auto manager = system_.managerAt(at("127.0.0.1"));
   names_.fallSilent();
   const auto provider = system_.provider("robot", enter_);

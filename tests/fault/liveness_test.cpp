@@ -91,7 +91,7 @@ TEST_P(Liveness, AStoppedProcessIsLost) {
 }
 
 // Both are in one session, whose one heartbeat each judges by its own silence.
-TEST_P(Liveness, OneThatBearsMoreIsNotLostWithOneThatBearsLess) {
+TEST_P(Liveness, ALongerSilenceIsBorneAlone) {
   connect("First/Arm", "there:PSM1/Arm", 200ms);
   connect("Second/Arm", "there:PSM2/Arm", 1min);
   ASSERT_TRUE(eventually([&] { return first_.error == Errc{} && second_.error == Errc{}; }));
@@ -107,7 +107,7 @@ TEST_P(Liveness, OneThatBearsMoreIsNotLostWithOneThatBearsLess) {
   EXPECT_EQ(second_.error, Errc{});
 }
 
-TEST_P(Liveness, ATaskThatHangsIsLostAndItsNeighbourIsNot) {
+TEST_P(Liveness, AHungTaskIsLostAlone) {
   for (const auto& [provider, speed] :
        {std::pair("PSM1/Arm", 0.0), std::pair("PSM1/Arm", 1.0), std::pair("PSM2/Arm", 0.0)}) {
     const std::string neighbour = provider == std::string("PSM1/Arm") ? "PSM2/Arm" : "PSM1/Arm";

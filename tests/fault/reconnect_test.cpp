@@ -101,7 +101,7 @@ TEST_P(Restarts, OfAPeerOverAndOverCostNothing) {
               std::chrono::duration<double, std::milli>(longest).count());
 }
 
-TEST_P(Restarts, OfTheGlobalManagerLeaveConnectionsAndItLearnsTheNamesAgain) {
+TEST_P(Restarts, ARestartedManagerLearnsTheNamesAgain) {
   std::string at = address("m.sock");
   const auto manager = [&at] {
     auto child =
@@ -136,7 +136,7 @@ TEST_P(Restarts, OfTheGlobalManagerLeaveConnectionsAndItLearnsTheNamesAgain) {
   EXPECT_EQ(here.channels(), channels) << "nothing was lost meanwhile";
 }
 
-TEST_P(Restarts, OfManagerAndPeerAtOnce) {
+TEST_P(Restarts, ManagerAndPeerMayRestartTogether) {
   std::string at = address("m.sock");
   rpc::ControlThread control;
   auto names = std::make_unique<GlobalManager>(control, at);
@@ -159,7 +159,7 @@ TEST_P(Restarts, OfManagerAndPeerAtOnce) {
   }
 }
 
-TEST_P(Restarts, AnAnswerOfAnOlderEpochGoesToNobody) {
+TEST_P(Restarts, AnAnswerOfAnOlderEpochIsDropped) {
   rpc::ControlThread control;
   const GlobalManager names(control, address("m.sock"));
   const auto child = provider(names.address());

@@ -177,7 +177,7 @@ bool survives(const rpc::Address& robot, const Bytes& bytes) {
   return false;
 }
 
-TEST(Sessions, ThatWereChangedHurtNobody) {
+TEST(Sessions, ChangedSessionsHurtNoOther) {
   rpc::ControlThread control;
   GlobalManager names(control, "tcp://127.0.0.1:0");
   reference::HostedArm arm;

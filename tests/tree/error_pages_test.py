@@ -100,7 +100,7 @@ class Planted(unittest.TestCase):
     def test_nothing(self):
         self.expect()
 
-    def test_an_enumerator_that_nobody_explains(self):
+    def test_an_enumerator_without_an_explanation(self):
         self.edit("runtime/suture/base/errors.h", "TooOld,", "TooOld,\n  CannotWait,")
         self.edit("runtime/suture/base/errors.cpp", "case Errc::Lost", 'case Errc::CannotWait: return "it cannot";\ncase Errc::Lost')
         self.expect("cannot-wait.md is missing", "| [CannotWait](cannot-wait.md) | it cannot |, found []")

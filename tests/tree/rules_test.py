@@ -34,7 +34,7 @@ class Planted(unittest.TestCase):
         self.write("runtime/suture/rt/queue/ring.cpp", "#include <suture/rt/state/state_table.h>\n")
         self.expect(rules.check_layers, "rt/queue includes suture/rt/state/state_table.h")
 
-    def test_a_folder_of_which_nobody_says_what_it_may_include(self):
+    def test_a_folder_without_a_rule_for_its_includes(self):
         self.write("runtime/suture/lane/pipe/pipe.h", "\n")
         self.expect(rules.check_layers, "does not say which folders")
 
@@ -59,7 +59,7 @@ class Planted(unittest.TestCase):
         self.write("runtime/cli/values/json.h", '#include "cli/peer/peer.h"\n')
         self.expect(rules.check_parts, "values/json.h: includes cli/peer/peer.h")
 
-    def test_a_folder_that_nobody_can_take_in(self):
+    def test_a_folder_with_too_many_files(self):
         for number in range(26):
             self.write(f"compiler/emit/{number}.h", "\n")
         self.expect(rules.check_folders, "compiler/emit: 26 sources lie flat")

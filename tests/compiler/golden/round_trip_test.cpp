@@ -135,7 +135,7 @@ TEST_F(RoundTrip, ATypeThatIsTooLargeHasNoSlot) {
   EXPECT_FALSE(store(value, slot));
 }
 
-TEST_F(RoundTrip, WhatIsTooLargeOnTheWireIsRefused) {
+TEST_F(RoundTrip, ATooLargeMessageIsRefused) {
   sent(something()).setLabel("longer than sixteen bytes");
   EverythingSlot slot{};
   EXPECT_EQ(back(slot), Errc::TooLarge);
@@ -164,7 +164,7 @@ TEST_F(RoundTrip, AnUnknownEnumeratorIsRefused) {
   EXPECT_EQ(back(slot), Errc::Invalid);
 }
 
-TEST_F(RoundTrip, NumbersThatNobodyMayActOnAreToldByTheirPlace) {
+TEST_F(RoundTrip, InvalidNumbersAreToldByTheirPlace) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refused = [this](auto change) {
     Everything value = something();

@@ -76,7 +76,7 @@ TEST(HistoryChecker, ADuplicate) {
   expectOne(history, "was executed twice");
 }
 
-TEST(HistoryChecker, ACommandThatTheRuntimeFoundOlderThanItsTtl) {
+TEST(HistoryChecker, ACommandOlderThanItsTtl) {
   History history = sound();
   HistoryEntry& late = nth(history, Kind::Executed, 80);
   late.age = late.limit;
@@ -86,7 +86,7 @@ TEST(HistoryChecker, ACommandThatTheRuntimeFoundOlderThanItsTtl) {
   expectOne(history, "command 41 of client 1 was executed 500.000001 ms old, its ttl is 500");
 }
 
-TEST(HistoryChecker, ACommandThatBeginsAfterItsSenderWasToldOfTheLoss) {
+TEST(HistoryChecker, ACommandThatBeginsAfterTheLoss) {
   History history = sound();
   HistoryEntry& last = nth(history, Kind::Executed, 46);  // of a connection of the first client
   const HistoryEntry told = nth(history, Kind::Told, 0);
@@ -99,7 +99,7 @@ TEST(HistoryChecker, ACommandThatBeginsAfterItsSenderWasToldOfTheLoss) {
             "connection 1 is lost");
 }
 
-TEST(HistoryChecker, ASecondCommandThatBeginsAfterTheLossWhereOneMayHaveBeenJudgedJustBefore) {
+TEST(HistoryChecker, ASecondCommandAfterTheLoss) {
   constexpr Tolerance kHeldUp{.lateness = 100ms, .unheard = 10ms, .justJudged = 1};
   History history = sound();
   const HistoryEntry told = nth(history, Kind::Told, 0);
@@ -113,7 +113,7 @@ TEST(HistoryChecker, ASecondCommandThatBeginsAfterTheLossWhereOneMayHaveBeenJudg
   EXPECT_EQ(violations(history, kHeldUp).size(), 1u);
 }
 
-TEST(HistoryChecker, ACommandThatWasSentOnTheConnectionAfterTheLostOneIsFree) {
+TEST(HistoryChecker, TheNextConnectionIsFreeOfTheLoss) {
   History history = sound();
   HistoryEntry& last = nth(history, Kind::Executed, 46);
   last.at = nth(history, Kind::Told, 0).at + kTolerance.unheard + 1ns;
@@ -161,7 +161,7 @@ TEST(HistoryChecker, ALedgerThatMissesAnExecutionOrInventsOne) {
   expectOne(ledgers.history(), "says that 101 commands were executed");
 }
 
-TEST(HistoryChecker, ALedgerThatHasNoPlaceForACommandOrTwo) {
+TEST(HistoryChecker, ALedgerThatDoesNotAddUp) {
   Ledgers ledgers;
   ++ledgers.client.accepted;
   expectOne(ledgers.history(), "the ledger of client 1 has places for 103 of 104 commands");
@@ -177,7 +177,7 @@ TEST(HistoryChecker, AProvidersLedgerThatDoesNotKnowWhatItExecuted) {
             "the provider's ledger of client 1 says that 96 commands were executed; 95 were");
 }
 
-TEST(HistoryChecker, AClientThatHasHeardOfMoreThanTheSameProcessHasCounted) {
+TEST(HistoryChecker, AClientThatHeardOfTooMany) {
   Ledgers ledgers;
   ++ledgers.client.heard;
   expectOne(ledgers.history(),
@@ -226,7 +226,7 @@ TEST(HistoryChecker, ACommandOfAnOlderConnection) {
   expectOne(history, "of connection 1 was executed after one of connection 5");
 }
 
-TEST(HistoryChecker, ACommandWhoseSenderWasToldThatItWasNotExecuted) {
+TEST(HistoryChecker, ACommandThatWasToldNotExecuted) {
   History history = sound();
   nth(history, Kind::Ended, 10).error = Errc::Lost;
   expectOne(history, "and its sender was told");
@@ -234,7 +234,7 @@ TEST(HistoryChecker, ACommandWhoseSenderWasToldThatItWasNotExecuted) {
   expectNone(history);
 }
 
-TEST(HistoryChecker, ACommandThatNobodySent) {
+TEST(HistoryChecker, ACommandThatWasNotSent) {
   History history = sound();
   history.push_back({Kind::Executed, history.back().at, 1, 1000, 9});
   expectOne(history, "nobody sent it");

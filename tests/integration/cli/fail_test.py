@@ -95,7 +95,7 @@ class Fail(System):
         self.assertEqual(failed["remedy"], "Build both from the same release.")
         self.assertIn("it speaks version 99", self.refused("describe", "version"))
 
-    def test_a_socket_where_nobody_listens(self):
+    def test_a_socket_without_a_listener(self):
         self.start_manager()
         stranger = self.start_stranger("silent")
         self.assertIn("does not answer", self.failed("version", "silent")["found"])
@@ -103,7 +103,7 @@ class Fail(System):
         self.assertIn("there is no such socket", self.failed("connect", "silent")["found"])
         self.assertIsNone(stranger.poll())
 
-    def test_what_steers_a_terminal_is_not_printed(self):
+    def test_control_characters_are_not_printed(self):
         self.start_manager()
         self.start_stranger("escapes")
         for verb in (("ps",), ("describe", "escapes"), ("doctor",)):

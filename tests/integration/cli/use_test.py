@@ -60,7 +60,7 @@ class Use(System):
             self.assertIn("it does not await an operator", done.stderr)
         self.assertEqual(done.stdout, "robot:Surgeon/Gripper: commands go through again\n")
 
-    def test_resume_what_awaits_nobody(self):
+    def test_a_wrong_resume_is_refused(self):
         self.assertIn("it is not connected", self.refused("resume", "robot:Surgeon/Arm"))
         self.assertIn("requires no such interface", self.refused("resume", "robot:Surgeon/Hand"))
         self.assertIn("is not of the form", self.refused("resume", "robot:Surgeon", status=2))

@@ -174,7 +174,7 @@ class Workstation(unittest.TestCase):
         self.assertEqual(len(report["tasks"]), 19)
         self.assertEqual(process.wait(timeout=60), 0)
 
-    def test_what_arms_say_is_told_if_asked_for(self):
+    def test_messages_of_arms_are_told_if_asked_for(self):
         process = self.workstation(TOPOLOGIES / "single.json", "--messages")
         self.await_line(process, "console: PSM1/Arm status: ")
 
@@ -185,7 +185,7 @@ class Workstation(unittest.TestCase):
             process.send_signal(number)
             self.assertEqual(process.wait(timeout=60), 0)
 
-    def test_a_killed_slave_leaves_the_masters_process_running_and_telling_so(self):
+    def test_a_killed_slave_leaves_the_master_running(self):
         left, right = self.two_processes()
         right.kill()
         text = self.await_failure(left, "connection 'left:TeleopL/Slave -> right:PSM1/Arm' is lost, closed: ")
@@ -198,7 +198,7 @@ class Workstation(unittest.TestCase):
         self.assertEqual(left.wait(timeout=60), 1)
         self.assertIn(text, left.stderr.read())
 
-    def test_a_slave_that_stands_still_is_not_said_to_have_ended(self):
+    def test_a_frozen_slave_is_not_said_to_have_ended(self):
         left, right = self.two_processes()
         right.send_signal(signal.SIGSTOP)
         text = self.await_failure(left, "connection 'left:TeleopL/Slave -> right:PSM1/Arm' is lost, silent: "

@@ -115,7 +115,7 @@ class Workstation(unittest.TestCase):
 
 
 class Demo(unittest.TestCase):
-    def test_picture_of_a_knot_that_nobody_places(self):
+    def test_a_picture_needs_a_guide(self):
         process = subprocess.run(
             [PROGRAMS / "suture-demo", "--topology", "fig3c", "--seconds", "1", "--picture", "knot.png"],
             capture_output=True, text=True, timeout=60)

@@ -73,7 +73,7 @@ class Workstations(Broken):
             self.assertTrue(eventually(lambda: is_frozen(right), PATIENCE))
             self.finish_after_a_stop(demo)
 
-    def test_one_that_drives_nobody_elsewhere(self):
+    def test_a_process_that_drives_no_other(self):
         held = self.run_and_break("--topology", "fig3a", "--network", "tcp", "--seconds", "7", "--break", "right@3s")
         self.assertEqual(held, set())
 
@@ -99,7 +99,7 @@ class Workstations(Broken):
         self.assertEqual(process.returncode, 1)
         self.assertIn("it is the only process, and talks to no other", process.stderr)
 
-    def test_an_interrupt_meanwhile_blames_nobody(self):
+    def test_an_interrupt_meanwhile_blames_no_process(self):
         with Demo(PROGRAMS, "--network", "unix", "--seconds", "60", "--break", "right@3s+30s") as demo:
             demo.await_progress()
             right = demo.child("right")

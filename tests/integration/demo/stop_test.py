@@ -38,7 +38,7 @@ class Stop(unittest.TestCase):
         self.assertIn("at most 250 ms old, for this user may have no real-time priorities", output)
         self.assertNotIn("warning", output)
 
-    def test_what_is_no_stop(self):
+    def test_impossible_stops_are_refused(self):
         for text, why in (("never", "--stop never: that is no moment. Write for example 6s, or 6s+1500ms"),
                           ("right@1s", "--stop right@1s: that is no moment"),
                           ("1s", "--stop 1s: the arms get ready within the first 2 s"),

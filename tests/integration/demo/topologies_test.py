@@ -30,7 +30,7 @@ class Topologies(unittest.TestCase):
             title = json.loads(file.read_text())["title"]
             self.assertRegex(text, rf"(?m)^  {file.stem} +{title}$")
 
-    def test_whoever_moves_a_slave_has_contracts_with_what_it_follows(self):
+    def test_a_task_that_moves_a_slave_has_contracts(self):
         contracts = 0
         for file in EXAMPLES.glob("*/*.json"):
             deployment = json.loads(file.read_text())
@@ -42,7 +42,7 @@ class Topologies(unittest.TestCase):
                     contracts += 1
         self.assertGreaterEqual(contracts, 35)
 
-    def test_unknown_name_is_answered_with_those_that_there_are(self):
+    def test_an_unknown_name_is_answered_with_the_known_ones(self):
         status, output, errors = refusal_of("fig3d")
         self.assertEqual((status, output), (1, ""))
         self.assertIn("finding topology 'fig3d': ", errors)

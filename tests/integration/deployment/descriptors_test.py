@@ -12,7 +12,7 @@ PROGRAM, LIBRARY = sys.argv.pop(1), sys.argv.pop(1)
 
 
 class Descriptors(unittest.TestCase):
-    def test_a_process_may_have_as_many_as_its_hard_limit_allows(self):
+    def test_the_hard_limit_is_used(self):
         spindle = {"class": "Spindle", "library": LIBRARY, "parameters": {"cycles": 1_000_000}}
         components = [{"name": f"Spindle{i}", **spindle} for i in range(100)]
         with tempfile.TemporaryDirectory() as folder:

@@ -21,7 +21,7 @@ class Ending(Stations):
         super().setUp()
         self.brake = self.folder / "brake"
 
-    def test_tasks_stop_in_order_though_their_process_still_waits_for_another(self):
+    def test_tasks_stop_in_order_while_their_process_waits(self):
         address = f"unix:{self.folder}/manager.sock"
         self.manager(address)
         spindle = component("Spindle", "Spindle", cycles=1, brake=str(self.brake), key=str(self.folder / "key"))

@@ -104,7 +104,7 @@ class RealTime(unittest.TestCase):
         self.assertEqual(scheduling, {"Spindle": f"fifo 20 on processor {PROCESSOR}", "Rows": "default"})
         self.assertEqual(self.told.read_text(), "")
 
-    def test_what_is_not_granted_is_told_and_the_process_runs(self):
+    def test_a_missing_right_is_told_and_the_process_runs(self):
         station = self.start_station("preferred", WITHOUT_REAL_TIME)
         report = self.await_report(station)
         found = threads(station.pid)
@@ -120,7 +120,7 @@ class RealTime(unittest.TestCase):
                 "cannot give the thread of the connections of process 'robot' SCHED_RR priority 10: ")):
             self.assertIn(": warning: " + asked, line)
 
-    def test_what_is_required_and_not_granted_is_an_error_and_nothing_starts(self):
+    def test_a_missing_right_that_is_required_stops_the_start(self):
         station = self.start_station("required", WITHOUT_REAL_TIME)
         self.assertEqual(station.communicate(timeout=60)[0], "")
         self.assertEqual(station.returncode, 1)

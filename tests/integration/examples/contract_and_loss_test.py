@@ -19,14 +19,14 @@ class ContractAndLoss(Example):
         self.console, self.robot = self.station_of("console"), self.station_of("robot")
         self.await_line(self.robot.stdout, f"^fresh: follows from {POSITION}$")
 
-    def test_values_that_are_too_old_are_told_until_fresh_ones_come(self):
+    def test_too_old_values_are_told_until_fresh_ones_come(self):
         self.console.send_signal(signal.SIGSTOP)
         self.await_line(self.robot.stdout, f"^older than the connection's max_age: holds at {POSITION}$")
         self.console.send_signal(signal.SIGCONT)
         # It is back where it stood still for so long that it was lost, too.
         self.await_line(self.robot.stdout, f"^(fresh|back): follows from {POSITION}$")
 
-    def test_holds_still_from_the_loss_of_the_provider_until_another_is_there(self):
+    def test_holds_still_while_the_provider_is_lost(self):
         self.console.kill()
         held = self.await_line(self.robot.stdout, f"^connection lost: holds at {POSITION}$")
         self.await_line(self.robot.stderr, "is lost, closed: ")

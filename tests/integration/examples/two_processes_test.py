@@ -27,7 +27,7 @@ class TwoProcesses(Example):
     def test_ends_by_itself_when_its_time_is_over(self):
         self.output_of(self.station(EXAMPLE, "one_process.json", "--seconds", "0.1"))
 
-    def test_of_several_processes_it_wants_to_be_told_which_it_is(self):
+    def test_one_of_several_processes_must_be_named(self):
         errors = self.refusal_of(self.station(EXAMPLE, "two_processes.json"))
         self.assertIn("'provider' and 'client'; say which one with --process", errors)
 

@@ -114,7 +114,7 @@ TEST_P(ManagersTest, ANameIsTakenWhicheverManagerLives) {
   EXPECT_TRUE(contains(error, "register process 'left': the name is held by")) << error;
 }
 
-TEST_P(ManagersTest, WhoFindsNoneHearsOfAll) {
+TEST_P(ManagersTest, AFailedSearchNamesAllManagers) {
   first_->end(SIGKILL);
   second_->end(SIGKILL);
   const std::string error = refusal([&] { Manager("left", all_, 20ms); });

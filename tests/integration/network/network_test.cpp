@@ -174,7 +174,7 @@ TEST_P(NetworkTest, StartingAndKillingOverAndOver) {
   }
 }
 
-TEST_P(NetworkTest, WhatDoesNotExistIsRefusedWithWhatDoes) {
+TEST_P(NetworkTest, ARefusalNamesWhatExists) {
   const auto child = host("left");
   Console console;
   Manager manager = process("right");
@@ -255,7 +255,7 @@ TEST_P(PlainNetworkTest, APlainCapnpClientReadsAndCommandsAnArm) {
   EXPECT_EQ(client.end(0), 0);
 }
 
-TEST(Network, AManagerThatIsNotRunningIsAnErrorThatSaysHowToStartOne) {
+TEST(Network, WithoutAManagerTheErrorSaysHowToStartOne) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("none.sock");
   const std::string error = refusal([&] { Manager manager("left", address, 50ms); });

@@ -117,7 +117,7 @@ TEST_F(SecurityTest, TheNameOfAnotherProcessIsNotGivenAway) {
       << error;
 }
 
-TEST_F(SecurityTest, WithoutKeysNobodyGetsIn) {
+TEST_F(SecurityTest, NoProcessGetsInWithoutKeys) {
   const std::string error = refusal([&] { Manager("robot", names_.address()); });
   EXPECT_TRUE(contains(error, "this process has no keys")) << error;
 }
@@ -128,7 +128,7 @@ TEST_F(SecurityTest, AManagerThatIsNotRunningIsStartedWithKeys) {
   EXPECT_TRUE(contains(error, "suture-manager --listen tls://127.0.0.1:1 --keys FOLDER")) << error;
 }
 
-TEST_F(SecurityTest, WhoHasTheManagersAddressHasNotItsName) {
+TEST_F(SecurityTest, TheManagersAddressIsNotItsName) {
   const GlobalManager impostor(control_, "tls://127.0.0.1:0", securityOf("stranger"));
   const std::string error =
       refusal([&] { Manager("robot", impostor.address(), securityOf("robot")); });
@@ -138,7 +138,7 @@ TEST_F(SecurityTest, WhoHasTheManagersAddressHasNotItsName) {
       << error;
 }
 
-TEST_F(SecurityTest, AProcessIsToAnotherWhoItsCertificateSays) {
+TEST_F(SecurityTest, ACertificateNamesItsProcess) {
   const Robot robot([&] { return process("robot"); });
   const auto hello = [](const char* as) {
     return [as](wire::Peer::Client peer) { return sayHello(peer, as); };
@@ -162,7 +162,7 @@ TEST_F(SecurityTest, AProcessIsToAnotherWhoItsCertificateSays) {
   EXPECT_TRUE(contains(connected, "the caller says that it is 'console'")) << connected;
 }
 
-TEST_F(SecurityTest, ARegisteredAddressLeadsNobodyOutOfTls) {
+TEST_F(SecurityTest, ARegisteredAddressDoesNotLeadOutOfTls) {
   rpc::ControlThread control;
   std::unique_ptr<ManagerLink> link;
   const auto manager = rpc::Address::parse(names_.address());
@@ -232,7 +232,7 @@ TEST_F(SecurityTest, AReadOnlyRoleReadsAndHearsAndCommandsNothing) {
   EXPECT_TRUE(reaches(surgeon, 4)) << "who may command still does";
 }
 
-TEST_F(SecurityTest, WhatARoleDoesNotNameIsRefused) {
+TEST_F(SecurityTest, ARoleRefusesWhatItDoesNotName) {
   const Policy policy({{"process:viewer", kLooksAtArms}});
   const Robot robot([&] { return process("robot", policy); });
   Console onlooker, other;
@@ -264,7 +264,7 @@ TEST_F(SecurityTest, APlainClientIsHeldToThePolicyToo) {
   EXPECT_TRUE(contains(answer, "its policy has no rule for process 'stranger'")) << answer;
 }
 
-TEST_F(SecurityTest, OneSessionIsGivenSoManyInterfacesAndNoMore) {
+TEST_F(SecurityTest, ASessionsInterfacesAreBounded) {
   const Robot robot([&] { return process("robot"); });
   const auto openMany = [](wire::Peer::Client peer) {
     auto opened = kj::heapArrayBuilder<kj::Promise<std::string>>(1025);
@@ -290,7 +290,7 @@ class PlainSecurityTest : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Sockets, PlainSecurityTest, testing::Values("unix", "tcp"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(PlainSecurityTest, WhereThereIsNoCertificateTheRuleIsForTheSocket) {
+TEST_P(PlainSecurityTest, WithoutACertificateTheSocketsRuleHolds) {
   const GlobalManager names(control_, address());
   const std::string fits = std::string(GetParam()) == "tcp" ? "tcp" : "user:same";
   const std::string other = fits == "tcp" ? "user:same" : "tcp";

@@ -63,7 +63,7 @@ TEST_F(FeelingHands, FeelNothingUnlessTheyAreToldTo) {
   EXPECT_LT((desk.knot() - kPlace).norm(), 2e-3);
 }
 
-TEST_F(FeelingHands, GetEnergyThatTheyDidNotGiveWithoutTheController) {
+TEST_F(FeelingHands, GainEnergyWithoutTheController) {
   begin(feeling(false));
   EXPECT_LT(leastEnergy(5000), -100 * kMostLacking);
 }

@@ -38,7 +38,7 @@ bool isStable(suture::Duration delay) {
   return diesOut([&] { return desk.knot().x() - 0.002; });
 }
 
-TEST(Operator, SeesThePictureLateByTheLoopsOwnDelayAndTheLinks) {
+TEST(Operator, SeesThePictureLateByLoopAndLink) {
   const double own = measuredLag(0ms);
   RecordProperty("loop_ms", std::to_string(1000 * own));
   EXPECT_GT(own, inSeconds(Scene::kPeriod) / 2);

@@ -106,7 +106,7 @@ struct OnTheWay : AtDesk {
   static inline const Vector3d kFar{0.04, -0.1, 0.2};
 };
 
-TEST_F(OnTheWay, HoldsWhileNobodySeesTheKnot) {
+TEST_F(OnTheWay, HoldsWhileTheKnotIsUnseen) {
   begin(1s);
   desk.scene.covered = true;
   expectRest();
@@ -123,7 +123,7 @@ TEST_F(OnTheWay, HoldsWhileThePictureIsOld) {
 }
 
 /// A registration that comes late does not tell where the camera stood.
-TEST_F(OnTheWay, HoldsWhileNobodyKnowsWhereTheCameraStood) {
+TEST_F(OnTheWay, HoldsWhileTheCamerasPlaceIsUnknown) {
   begin(200ms);
   desk.registerLate(400ms);
   expectRest();
@@ -147,7 +147,7 @@ TEST_F(AtDesk, LetsGoWithoutAGuide) {
   EXPECT_TRUE(desk.left.goals().empty());
 }
 
-TEST_F(AtDesk, BeginsAnewFromWhereAMasterIsThatRefusesItsGoals) {
+TEST_F(AtDesk, BeginsAnewWhereAMasterRefusesItsGoals) {
   desk.seatOperator(quiet());
   pass(500ms);
   desk.right.refuseStepsBeyond(0.005);

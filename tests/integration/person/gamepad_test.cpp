@@ -49,7 +49,7 @@ class GamepadTest : public testing::Test {
   Seat seat_;
 };
 
-TEST_F(GamepadTest, MovesAsFastAsTheStickSaysUntilItIsLetGo) {
+TEST_F(GamepadTest, MovesAsFastAsTheStickSays) {
   start();
   fifo_.write(stickToTheRight());
   pass(200ms);
@@ -156,7 +156,7 @@ TEST_F(GamepadTest, BeginsEachTimeWhereTheArmIs) {
   EXPECT_LT((seat_.position() - elsewhere.translation()).norm(), 0.002) << "it leapt";
 }
 
-TEST_F(GamepadTest, GoesOnFromWhereTheArmIsThatHasRefusedAStep) {
+TEST_F(GamepadTest, GoesOnFromTheArmAfterARefusedStep) {
   start();
   pushRight();
   seat_.master.refuseStepsBeyond(0.005);
@@ -219,7 +219,7 @@ TEST_F(GamepadTest, LeadsTheGripperByItsTrigger) {
   EXPECT_EQ(seat_.hand.angle, 0.6);
 }
 
-TEST_F(GamepadTest, HasAClutchThatIsFreshWhileItsDeviceIsThere) {
+TEST_F(GamepadTest, ItsClutchIsFreshWhileTheDeviceIsThere) {
   fifo_.plugIn();
   seat_.connect(gamepad_);
   seat_.addFeet();

@@ -111,7 +111,7 @@ TEST_F(KeyboardTest, OpensAndClosesTheGripper) {
   EXPECT_EQ(seat_.hand.angle, 0);
 }
 
-TEST_F(KeyboardTest, HasAClutchThatIsFreshWhileItsTerminalIsThere) {
+TEST_F(KeyboardTest, ItsClutchIsFreshWhileTheTerminalIsThere) {
   seat_.connect(keyboard_);
   seat_.addFeet();
   seat_.begin();

@@ -88,7 +88,7 @@ TEST_F(AssistantTest, PressesAndReleasesOnceByItsScriptAndEnablesAgain) {
   EXPECT_TRUE(mayHavePower() && follows()) << "it presses once";
 }
 
-TEST_F(AssistantTest, LeavesAStopAloneThatSomebodyElsePressed) {
+TEST_F(AssistantTest, LeavesTheStopOfAnotherAlone) {
   start(0s);
   ASSERT_TRUE(until([this] { return follows(); }));
   ASSERT_TRUE(bystander_.button.press());
@@ -99,7 +99,7 @@ TEST_F(AssistantTest, LeavesAStopAloneThatSomebodyElsePressed) {
   EXPECT_TRUE(until([this] { return follows(); })) << "it enables what waits";
 }
 
-TEST_F(AssistantTest, NeitherPressesNorReleasesWhileSomebodyElsesStopIsPressed) {
+TEST_F(AssistantTest, DoesNothingWhileTheStopOfAnotherIsPressed) {
   start(5s);
   ASSERT_TRUE(until([this] { return follows(); }));
   ASSERT_TRUE(bystander_.button.press());
@@ -107,7 +107,7 @@ TEST_F(AssistantTest, NeitherPressesNorReleasesWhileSomebodyElsesStopIsPressed) 
   EXPECT_FALSE(mayHavePower());
 }
 
-TEST_F(AssistantTest, DoesNotReleaseWhatSomebodyElseHasPressedToo) {
+TEST_F(AssistantTest, KeepsAStopThatAnotherHasPressedToo) {
   start(5s);
   ASSERT_TRUE(until([this] { return follows(); }));
   ASSERT_TRUE(until([this] { return !mayHavePower(); }));

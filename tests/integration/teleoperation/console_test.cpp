@@ -107,7 +107,7 @@ class ConsoleTest : public testing::Test {
   suture::Manager manager_{"workstation"};
 };
 
-TEST_F(ConsoleTest, BringsUpArmsOneByOneThenHomesThemThenEnablesTeleoperation) {
+TEST_F(ConsoleTest, BringsUpThenHomesThenEnables) {
   begin();
   release();
   look();
@@ -142,7 +142,7 @@ TEST_F(ConsoleTest, BringsDownInTheOppositeOrder) {
   EXPECT_EQ(slave_.drives.feedback().power, DrivePower::Off);
 }
 
-TEST_F(ConsoleTest, RefusesToBringUpWhatIsNotCompleteAndNamesEachReason) {
+TEST_F(ConsoleTest, NamesEachReasonAgainstABringUp) {
   begin();
   manager_.disconnect("Console/PSM2");
   manager_.disconnect("Console/TeleopL");
@@ -185,7 +185,7 @@ TEST_F(ConsoleTest, BringsUpOnceByItselfWhenEverythingIsThere) {
   EXPECT_EQ(console_->console_state(), ConsoleState::Down) << "somebody wanted it so";
 }
 
-TEST_F(ConsoleTest, TakesBackABringUpOfWhichAPartDoesNotDoItsOwn) {
+TEST_F(ConsoleTest, TakesBackABringUpInWhichAPartFails) {
   begin();
   release();
   manager_.suspend("PSM2Drives");
@@ -202,7 +202,7 @@ TEST_F(ConsoleTest, TakesBackABringUpOfWhichAPartDoesNotDoItsOwn) {
   EXPECT_EQ(master_.arm.operating_state().state, ArmState::Disabled);
 }
 
-TEST_F(ConsoleTest, EndsBringingUpWhenTheStopIsPressedAndGivesNoPowerAfterItsRelease) {
+TEST_F(ConsoleTest, AStopEndsTheBringUpForGood) {
   begin();
   release();
   bringUp();
@@ -219,7 +219,7 @@ TEST_F(ConsoleTest, EndsBringingUpWhenTheStopIsPressedAndGivesNoPowerAfterItsRel
   EXPECT_TRUE(onlooker_.errors[0].ends_with("; all is taken back")) << onlooker_.errors[0];
 }
 
-TEST_F(ConsoleTest, DoesNotSendAnArmHomeAgainThatSomebodyHolds) {
+TEST_F(ConsoleTest, DoesNotHomeAHeldArmAgain) {
   begin();
   release();
   bringUp();
@@ -308,7 +308,7 @@ TEST(ConsoleReasons, AreCountedWhereTheyHaveNoRoom) {
   manager.stop();
 }
 
-TEST_F(ConsoleTest, IsIncompleteWhileTheStopIsPressedAndUpAgainAfterwards) {
+TEST_F(ConsoleTest, IsIncompleteWhileTheStopIsPressed) {
   begin();
   release();
   bringUp();

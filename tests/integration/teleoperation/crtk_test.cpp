@@ -111,7 +111,7 @@ TEST_P(Crtk, AnOperatorHomesMovesAndAsks) {
   EXPECT_TRUE(ask(arm.measured_cs).position_is_valid);
 }
 
-TEST_P(Crtk, WhatTheArmRefusesIsTold) {
+TEST_P(Crtk, TheArmTellsWhatItRefuses) {
   ASSERT_TRUE(operator_.arm.state_command.start("resume").within(suture::kPatience));
   EXPECT_TRUE(heard([&] { return operator_.errors.size() == 1; }));
   const auto ratio = operator_.arm.trajectory_j_set_ratio.start(2).within(suture::kPatience);

@@ -61,7 +61,7 @@ class DrivenArmTest : public testing::Test {
   suture::Manager manager_{"robot"};
 };
 
-TEST_F(DrivenArmTest, GetsNoPowerFromDrivesThatWereRestartedBeforeItIsEnabledAgain) {
+TEST_F(DrivenArmTest, RestartedDrivesWaitForEnable) {
   psm_.drives.parkSoonOnThrow([] { throw std::runtime_error("a loose contact"); });
   ASSERT_TRUE(becomes(ArmState::Disabled));
   pass(100ms);

@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, GoneConsole,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(GoneConsole, ThatEndsLeavesAnArmThatHoldsInItsNextCycle) {
+TEST_P(GoneConsole, AfterItsEndTheArmHoldsInTheNextCycle) {
   ASSERT_TRUE(follows());
   console_->stop();
   console_.reset();
@@ -94,7 +94,7 @@ TEST_P(GoneConsole, ThatEndsLeavesAnArmThatHoldsInItsNextCycle) {
   expectHolds();
 }
 
-TEST_P(GoneConsole, ThatStandsStillLeavesAnArmThatHoldsWhenTheLeaseEnds) {
+TEST_P(GoneConsole, WhileItIsStoppedTheArmHoldsAfterTheLease) {
   ASSERT_TRUE(follows());
   consolesProcess_.freeze();
   pass(kSilence + 2ms);
@@ -103,7 +103,7 @@ TEST_P(GoneConsole, ThatStandsStillLeavesAnArmThatHoldsWhenTheLeaseEnds) {
   EXPECT_TRUE(follows()) << "it comes back";
 }
 
-TEST(GoneTask, ThatIsDisconnectedLeavesAnArmThatHoldsInItsNextCycle) {
+TEST(GoneTask, AfterADisconnectTheArmHoldsInTheNextCycle) {
   DrivenPsm psm;
   ScriptedArm master;
   Teleop teleop{TeleopParameters{}};

@@ -41,7 +41,7 @@ TEST_F(GuideWithPedals, HoldsBothSlavesWhileTheClutchIsPressed) {
   expectThatBothHoldUntil([&] { console_.clutch = false; });
 }
 
-TEST_F(GuideWithPedals, HoldsBothSlavesWhileNobodyIsThere) {
+TEST_F(GuideWithPedals, HoldsBothSlavesWithoutASurgeon) {
   console_.present = false;
   expectThatBothHoldUntil([&] { console_.present = true; });
 }

@@ -9,7 +9,7 @@ namespace robots::test {
 namespace {
 
 /// The guide goes on by where things stood, for as long as the last sighting of the knot counts.
-TEST_F(Guide, GoesOnByALostRegistrationAsLongAsTheKnotCounts) {
+TEST_F(Guide, GoesOnByALostRegistrationForAWhile) {
   manager_.disconnect("Guide/Registration");
   pass(50ms);
   EXPECT_EQ(guide_.guidance_state(), GuidanceState::Guiding);
@@ -114,13 +114,13 @@ class TurnedGuide : public Guide {
   SceneFrames frames_ = turnedScene();
 };
 
-TEST_F(TurnedGuide, HasBothSlavesMoveInThePictureAsTheHandsAtTheDisplay) {
+TEST_F(TurnedGuide, SlavesMoveInThePictureAsTheHandsDo) {
   expectThatBothGoAsTheHands({0.01, 0, 0});
   expectThatBothGoAsTheHands({0, 0.01, 0});
   expectThatBothGoAsTheHands({0, 0, -0.01});
 }
 
-TEST_F(TurnedGuide, TurnsBothSlavesInThePictureAsTheHandsAtTheDisplay) {
+TEST_F(TurnedGuide, SlavesTurnInThePictureAsTheHandsDo) {
   const Eigen::Matrix3d before = frames_.right_base.linear() * arms_[3].pose().linear();
   const Eigen::AngleAxisd turned(0.3, frames_.display.linear().col(2));
   const Eigen::Matrix3d base = frames_.right_master.linear();

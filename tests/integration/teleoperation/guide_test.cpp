@@ -31,7 +31,7 @@ TEST_F(Guide, HoldsBothSlavesWhileTheDataOfAnyArmAreOld) {
   }
 }
 
-TEST_F(Guide, HoldsBothSlavesWhileNobodySeesTheKnotThoughTheMastersMove) {
+TEST_F(Guide, HoldsBothSlavesWhileTheKnotIsUnseen) {
   eyes_.covered = true;
   ASSERT_TRUE(becomes(GuidanceState::Blind));
   pass(2ms);
@@ -47,7 +47,7 @@ TEST_F(Guide, HoldsBothSlavesWhileNobodySeesTheKnotThoughTheMastersMove) {
   expectThatBothFollow();
 }
 
-TEST_F(Guide, BeginsAnewFromWhereASlaveIsThatRefusesItsGoals) {
+TEST_F(Guide, BeginsAnewWhereASlaveRefusesItsGoals) {
   arms_[3].place(Eigen::Translation3d(0.02, 0, 0) * arms_[3].pose());
   arms_[3].refuseStepsBeyond(0.003);
   const Vector3d before = right();
@@ -89,7 +89,7 @@ TEST_F(Guide, DoesNotSayThatItGuidesWhileItIsSuspended) {
 }
 
 /// Its reads go on while its commands wait for the operator.
-TEST_F(Guide, DoesNotSayThatItGuidesASlaveThatTakesNoGoals) {
+TEST_F(Guide, IsNotGuidingWhileASlaveTakesNoGoals) {
   manager_.disconnect("Guide/RightSlave");
   manager_.connect("Guide/RightSlave", "RightSlave/Arm",
                    {.contract = {.maxAge = 20ms, .resume = suture::Resume::Operator}});
@@ -110,7 +110,7 @@ TEST_F(Guide, DoesNotSayThatItGuidesASlaveThatTakesNoGoals) {
 }
 
 /// It would catch up at once when the limit ends, by a way that no fixture has looked at.
-TEST_F(Guide, SendsASlaveThatSlidesAlongALimitNotFarFromWhereItIs) {
+TEST_F(Guide, StaysNearASlaveAtALimit) {
   arms_[2].stayAbove(-0.031);
   forgetGoals();
   moveMasters({0, 0, -0.1}, 1000);
@@ -121,7 +121,7 @@ TEST_F(Guide, SendsASlaveThatSlidesAlongALimitNotFarFromWhereItIs) {
 }
 
 // No goal leads there while its tool is not in, so the surgeon must not believe that it is guided.
-TEST_F(Guide, IsDisabledByASlaveThatRefusesItsGoalsAndSaysWhy) {
+TEST_F(Guide, ARefusingSlaveDisablesIt) {
   for (ScriptedArm* slave : {&arms_[2], &arms_[3]}) {
     slave->warn(ArmWarning::NotInserted);
     ASSERT_TRUE(becomes(GuidanceState::Disabled));
@@ -151,7 +151,7 @@ TEST_F(Guide, FollowsNothingWhileItIsDisabled) {
   expectThatBothFollow();
 }
 
-TEST(KnotGuide, RefusesAScaleAndALineThatNobodyCanFollow) {
+TEST(KnotGuide, RefusesAnImpossibleScaleOrLine) {
   EXPECT_THROW(KnotGuide({.scale = -1}), suture::SetupError);
   EXPECT_THROW(KnotGuide({.approach = {0, 0, 0}}), suture::SetupError);
 }

@@ -159,7 +159,7 @@ TEST_P(UnguidedKnot, MissesItsTarget) {
 }
 
 /// The guide gets nothing but what the cameras see.
-TEST_P(Knot, IsNotGuidedByWhatNobodySees) {
+TEST_P(Knot, IsNotGuidedUnseen) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   suture::pass(1s);
@@ -174,7 +174,7 @@ TEST_P(Knot, IsNotGuidedByWhatNobodySees) {
 }
 
 /// Both hands have 70 mm to go, and go them once.
-TEST_P(UnguidedKnot, IsCarriedOnAfterAnInterruptionAndNotCarriedAnew) {
+TEST_P(UnguidedKnot, IsCarriedOnAfterAnInterruption) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   const double start = leftMaster_.arm.setpoint_cp().pose.translation().z();

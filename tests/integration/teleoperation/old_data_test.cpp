@@ -76,14 +76,14 @@ class OldData : public testing::Test {
   suture::Manager manager_{"console"};
 };
 
-TEST_F(OldData, OfTheMasterAreNotFollowed) {
+TEST_F(OldData, TheMastersOldDataAreNotFollowed) {
   scene_.master.beSilent(true);
   EXPECT_LE(scene_.goalsIn(30ms), 21u) << "they are too old after 20 ms";
   EXPECT_EQ(scene_.goalsIn(100ms), 0u);
   scene_.expectNoJump([&] { scene_.master.beSilent(false); });
 }
 
-TEST_F(OldData, OfTheSlaveEndFollowing) {
+TEST_F(OldData, TheSlavesOldDataEndFollowing) {
   scene_.slave.beSilent(true);
   EXPECT_LE(scene_.goalsIn(30ms), 21u) << "they are too old after 20 ms";
   EXPECT_EQ(scene_.goalsIn(100ms), 0u);
@@ -99,19 +99,19 @@ TEST_F(OldData, InANewRowAreNotFollowed) {
 }
 
 // Nothing else would ever bring the two together again.
-TEST_F(OldData, AGoalThatTheSlaveRefusesAsTooFarEndsFollowingAndItBeginsAnew) {
+TEST_F(OldData, ATooFarGoalEndsFollowing) {
   scene_.slave.refuseStepsBeyond(0.05);
   scene_.expectNoJump([] {});
 }
 
-TEST_F(OldData, ALinkThatIsTakenAwayAndMadeAnewLeavesTheSlaveWhereItIs) {
+TEST_F(OldData, ANewLinkLeavesTheSlaveWhereItIs) {
   manager_.disconnect("Teleop/Slave");
   pass(5ms);
   EXPECT_EQ(scene_.goalsIn(50ms), 0u);
   scene_.expectNoJump([&] { manager_.connect("Teleop/Slave", "PSM/Arm"); });
 }
 
-TEST_F(OldData, ALinkWithADelayThatIsMadeAnewLeavesTheSlaveWhereItIs) {
+TEST_F(OldData, ANewDelayedLinkLeavesTheSlaveWhereItIs) {
   manager_.disconnect("Teleop/Slave");
   pass(5ms);
   scene_.expectNoJump([&] {
@@ -206,7 +206,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, LostLink,
                          testing::Values(suture::Lane::Shm, suture::Lane::Frame, suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(LostLink, ThatIsBackLeavesTheSlaveWhereItIs) {
+TEST_P(LostLink, ItsReturnLeavesTheSlaveWhereItIs) {
   ASSERT_TRUE(suture::clockOfTest().until([&] { return scene_.goalsIn(50ms) > 40; }));
   robotsProcess_.freeze();
   pass(300ms);

@@ -147,7 +147,7 @@ class TeleopStates : public testing::Test {
 };
 
 // A deployment connects one interface after the other, and a process may be slow.
-TEST_F(TeleopStates, NobodyIsFollowedBeforePedalsThatAreOnTheirWay) {
+TEST_F(TeleopStates, FollowingWaitsForThePedals) {
   leaveForLater("Pedals");
   console_.clutch = true;
   start();
@@ -161,7 +161,7 @@ TEST_F(TeleopStates, NobodyIsFollowedBeforePedalsThatAreOnTheirWay) {
   EXPECT_TRUE(reaches(TeleopState::Following));
 }
 
-TEST_F(TeleopStates, NoMasterIsAlignedBeforeARegistrationThatIsOnItsWay) {
+TEST_F(TeleopStates, AlignmentWaitsForTheRegistration) {
   leaveForLater("Registration");
   start();
   pass(1s);
@@ -191,7 +191,7 @@ TEST_F(TeleopStates, ASmallDifferenceOfOrientationStays) {
   EXPECT_TRUE(slave_.pose().isApprox(at({0.3, 0, 0}, -0.4), 1e-9));
 }
 
-TEST_F(TeleopStates, AMasterThatDoesNotTurnDisablesInTimeAndSaysWhy) {
+TEST_F(TeleopStates, AStuckMasterDisablesIt) {
   master_.refuseMoves(true);
   start({.preparation_limit = 5s});
   ASSERT_TRUE(reaches(TeleopState::Aligning));
@@ -225,14 +225,14 @@ TEST_F(TeleopStates, SoDoesTheCameraPedal) {
   expectClutchedUntil([&] { console_.camera = false; });
 }
 
-TEST_F(TeleopStates, SoDoesASurgeonWhoLooksAway) {
+TEST_F(TeleopStates, LookingAwayClutchesToo) {
   startFollowing();
   console_.present = false;
   expectClutchedUntil([&] { console_.present = true; });
 }
 
 // A cable may be cut, or the task of the pedals may hang.
-TEST_F(TeleopStates, SoDoPedalsThatFallSilent) {
+TEST_F(TeleopStates, SilentPedalsClutchToo) {
   startFollowing();
   console_.stuck = true;
   expectClutchedUntil([&] { console_.stuck = false; });
@@ -279,7 +279,7 @@ TEST_F(TeleopStates, ALockedPositionStays) {
   EXPECT_TRUE(wayOfSlave({0.1, 0, 0}).isApprox(Vector3d(0.05, 0, 0), 1e-9));
 }
 
-TEST_F(TeleopStates, ALockedOrientationStaysAndUnlockedTheMasterIsAligned) {
+TEST_F(TeleopStates, UnlockingTheOrientationAlignsTheMaster) {
   startFollowing();
   ASSERT_TRUE(operator_.teleop.lock_rotation(true));
   pass(5ms);
@@ -313,7 +313,7 @@ TEST_F(TeleopStates, DirectionsAreThoseThatTheSurgeonSees) {
   EXPECT_TRUE(master_.pose().linear().isApprox(seen.linear(), 1e-9)) << "aligned in the picture";
 }
 
-TEST_F(TeleopStates, ARegistrationThatIsOldIsFollowedOnAndBegunByNoMore) {
+TEST_F(TeleopStates, AnOldRegistrationBeginsNothing) {
   startFollowing();
   registerLate(400ms);
   pass(1s);
@@ -344,7 +344,7 @@ TEST_F(TeleopStates, ARotationOfSixDigitsIsMadeExact) {
 }
 
 // No goal leads there while its tool is not in, so the operator must not believe that it follows.
-TEST_F(TeleopStates, ASlaveThatRefusesItsGoalsDisablesAndSaysWhy) {
+TEST_F(TeleopStates, ARefusingSlaveDisablesIt) {
   startFollowing();
   slave_.warn(ArmWarning::NotInserted);
   ASSERT_TRUE(reaches(TeleopState::Disabled));
@@ -353,7 +353,7 @@ TEST_F(TeleopStates, ASlaveThatRefusesItsGoalsDisablesAndSaysWhy) {
   EXPECT_EQ(slave_.holds(), 1u);
 }
 
-TEST_F(TeleopStates, WhoeverSuspendsItDoesNotLeaveAMasterThatTurns) {
+TEST_F(TeleopStates, ASuspendStopsATurningMaster) {
   master_.refuseMoves(true);
   start();
   ASSERT_TRUE(reaches(TeleopState::Aligning));
@@ -373,7 +373,7 @@ TEST_F(TeleopStates, ARestDoesNotCountAsPreparation) {
   EXPECT_TRUE(reaches(TeleopState::Following));
 }
 
-TEST_F(TeleopStates, ASmallDifferenceOfAnUnlockedOrientationDoesNotEndFollowing) {
+TEST_F(TeleopStates, ASmallTurnDoesNotEndFollowing) {
   startFollowing();
   ASSERT_TRUE(operator_.teleop.lock_rotation(true));
   pass(5ms);

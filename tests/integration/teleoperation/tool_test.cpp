@@ -137,7 +137,7 @@ TEST_P(Tool, AJawGoesWhereItIsSent) {
   EXPECT_TRUE(fingers_.warnings.empty());
 }
 
-TEST_P(Tool, AJawOfAnArmThatIsNotEnabledStaysAndSaysSo) {
+TEST_P(Tool, TheJawOfADisabledArmStays) {
   servoJaw(0.8, 50);
   EXPECT_EQ(jaw(), 0);
   fingers_.processEvents();

@@ -118,7 +118,7 @@ TEST(Watch, ReportsASecondSleepAndASecondRingOfOneCycle) {
 }
 
 // A ring that came before the sleep allows one more sleep, so the second one more is reported.
-TEST(Watch, ReportsASleepThatNoLateWakeExplains) {
+TEST(Watch, ReportsAnUnexplainedSleep) {
   std::uint32_t word = 0;
   const auto sleepIf = [&word](std::uint32_t value) {
     const timespec briefly{.tv_sec = 0, .tv_nsec = 1'000'000};

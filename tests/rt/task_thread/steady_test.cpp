@@ -122,7 +122,7 @@ TEST(TaskThread, CyclesOfTwoThreadsCostNothing) {
 
 // An arm and two clients sleep whenever they have nothing to do, and wake each other: in a cycle
 // that is one sleep, and a ring for each peer that sleeps.
-TEST(TaskThread, CyclesThatSleepCostASleepAndARingForEachSleepingPeer) {
+TEST(TaskThread, SleepingCyclesCostOneSleepAndTheirRings) {
   const suture::EventOptions options{.scheduling = {.processor = someProcessor()}};
   ArmTask<suture::EventTask> arm(options);
   UserTask<suture::EventTask> first(options), second(options);

@@ -41,7 +41,7 @@ TEST(Allocations, AreThoseOfTheCallingThread) {
   EXPECT_EQ(allocations(), before);
 }
 
-TEST(Allocations, OfThreadsOfOneName) {
+TEST(Allocations, AreCountedByThreadName) {
   const auto allocateAs = [](const char* name) {
     std::thread([name] {
       pthread_setname_np(pthread_self(), name);

@@ -28,7 +28,7 @@ void cycle(DrivenArm& arm, Client& client, reference::PoseStamped& pose,
   (void)arm.past[&Required<ArmLike>::measured_cp].at(newest, pose);
 }
 
-TEST(History, NeitherReadsNorRowsNorWindowsAllocate) {
+TEST(History, ReadsRowsAndWindowsDoNotAllocate) {
   DrivenArm arm;
   arm.manualPort.keepState({.manual = true});
   arm.measureOver(100us);

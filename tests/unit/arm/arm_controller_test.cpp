@@ -97,7 +97,7 @@ TEST_F(ArmControllerTest, AServoStreamThatFallsSilentEndsAsHold) {
   follow("servo_jp", [&] { arm_.servo_jp(joints); });
 }
 
-TEST_F(ArmControllerTest, AMoveThatFollowsAServoGoalIsNotEndedByItsSilence) {
+TEST_F(ArmControllerTest, AServoGoalsSilenceDoesNotEndALaterMove) {
   makeReady();
   arm_.servo_cp(goalAt({0.001, 0, 0}));
   cycles(1);
@@ -146,7 +146,7 @@ TEST_F(ArmControllerTest, ServoCpLagsByTheTimeConstantAndCarriesTheStamp) {
   EXPECT_LT(kinematics::poseError(arm_.measured_cp().pose, goal.pose).norm(), 1e-8);
 }
 
-TEST_F(ArmControllerTest, RefusesWhatIsFarOutOfReachAndKeepsItsSetpoint) {
+TEST_F(ArmControllerTest, RefusesGoalsFarOutOfReach) {
   makeReady();
   const PoseStamped before = arm_.setpoint_cp();
   for (int i = 0; i < 3; ++i) {

@@ -123,7 +123,7 @@ TEST_F(CrtkArmTest, ABaseInAnotherFrameIsRefused) {
   expectMoved(before, {1, 0, 0});
 }
 
-TEST_F(CrtkArmTest, ABaseInAnyFrameIsTakenWhereTheInterfaceDeclaresNone) {
+TEST_F(CrtkArmTest, AnUndeclaredFrameTakesAnyBase) {
   const PoseStamped before = crtk_.setpoint_cp();
   TransformStamped base = baseAt({1, 0, 0});
   base.reference_frame = suture::frameId("scene");
@@ -131,7 +131,7 @@ TEST_F(CrtkArmTest, ABaseInAnyFrameIsTakenWhereTheInterfaceDeclaresNone) {
   expectMoved(before, {1, 0, 0});
 }
 
-TEST_F(CrtkArmTest, TheBaseOfAnArmThatMovesStaysAsItIs) {
+TEST_F(CrtkArmTest, AMovingArmKeepsItsBase) {
   crtk_.servo_cp(crtk_.setpoint_cp());
   cycles(1);
   const PoseStamped before = crtk_.setpoint_cp();
@@ -216,7 +216,7 @@ TEST(PeriodStatistics, AreOfTheLastWholeSecond) {
   EXPECT_NEAR(statistics.last().period_deviation, 0, 1e-6);
 }
 
-TEST_F(CrtkArmTest, AMoveThatIsAskedForAfterAPauseBeginsFromWhereTheJointsAre) {
+TEST_F(CrtkArmTest, AMoveAfterAPauseBeginsAtTheJoints) {
   crtk_.unhome();
   cycles(1);
   heard_ = {};

@@ -75,7 +75,7 @@ TEST_F(CrtkStreamsTest, AJointStopsAtItsGuard) {
   }
 }
 
-TEST_F(CrtkStreamsTest, AGuardThatLiesBehindStopsNobody) {
+TEST_F(CrtkStreamsTest, AGuardBehindDoesNotStopIt) {
   JointVelocityGoal goal;
   goal.goal.assign(6, 0.0);
   goal.goal[0] = 1.0;
@@ -89,7 +89,7 @@ TEST_F(CrtkStreamsTest, AGuardThatLiesBehindStopsNobody) {
   EXPECT_NEAR(setpoint(0) - before, 0.02, 1e-9);
 }
 
-TEST_F(CrtkStreamsTest, AVelocityIsReachedAndLeftWithTheAccelerationsAskedFor) {
+TEST_F(CrtkStreamsTest, AVelocityKeepsToItsAccelerations) {
   JointVelocityGoal goal;
   goal.goal.assign(6, 0.0);
   goal.goal[0] = 0.1;
@@ -123,7 +123,7 @@ TEST_F(CrtkStreamsTest, AStreamThatBeginsAnewBeginsFromRest) {
   EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
 }
 
-TEST_F(CrtkStreamsTest, ASpeedDoesNotTurnWithTheAxesOfTheNextStream) {
+TEST_F(CrtkStreamsTest, TheAxesOfTheNextStreamDoNotTurnTheSpeed) {
   TransformStamped base;
   base.transform.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   base.valid = true;
@@ -143,7 +143,7 @@ TEST_F(CrtkStreamsTest, ASpeedDoesNotTurnWithTheAxesOfTheNextStream) {
   expectMoved(before, {0, 0, 0});
 }
 
-TEST_F(CrtkStreamsTest, ATwistIsReachedWithItsAccelerationAlongTheReferenceFrame) {
+TEST_F(CrtkStreamsTest, ATwistKeepsToItsAcceleration) {
   TransformStamped base;
   base.transform.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   base.valid = true;

@@ -61,7 +61,7 @@ TEST_F(DriveFaultTest, AJointDoesNotMoveByWhatItsEncoderSaidWrongly) {
   EXPECT_NEAR(truePitch(), before, 1e-9);
 }
 
-TEST_F(DriveFaultTest, AJointInMotionStopsWhereItIsAndNotWhereItsEncoderSaid) {
+TEST_F(DriveFaultTest, AMovingJointStopsWhereItReallyIs) {
   JointVelocityGoal rate;
   rate.goal.assign(6, 0);
   rate.goal[kPitch] = 1;
@@ -125,7 +125,7 @@ TEST_F(DriveFaultTest, ItIsNotInFaultWhileItHasNoPower) {
   EXPECT_EQ(heard_.errors[0].find("b: its encoder jumped"), 0u) << heard_.errors[0];
 }
 
-TEST_F(DriveFaultTest, AfterAJumpNobodyKnowsWhereItIs) {
+TEST_F(DriveFaultTest, AfterAJumpItIsNotHomed) {
   cycles(3);
   crtk_.home();
   cycles(3000);
@@ -135,7 +135,7 @@ TEST_F(DriveFaultTest, AfterAJumpNobodyKnowsWhereItIs) {
   EXPECT_FALSE(crtk_.operating_state().is_homed);
 }
 
-TEST_F(DriveFaultTest, AnEffortAboveItsLimitPutsItInFaultIfItLasts) {
+TEST_F(DriveFaultTest, ALastingEffortAboveTheLimitIsAFault) {
   joints_.draw(kPitch, -0.31);
   cycles(49);
   EXPECT_EQ(state(), ArmState::Enabled);
@@ -179,7 +179,7 @@ TEST_F(DriveFaultTest, IsLeftByEnableAndDisableAlone) {
   EXPECT_EQ(state(), ArmState::Disabled);
 }
 
-TEST_F(DriveFaultTest, OfAnEffortThatLastsComesAgain) {
+TEST_F(DriveFaultTest, ALastingEffortFaultsAgain) {
   joints_.draw(kPitch, 0.31);
   cycles(60);
   ASSERT_EQ(state(), ArmState::Fault);
@@ -215,7 +215,7 @@ TEST_F(DriveWatchTest, JudgesByTheTimeThatHasPassed) {
   EXPECT_EQ(fault->joint, 1);
 }
 
-TEST(DriveWatch, CountsAnEffortOnlyFromWhereItIsKnownToBeTooHigh) {
+TEST(DriveWatch, CountsAnEffortFromWhenItIsTooHigh) {
   DriveWatch<2> watch{{DriveBounds{.effort_limit = 1}, {}, {}}, {.overload_time = 0.1}};
   DriveReading<2> reading;
   const auto look = [&](double effort, suture::Duration later) {

@@ -44,7 +44,7 @@ TEST_F(GripperTest, TellsWhatIsMeasured) {
   EXPECT_FALSE(gripper_.measured_js().valid) << "the drives are silent";
 }
 
-TEST_F(GripperTest, TellsWhetherItIsClosedWhenThatChanges) {
+TEST_F(GripperTest, TellsWhenItOpensOrCloses) {
   hold(0.4, 50);
   EXPECT_EQ(heard_.states, std::vector{false});
   hold(0.05, 50);

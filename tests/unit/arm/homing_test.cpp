@@ -32,7 +32,7 @@ class HomingTest : public CrtkArmTest {
   }
 };
 
-TEST_F(HomingTest, WithoutItCartesianCommandsAreRefused) {
+TEST_F(HomingTest, AnUnhomedArmRefusesCartesianCommands) {
   crtk_.unhome();
   expectTipRefused(ArmWarning::NotHomed);
   home();
@@ -50,7 +50,7 @@ TEST_F(HomingTest, AfterAnEncoderJumpedCartesianCommandsAreRefused) {
   expectObeysServo();
 }
 
-TEST_F(HomingTest, ThatIsForgottenEndsAStreamOfVelocitiesAsHold) {
+TEST_F(HomingTest, UnhomingEndsAVelocityStream) {
   TwistGoal twist;
   twist.linear.x() = 0.01;
   crtk_.servo_cv(twist);

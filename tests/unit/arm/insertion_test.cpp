@@ -44,7 +44,7 @@ class InsertionTest : public CrtkArmTest {
   }
 };
 
-TEST_F(InsertionTest, WithoutItCartesianCommandsAreRefused) {
+TEST_F(InsertionTest, CartesianCommandsNeedInsertion) {
   insert(0.04);
   expectTipRefused(ArmWarning::NotInserted);
 }
@@ -62,7 +62,7 @@ TEST_F(InsertionTest, BeginsBeyondItsBuffer) {
   EXPECT_FALSE(obeysServo());
 }
 
-TEST_F(InsertionTest, ThatAStreamOfVelocitiesGivesUpEndsItAsHold) {
+TEST_F(InsertionTest, AStreamEndsWhenItIsNotInserted) {
   insert(0.05);
   TwistGoal outwards;
   outwards.linear = -0.02 * crtk_.setpoint_cp().pose.translation().normalized();

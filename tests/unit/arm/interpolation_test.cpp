@@ -106,7 +106,7 @@ TEST_F(InterpolationTest, EndsWithAnyOtherCommand) {
   EXPECT_LT(held, 0.5);
 }
 
-TEST_F(InterpolationTest, WhatIsNoGoalIsRefused) {
+TEST_F(InterpolationTest, InvalidGoalsAreRefused) {
   crtk_.interpolate_cp(PoseStamped{});
   crtk_.interpolate_jr({{1, 2, 3}, {}});
   cycles(1);

@@ -60,7 +60,7 @@ TEST_F(JawTest, StartsWhereItIs) {
   EXPECT_TRUE(jaw_.measured_js().valid);
 }
 
-TEST_F(JawTest, HoldsWhereItIsWhilePausedThoughSomethingPullsAtIt) {
+TEST_F(JawTest, HoldsAgainstAPullWhilePaused) {
   jaw_.servo_jp(angle(0.5));
   jawCycles(10);
   crtk_.pause();
@@ -128,7 +128,7 @@ TEST_F(JawTest, MovesSmoothlyAndSaysThatItArrived) {
   EXPECT_DOUBLE_EQ(setpoint(), 1);
 }
 
-TEST_F(JawTest, AMoveThatIsAskedForAfterAPauseBeginsFromWhereItIs) {
+TEST_F(JawTest, AMoveAfterAPauseBeginsWhereItIs) {
   time_ += 150ms;  // longer than the drives go on with a goal
   jaw_.move_jp(angle(1));
   jawCycles(1);

@@ -38,7 +38,7 @@ class RandomMoves : public testing::Test {
   Triple goal_;
 };
 
-TEST_F(RandomMoves, BeginAsTheJointsAreAndEndAtRestAtTheGoal) {
+TEST_F(RandomMoves, BeginAtTheJointsAndRestAtTheGoal) {
   for (int n = 0; n < kMoves; ++n) {
     const Move move = anyMove();
     constexpr double kStep = 1e-6;
@@ -86,7 +86,7 @@ TEST_F(RandomMoves, TurnRoundOnceAtMostAndEndMonotonically) {
   }
 }
 
-TEST_F(RandomMoves, OfJointsAtRestAreStraight) {
+TEST_F(RandomMoves, AreStraightFromRest) {
   for (int n = 0; n < 100; ++n) {
     start_ = {any({1, 1, 0.1})};
     const Triple way = any({2, 2, 0.2});
@@ -109,7 +109,7 @@ TEST(JointMove, TakesAsLongAsTheSlowestJointNeeds) {
               2 * std::sqrt(0.001 * 10 / std::sqrt(3)), 1e-9);
 }
 
-TEST(JointMove, WithoutALimitOfAccelerationBrakesAtOnce) {
+TEST(JointMove, BrakesAtOnceWithoutAnAccelerationLimit) {
   const Move move({Triple::Zero(), {1, 1, 0.1}}, {0, 0, 0}, {kLimits.rate});
   EXPECT_TRUE(move.at(0.01).isZero());
 }

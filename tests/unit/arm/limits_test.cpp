@@ -144,7 +144,7 @@ TEST_F(LimitsTest, AGoalThatIsTooFarForOneStepIsRefused) {
   EXPECT_NEAR(setpoint(0), near[0], 1e-9);
 }
 
-TEST_F(LimitsTest, AGoalThatIsTooFarEndsAStreamByItsSilence) {
+TEST_F(LimitsTest, ATooFarGoalEndsAStream) {
   crtk_.servo_jp(toGoal(at(0.235)));
   cycles(1);
   Joints far = at(0.235);

@@ -53,7 +53,7 @@ TEST_F(MeasuredForceTest, IsWhatTheMotorsPressWithBesideCarryingTheArm) {
   EXPECT_LT((tip * body.torque - spatial.torque).norm(), 1e-9);
 }
 
-TEST_F(MeasuredForceTest, OfTheStateIsInTheReferenceFrame) {
+TEST_F(MeasuredForceTest, TheStatesForceIsInTheReferenceFrame) {
   TransformStamped base;
   base.transform.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   base.valid = true;
@@ -108,7 +108,7 @@ TEST_F(MeasuredForceTest, IsNotThereBesideASingularity) {
   expectNone("any force would fit");
 }
 
-TEST(TipForce, OfSevenJointsIsTheNearest) {
+TEST(TipForce, FitsTheEffortsOfSevenJoints) {
   const auto chain = kinematics::mtmLeft();
   const auto jacobian = chain.jacobian(kinematics::mtmHome());
   const kinematics::SpatialVector wrench{1, -2, 3, 0.1, 0.2, -0.3};

@@ -52,7 +52,7 @@ TEST_F(PowerTest, IsWantedWhereTheArmHoldsByItself) {
   EXPECT_FALSE(arm_.powered());
 }
 
-TEST_F(PowerTest, ThatTheDrivesMayNotHaveDisablesTheArm) {
+TEST_F(PowerTest, ForbiddenPowerDisablesTheArm) {
   for (const DrivePower power : {DrivePower::Stopped, DrivePower::NotReady}) {
     joints_.force(power);
     cycles(1);
@@ -70,7 +70,7 @@ TEST_F(PowerTest, ThatTheDrivesMayNotHaveDisablesTheArm) {
   }
 }
 
-TEST_F(PowerTest, ThatIsOffAWhileAfterEnablingIsNotLost) {
+TEST_F(PowerTest, APauseAfterEnablingIsNoLoss) {
   joints_.force(DrivePower::Off);
   cycles(5);
   EXPECT_EQ(state(), ArmState::Enabled) << "the drives have not switched on yet";
@@ -80,7 +80,7 @@ TEST_F(PowerTest, ThatIsOffAWhileAfterEnablingIsNotLost) {
   EXPECT_EQ(state(), ArmState::Enabled);
 }
 
-TEST_F(PowerTest, ThatWasTakenAwayBetweenTwoCyclesDisablesTheArm) {
+TEST_F(PowerTest, ALossBetweenTwoCyclesDisablesTheArm) {
   joints_.permitAnew();
   cycles(1);
   EXPECT_EQ(state(), ArmState::Disabled);
@@ -123,7 +123,7 @@ TEST_F(PowerTest, SilentDrivesChangeNothingOfADisabledArm) {
   EXPECT_EQ(state(), ArmState::Disabled);
 }
 
-TEST_F(PowerTest, WithoutItTheSetPointIsWhereTheJointsAre) {
+TEST_F(PowerTest, WithoutPowerTheSetPointFollowsTheJoints) {
   JointGoal away{positions(), {}};
   away.position[0] += 0.3;
   crtk_.servo_jp(away);
@@ -133,7 +133,7 @@ TEST_F(PowerTest, WithoutItTheSetPointIsWhereTheJointsAre) {
   EXPECT_EQ(crtk_.setpoint_js().position, crtk_.measured_js().position);
 }
 
-TEST_F(PowerTest, WhatMovedDoesNotLeapAfterAPauseOfTheArm) {
+TEST_F(PowerTest, AMoveDoesNotLeapAfterAPause) {
   JointVelocityGoal rates;
   rates.goal.assign(6, 0.2);
   JointGoal away{positions(), {}};

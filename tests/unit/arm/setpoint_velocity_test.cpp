@@ -53,7 +53,7 @@ class SetpointVelocityTest : public CrtkArmTest {
   static PoseStamped forwards() { return step({1e-5, 0, 1e-5}); }
 };
 
-TEST_F(SetpointVelocityTest, OfAPose) {
+TEST_F(SetpointVelocityTest, IsThatOfAPose) {
   PoseStamped goal = crtk_.setpoint_cp();
   expectIsThatOfTheSetpoint("servo_cp, cycle ", [&] {
     goal.pose.translation().x() += 1e-5;
@@ -62,17 +62,17 @@ TEST_F(SetpointVelocityTest, OfAPose) {
   });
 }
 
-TEST_F(SetpointVelocityTest, OfAStep) {
+TEST_F(SetpointVelocityTest, IsThatOfAStep) {
   expectIsThatOfTheSetpoint("servo_cr, cycle ", [&] { crtk_.servo_cr(forwards()); });
 }
 
-TEST_F(SetpointVelocityTest, OfATwist) {
+TEST_F(SetpointVelocityTest, IsThatOfATwist) {
   TwistGoal twist;
   twist.linear.x() = 0.01;
   expectIsThatOfTheSetpoint("servo_cv, cycle ", [&] { crtk_.servo_cv(twist); });
 }
 
-TEST_F(SetpointVelocityTest, OfInterpolation) {
+TEST_F(SetpointVelocityTest, IsThatOfInterpolation) {
   int cycle = 0;
   PoseStamped goal = crtk_.setpoint_cp();
   expectIsThatOfTheSetpoint("interpolate_cp, cycle ", [&] {
@@ -82,14 +82,14 @@ TEST_F(SetpointVelocityTest, OfInterpolation) {
   });
 }
 
-TEST_F(SetpointVelocityTest, OfAMove) {
+TEST_F(SetpointVelocityTest, IsThatOfAMove) {
   bool asked = false;
   expectIsThatOfTheSetpoint("move_cr, cycle ", [&] {
     if (!std::exchange(asked, true)) crtk_.move_cr(step({0.01, 0, 0.01}));
   });
 }
 
-TEST_F(SetpointVelocityTest, OfAGoalThatLetItJumpIsNone) {
+TEST_F(SetpointVelocityTest, IsZeroAfterAJump) {
   cycles(300);
   JointGoal goal{positions(), {}};
   goal.position[0] += 0.3;

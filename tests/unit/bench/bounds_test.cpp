@@ -21,7 +21,7 @@ std::vector<std::string> check(const char* bounds, double median = 30) {
   return shortfalls(parseBounds(bounds), "table2", reportOf(median));
 }
 
-TEST(Bounds, WhatKeepsThemIsSilent) {
+TEST(Bounds, FiguresWithinTheirBoundsAreSilent) {
   EXPECT_TRUE(check("table2.event.csc.p50 <= 35 us | CSC <= 35 us").empty());
   EXPECT_TRUE(check("table2.event.csc.p50 <= 30 us | exactly at the bound").empty());
   EXPECT_TRUE(check("table2.rate >= 100 1/s | at least").empty());
@@ -34,7 +34,7 @@ TEST(Bounds, APlantedBoundFails) {
   EXPECT_EQ(check("table2.rate >= 101 1/s | at least").size(), 1u);
 }
 
-TEST(Bounds, WhatHasABoundAndNoValueFallsShort) {
+TEST(Bounds, ABoundWithoutAValueFallsShort) {
   ASSERT_EQ(check("table2.event.scs.p50 <= 45 us | SCS").size(), 1u);
   EXPECT_NE(check("table2.event.scs.p50 <= 45 us | SCS")[0].find("not measured"),
             std::string::npos);

@@ -9,7 +9,7 @@
 namespace bench {
 namespace {
 
-TEST(Statistics, OfAThousandNumbers) {
+TEST(Statistics, AThousandNumbersAreExact) {
   std::vector<double> samples(1000);
   std::iota(samples.rbegin(), samples.rend(), 1.0);
   const Statistics statistics = statisticsOf(samples);
@@ -23,7 +23,7 @@ TEST(Statistics, OfAThousandNumbers) {
   EXPECT_EQ(statistics.max, 1000);
 }
 
-TEST(Statistics, OfOneAndOfNone) {
+TEST(Statistics, OneNumberOrNoneIsFine) {
   const Statistics one = statisticsOf({7});
   EXPECT_EQ(one.p50, 7);
   EXPECT_EQ(one.p999, 7);

@@ -126,7 +126,7 @@ TEST_F(Provider, SendsEventsThatItEmittedBeforeItsClientSaidAnything) {
   EXPECT_EQ(events_, (Credits{{kStopped, 0}}));
 }
 
-TEST_F(Provider, SendsNoEventFromBeforeItWasJoinedUnlessItIsLatched) {
+TEST_F(Provider, SendsOnlyLatchedEventsFromBefore) {
   const reference::Mode mode{};
   const Time before = now() - std::chrono::seconds(1);
   channel_->events.push(kStopped, before, {});
@@ -140,7 +140,7 @@ TEST_F(Provider, SendsNoEventFromBeforeItWasJoinedUnlessItIsLatched) {
   EXPECT_EQ(events_, (Credits{{kMode, 4}, {kStopped, 4}}));
 }
 
-TEST_F(Provider, DropsEventsThatNobodyWantsAnyMore) {
+TEST_F(Provider, DropsUnwantedEvents) {
   channel_->provider.takeJoining();
   channel_->events.push(kStopped, now(), {});
   carrier_.subscribe({.number = 1, .events = kModeOnly, .joining = kStoppedOnly, .columns = 0});
@@ -150,7 +150,7 @@ TEST_F(Provider, DropsEventsThatNobodyWantsAnyMore) {
   EXPECT_EQ(channel_->events.next(), nullptr);
 }
 
-TEST_F(Provider, OffersRowsOfColumnsThatThereAre) {
+TEST_F(Provider, OffersOnlyExistingColumns) {
   carrier_.give();
   EXPECT_TRUE(rows_.empty()) << "nobody has asked";
   carrier_.subscribe({.number = 1, .events = 0, .joining = 0, .columns = ~rt::ColumnSet{0}});

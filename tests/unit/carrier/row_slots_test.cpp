@@ -21,7 +21,7 @@ TEST(RowSlots, HasRoomForWhatIsAskedForOnly) {
 }
 
 // A column that owns memory takes what lies in its slot for its own, and releases it.
-TEST(RowSlots, LeavesNoValueOfOneColumnInThePlaceOfAnother) {
+TEST(RowSlots, ColumnsDoNotMix) {
   RowSlots row(interfaceInfo<reference::ArmLike>());
   std::byte* const first = row.of(1)[0];
   std::memset(first, 0xff, row.sizeOf(0));

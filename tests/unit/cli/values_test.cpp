@@ -55,7 +55,7 @@ TEST(Values, AreRefusedIfTheyDoNotFit) {
   EXPECT_NE(refusal(R"({"nmaes": []})").find("Did you mean 'names'?"), std::string::npos);
 }
 
-TEST(Values, OfBulkAreNumbers) {
+TEST(Values, BulkValuesAreNumbers) {
   const Json numbers = Json::parse(R"([1.5, "nan", -2])");
   const auto bytes = bytesOf(numbers, "Float64");
   EXPECT_EQ(bytes.size(), 24u);

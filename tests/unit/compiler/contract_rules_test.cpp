@@ -148,7 +148,7 @@ TEST(Lifecycle, SinceCountsFromOne) {
   }
 }
 
-TEST(Inheritance, WhatIsInheritedIsJudgedOnce) {
+TEST(Inheritance, InheritedMembersAreJudgedOnce) {
   model::Header two = withCommand(write("say", text(std::nullopt)));
   model::Interface derived = two.interfaces[0];
   for (model::Command& command : derived.commands) command.inheritedFrom = derived.name;

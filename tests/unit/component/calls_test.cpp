@@ -53,7 +53,7 @@ TEST(Calls, AnAnswerThatCameOutlivesItsConnection) {
   EXPECT_EQ(late.poll()->error(), Errc::OutcomeUnknown);
 }
 
-TEST(Calls, AnAnswerThatNobodyHadLookedForOutlivesItsConnection) {
+TEST(Calls, AnUnreadAnswerOutlivesItsConnection) {
   Provider provider, successor;
   ArmClient client;
   connectLocally(client.arm, provider.port, "old");
@@ -89,7 +89,7 @@ TEST(Fairness, AFloodingClientDelaysAnotherByItsQueueAtMost) {
   }
 }
 
-TEST(Call, ItsHandlerIsToldThatTheProviderEndsBeforeItsTurn) {
+TEST(Call, ItsHandlerHearsThatTheProviderEnds) {
   ArmClient client;
   Errc end{};
   {
@@ -110,7 +110,7 @@ TEST(Call, ItsHandlerIsToldAtOnceOfARefusal) {
   EXPECT_EQ(end, Errc::NotConnected);
 }
 
-TEST(Call, TakenBackInTimeItIsNotExecutedButCounted) {
+TEST(Call, ACancelledCallIsCountedAndNotExecuted) {
   Provider provider;
   ArmClient client;
   const auto channel = connectLocally(client.arm, provider.port, "test");

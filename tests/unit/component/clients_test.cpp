@@ -73,7 +73,7 @@ TEST_F(Clients, AreToldOfOnceAndBeforeTheirCommands) {
   EXPECT_EQ(inTheNextCycle(), Lines{"hold of console:Teleop/Slave"});
 }
 
-TEST_F(Clients, ThatAreGoneAreToldOfOnce) {
+TEST_F(Clients, AGoneClientIsToldOfOnce) {
   ArmClient other;
   connect(*client_);
   connect(other, "gui");
@@ -83,7 +83,7 @@ TEST_F(Clients, ThatAreGoneAreToldOfOnce) {
   EXPECT_EQ(inTheNextCycle(), Lines{});
 }
 
-TEST_F(Clients, ThatWereSilentAreToldOfOnceAlsoWhenTheyAreClosedThen) {
+TEST_F(Clients, ASilentClientThatIsClosedIsToldOfOnce) {
   const std::shared_ptr<Channel> channel = connect(*client_);
   inTheNextCycle();
   channel->tell(ChannelStatus::Lapsed);
@@ -93,7 +93,7 @@ TEST_F(Clients, ThatWereSilentAreToldOfOnceAlsoWhenTheyAreClosedThen) {
   EXPECT_EQ(inTheNextCycle(), Lines{});
 }
 
-TEST_F(Clients, ThatAreConnectedAnewAreOthers) {
+TEST_F(Clients, AReconnectedClientIsAnother) {
   connect(*client_);
   inTheNextCycle();
   client_->arm.attach(nullptr);
@@ -104,13 +104,13 @@ TEST_F(Clients, ThatAreConnectedAnewAreOthers) {
   EXPECT_NE(lines[0], lines[1]) << "one has gone, one has come";
 }
 
-TEST_F(Clients, ThatCameAndWentAreNotToldOf) {
+TEST_F(Clients, AClientThatCameAndWentIsNotToldOf) {
   connect(*client_);
   client_.reset();
   EXPECT_EQ(inTheNextCycle(), Lines{});
 }
 
-TEST_F(Clients, ThatAreGoneBeforeACommandOfAnotherIsExecutedAreToldOfFirst) {
+TEST_F(Clients, AGoneClientIsToldOfBeforeTheNextCommand) {
   ArmClient other;
   connect(other, "gui");
   connect(*client_);
@@ -121,7 +121,7 @@ TEST_F(Clients, ThatAreGoneBeforeACommandOfAnotherIsExecutedAreToldOfFirst) {
             (Lines{"Arm: console:Teleop/Slave closed", "hold of gui:Teleop/Slave"}));
 }
 
-TEST_F(Clients, ThatLeaveASuspendedComponentAreToldOfWhenItIsResumed) {
+TEST_F(Clients, ASuspendedComponentHearsOfGoneClientsLater) {
   connect(*client_);
   inTheNextCycle();
   arm_.request(Transition::Suspend);

@@ -146,7 +146,7 @@ TEST_F(Contract, AfterALossSeveralReadsOfOneRowFallBackToo) {
   EXPECT_EQ(before.error(), Errc::Lost);
 }
 
-TEST_F(Contract, WithoutAContractALossIsAllThatAReadAnswers) {
+TEST_F(Contract, WithoutAContractAReadTellsOnlyALoss) {
   connectTo(arm_);
   EXPECT_EQ(read().error(), Errc::NotYet);
   arm_.cycle();
@@ -157,7 +157,7 @@ TEST_F(Contract, WithoutAContractALossIsAllThatAReadAnswers) {
   EXPECT_FALSE(readTogether(reader_.slave.measured_cp).carriesValue());
 }
 
-TEST_F(Contract, ALossMayParkTheReaderThatDoesNotEvenRead) {
+TEST_F(Contract, ALossMayParkAReaderThatDoesNotRead) {
   connect({.onLoss = Fallback::Fault});
   int runs = 0;
   reader_.work = [&] { ++runs; };

@@ -52,7 +52,7 @@ TEST(DirectHandlers, AreReplacedWhileSeveralThreadsCallThem) {
   EXPECT_EQ(owner.state(), ComponentState::Constructed);
 }
 
-TEST(DirectHandlers, OfNobodyWhoIsFaulted) {
+TEST(DirectHandlers, AFaultedOwnersHandlersDoNotRun) {
   struct Owner final : Device {
   } owner;
   DirectHandlers handlers(1);

@@ -21,7 +21,7 @@ struct GoneListener final : Device {
 };
 
 // AddressSanitizer sees the fault: the provider is about to ring a doorbell that only it keeps.
-TEST(GoneClient, WhoseDoorbellIsDueIsRungNoMore) {
+TEST(GoneClient, ItsDoorbellIsNotRung) {
   DrivenArm arm;
   arm.start();
   auto listener = std::make_unique<GoneListener>();

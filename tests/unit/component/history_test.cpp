@@ -171,7 +171,7 @@ TEST(DeviceHistory, ADeviceHasNone) {
   EXPECT_TRUE(readTogether(client.arm.measured_cp, client.arm.measured_js));
 }
 
-TEST(KeepState, TakesNoDescriptorUntilSomebodyIsConnected) {
+TEST(KeepState, TakesNoDescriptorWithoutAConnection) {
   ArmClient first, second;
   const std::size_t before = openMemory();
   SleepingArm arm;

@@ -125,7 +125,7 @@ TEST(JsonContainers, AHookIsUsed) {
   EXPECT_DOUBLE_EQ(value.kelvin, 293.15);
 }
 
-TEST(JsonContainers, WhatHoldsItselfMayNotGoOnForEver) {
+TEST(JsonContainers, EndlessRecursionIsRefused) {
   const auto nested = [](int depth) {
     std::string text = "{}";
     for (int i = 0; i < depth; ++i) text = R"({"children": [)" + text + "]}";

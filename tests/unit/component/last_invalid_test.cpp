@@ -81,7 +81,7 @@ TEST_F(LastInvalidTest, NamesWhatARowDoesNotHave) {
   EXPECT_EQ(told(), "measured_js.position[1]");
 }
 
-TEST_F(LastInvalidTest, NamesAnAnswerToWhoeverAsked) {
+TEST_F(LastInvalidTest, TellsOnlyTheAskerOfAnInvalidAnswer) {
   ArmClient other;
   connectLocally(other.arm, arm_.port, "Other/Arm -> PSM/Arm");
   arm_.joints.position = {0, kNotANumber};

@@ -26,7 +26,7 @@ TEST(Lease, CountsFromItsBeginningUntilSomethingIsHeard) {
   EXPECT_FALSE(lease.lapsed());
 }
 
-TEST(Lease, OfEachConnectionGoesByWhatTheSessionHears) {
+TEST(Lease, EachConnectionsLeaseFollowsTheSession) {
   const auto client = std::make_shared<PeerState>();
   const Lease shorter(client, 1s), longer(client, 10s);
   const BootTime heard = BootClock::now() + 1h;

@@ -60,7 +60,7 @@ TEST_F(ClientsLedger, CommandsWithoutAnOutcomeAreUnderWay) {
   expectOpen(sums, {.underWay = 3});
 }
 
-TEST_F(ClientsLedger, WhatWasUnderWayIsUnknownWhenTheConnectionIsLost) {
+TEST_F(ClientsLedger, ALossMakesCommandsUnderWayUnknown) {
   const auto channel = tenOfWhichThreeAreUnderWay();
   channel->status = ChannelStatus::Lost;
   expectOpen(ledger_.sums(), {.unknown = 3});
@@ -88,7 +88,7 @@ TEST_F(ClientsLedger, TheSameProcessBackMakesTheUnknownExact) {
   expectOpen(ledger_.sums(), {.lost = 1, .underWay = 1});
 }
 
-TEST_F(ClientsLedger, WhatAProcessThatIsGoneMayHaveExecutedStaysUnknown) {
+TEST_F(ClientsLedger, CommandsOfAGoneProcessStayUnknown) {
   tenOfWhichThreeAreUnderWay();
   const auto next = makeChannel();
   ledger_.begin(next, kNextRobot, {{}, true});
@@ -99,7 +99,7 @@ TEST_F(ClientsLedger, WhatAProcessThatIsGoneMayHaveExecutedStaysUnknown) {
   expectOpen(sums, {.unknown = 3});
 }
 
-TEST_F(ClientsLedger, WhatWasLostStaysLostWhenTheProcessIsGone) {
+TEST_F(ClientsLedger, LostCommandsStayLostWithoutTheirProcess) {
   tenOfWhichThreeAreUnderWay();
   ledger_.begin(makeChannel(), kRobot, {{.executed = 8, .late = 1}, true});
   ledger_.begin(makeChannel(), kNextRobot, {{}, true});
@@ -107,7 +107,7 @@ TEST_F(ClientsLedger, WhatWasLostStaysLostWhenTheProcessIsGone) {
   expectOpen(ledger_.sums(), {.lost = 1});
 }
 
-TEST_F(ClientsLedger, WhatWasLostStaysLostWhileTheLastWordOnMoreIsAwaited) {
+TEST_F(ClientsLedger, LostCommandsStayLostWhileOthersAreOpen) {
   tenOfWhichThreeAreUnderWay();
   const auto next = makeChannel();
   ledger_.begin(next, kRobot, {{.executed = 8, .late = 1}, true});
@@ -124,7 +124,7 @@ TEST_F(ClientsLedger, ALaneSaysWhatItHasLost) {
   expectOpen(ledger_.sums(), {.lost = 2, .underWay = 1});
 }
 
-TEST(ProvidersLedger, TellsOfTheChannelsBeforeWhenNobodyHasThemAnyMore) {
+TEST(ProvidersLedger, TellsOfGoneChannelsToo) {
   Ledger ledger(ConnectionEnd::Provider);
   auto first = makeChannel();
   ledger.begin(first, kRobot);

@@ -64,7 +64,7 @@ TEST(Lifecycle, ATaskGoesThroughItWithItsHooksInItsOwnThread) {
   EXPECT_TRUE(eventually([&] { return task.cycles > before; }));
 }
 
-TEST(Lifecycle, WhoConnectsToAStoppedTaskIsToldThatItRestsUntilItIsStartedAgain) {
+TEST(Lifecycle, ALateClientHearsThatTheTaskIsStopped) {
   Living<PeriodicTask> task(kQuick);
   task.start();
   task.stop();
@@ -77,7 +77,7 @@ TEST(Lifecycle, WhoConnectsToAStoppedTaskIsToldThatItRestsUntilItIsStartedAgain)
   EXPECT_TRUE(client.arm.hold());
 }
 
-TEST(Lifecycle, WhatIsNotLegalIsRefusedWithWhatIs) {
+TEST(Lifecycle, ARefusalNamesTheLegalTransitions) {
   Living<PeriodicTask> task(kQuick);
   EXPECT_EQ(refusal([&] { task.request(Transition::Suspend); }),
             "component '(unnamed)' was asked to suspend: it is constructed. A component can "

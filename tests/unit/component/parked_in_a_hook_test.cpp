@@ -43,7 +43,7 @@ TEST(ParkedInAHook, ATaskStaysSo) {
   EXPECT_EQ(worker.fault(), "a value was stale");
 }
 
-TEST(ParkedInAHook, ARestartIsAFaultAndNotTheLastThatCounts) {
+TEST(ParkedInAHook, ARestartCountsAsAFault) {
   ParkedWorker worker;
   worker.restartAfterFaults({.most = 2, .per = 1h});
   worker.restarting = [&] {

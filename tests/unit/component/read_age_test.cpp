@@ -24,7 +24,7 @@ TEST(ReadAge, IsOfARowWhenItIsFirstRead) {
   EXPECT_EQ(channel->client.readAge->count(), 1u);
 }
 
-TEST(ReadAge, OfAnotherConnectionBeginsWithItsFirstRow) {
+TEST(ReadAge, BeginsWithTheFirstRowOfAConnection) {
   ArmClient client;
   const Time stamp = now();
   client.arm.attach(channelWithRow(stamp));

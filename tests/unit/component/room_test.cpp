@@ -52,7 +52,7 @@ class Waiter final : public EventTask {
   }
 };
 
-TEST(Room, AnEventTaskThatHasFoundNoneRunsAgainWhenThereIsSome) {
+TEST(Room, AnEventTaskRunsAgainWhenThereIsRoom) {
   Arm provider;
   Feeder feeder(100);
   const auto channel = connectLocally(feeder.arm, provider.arm, "test");

@@ -54,7 +54,7 @@ TEST(Suspended, ATaskRunsNothingAndItsClientsAreTold) {
   EXPECT_EQ(channel->status, ChannelStatus::Connected);
 }
 
-TEST(Suspended, WhatWasSentBeforeOrMeanwhileIsAnsweredAndNeverExecuted) {
+TEST(Suspended, EarlierCommandsAreAnsweredAndNotExecuted) {
   Living<CallbackTask> task;
   ArmClient client;
   const auto channel = connectLocally(client.arm, task.arm, "test");
@@ -82,7 +82,7 @@ TEST(Suspended, WhatWasSentBeforeOrMeanwhileIsAnsweredAndNeverExecuted) {
   EXPECT_EQ(channel->commands.counters.refused, 3u);
 }
 
-TEST(Suspended, WhatWasSentBeforeTheResumeIsRefusedHoweverLateItArrives) {
+TEST(Suspended, CommandsFromBeforeTheResumeAreRefused) {
   Living<CallbackTask> task;
   ArmClient client;
   const auto channel = connectLocally(client.arm, task.arm, "test");
@@ -106,7 +106,7 @@ TEST(Suspended, WhatWasSentBeforeTheResumeIsRefusedHoweverLateItArrives) {
   EXPECT_EQ(channel->commands.counters.executed, 1u);
 }
 
-TEST(Suspended, ALateClientIsToldAtOnceAndWelcomeAfterwards) {
+TEST(Suspended, ALateClientIsToldAtOnce) {
   Living<PeriodicTask> task(kQuick);
   task.start();
   task.request(Transition::Suspend);

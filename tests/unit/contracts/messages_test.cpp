@@ -133,7 +133,7 @@ TEST_P(StandardMessages, AreHeardInOrder) {
   manager.stop();
 }
 
-TEST_P(StandardMessages, TheLastOfEachKindIsThereForWhoComesLate) {
+TEST_P(StandardMessages, ALateClientHearsTheLastOfEachKind) {
   Speaker speaker;
   Listener listener;
   manager.add("Speaker", speaker);
@@ -210,7 +210,7 @@ struct ManyVoices final : suture::Device {
   suture::MessagePort messages{*this};
 };
 
-TEST(MessagePort, OfADeviceMayBeUsedByManyThreads) {
+TEST(MessagePort, ManyThreadsMayUseADevicesPort) {
   ManyVoices device;
   Counter counter;
   suture::Manager manager("here");

@@ -41,7 +41,7 @@ TEST(DelayLine, KeepsEachUntilItIsDue) {
   EXPECT_EQ(line.next(), Time::max());
 }
 
-TEST(DelayLine, NothingOvertakes) {
+TEST(DelayLine, MessagesStayInOrder) {
   DelayLine line(8, 8);
   ASSERT_TRUE(put(line, at(2ms), 1));
   ASSERT_TRUE(put(line, at(1ms), 2));
@@ -50,7 +50,7 @@ TEST(DelayLine, NothingOvertakes) {
   EXPECT_EQ(take(line, at(2ms)), 2u);
 }
 
-TEST(DelayLine, WhatIsOvertakableIsOvertaken) {
+TEST(DelayLine, OvertakableMessagesAreOvertaken) {
   DelayLine line(8, 8);
   const std::uint64_t one = 1;
   std::memcpy(line.claim(at(3ms), sizeof(one), DelayLine::Order::Overtakable), &one, sizeof(one));

@@ -169,7 +169,7 @@ TEST_F(Delayed, OrderHolds) {
   EXPECT_EQ(arm.limits(), sent);
 }
 
-TEST_F(Delayed, WhatIsUnderWayIsBoundedByTheCommandsDepth) {
+TEST_F(Delayed, TheCommandsDepthBoundsWhatIsUnderWay) {
   connect("A", {.commands = 30s});
   for (int i = 0; i < 4; ++i) EXPECT_TRUE(a.arm.hold());  // queue(4)
   EXPECT_EQ(a.arm.hold().error(), Errc::Full);
@@ -249,7 +249,7 @@ TEST_F(Delayed, EveryCreditComesBackThoughMessagesAreLost) {
   EXPECT_GT(observe(manager, now()).connections.at(0).messagesLost, 0u);
 }
 
-TEST_F(Delayed, WithoutADelayNobodyStandsBetween) {
+TEST_F(Delayed, WithoutADelayNothingIsBetween) {
   connect("A", {});
   EXPECT_EQ(manager.channels().at(0)->lane, "local");
 }

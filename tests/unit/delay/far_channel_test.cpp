@@ -70,7 +70,7 @@ TEST_F(FarChannel, AnAnswerOfTheRightSizeArrives) {
 
 TEST_F(FarChannel, AnAnswerThatIsTooShortIsInvalid) { EXPECT_EQ(answer(0), Errc::Invalid); }
 
-TEST_F(FarChannel, OfAnAnswerThatIsTooLongNoMoreArrivesThanHasRoom) {
+TEST_F(FarChannel, ATooLongAnswerIsCut) {
   EXPECT_EQ(answer(4096), Errc{});
   EXPECT_EQ(near->replies.frontSize(), sizeof(ReplyRecord) + sizeof(std::uint32_t));
 }
@@ -94,7 +94,7 @@ TEST_F(FarChannel, AnEventOfAnEarlierSubscriptionIsDropped) {
   EXPECT_NE(near->events.next(), nullptr);
 }
 
-TEST_F(FarChannel, AnEventThatTheContractDoesNotAdmitIsDroppedAndCounted) {
+TEST_F(FarChannel, AnInvalidEventIsDroppedAndCounted) {
   turn();
   const EventInfo& moved = near->info.events[kMoved];
   std::vector<std::byte> payload(moved.payloadSize, std::byte{0xff});  // of NaN
@@ -106,7 +106,7 @@ TEST_F(FarChannel, AnEventThatTheContractDoesNotAdmitIsDroppedAndCounted) {
   EXPECT_EQ(near->lastInvalid.read().text().rfind("moved", 0), 0u);
 }
 
-TEST_F(FarChannel, ACommandThatCannotBePutInGivesItsCreditBackAndIsAnswered) {
+TEST_F(FarChannel, ACommandWithoutRoomIsAnswered) {
   far->tell(ChannelStatus::Suspended);
   send(kHold, 3);
   EXPECT_EQ(far->commands.pending(), false);
@@ -129,7 +129,7 @@ TEST_F(FarChannel, ACreditComesBackWhenTheProviderHasTakenTheCommand) {
 }
 
 // Its provider may be beyond another lane, whose thread rings the client that gets credits.
-TEST_F(FarChannel, WhoeverWaitsForRowsIsRungForCredits) {
+TEST_F(FarChannel, AWaiterForRowsIsRungForCredits) {
   near->client.askForRows();
   send(kHold, 0);
   near->ends.client->takeRing();
@@ -188,7 +188,7 @@ TEST_F(FullLine, KeepsTheNewestCommandWithTheClient) {
   EXPECT_FALSE(provider->commands.pending());
 }
 
-TEST_F(FullLine, IsTakenFromAgainInTheTurnThatMakesRoom) {
+TEST_F(FullLine, IsReadAgainInTheTurnThatMakesRoom) {
   slow.pump(now() + 2h);
   EXPECT_TRUE(provider->commands.pending());
   EXPECT_FALSE(near->commands.pending());

@@ -39,7 +39,7 @@ struct MessageLineTest : testing::Test {
 
 using Values = std::vector<std::uint64_t>;
 
-TEST_F(MessageLineTest, WithoutFaultsAllComeInOrder) {
+TEST_F(MessageLineTest, AllComeInOrderWithoutFaults) {
   MessageLine line(8, 64, {}, 0, counters);
   putMany(line, 3);
   EXPECT_EQ(take(line, now()), (Values{1, 2, 3}));
@@ -54,7 +54,7 @@ TEST_F(MessageLineTest, ADuplicateIsTakenOnce) {
   EXPECT_EQ(counters.duplicated, 10u);
 }
 
-TEST_F(MessageLineTest, WhatComesOutIsInOrderWhateverOvertook) {
+TEST_F(MessageLineTest, OvertakingKeepsTheOutputInOrder) {
   MessageLine line(8, 512, {.seed = 1, .reorder = 0.3, .holdBack = 1ms, .jitter = 3ms}, 0,
                    counters);
   putMany(line, 200);
@@ -64,7 +64,7 @@ TEST_F(MessageLineTest, WhatComesOutIsInOrderWhateverOvertook) {
   EXPECT_EQ(taken.size() + counters.lost, taken.back());
 }
 
-TEST_F(MessageLineTest, ADuplicateNeverComesAheadOfWhatItsOriginalWaitsBehind) {
+TEST_F(MessageLineTest, ADuplicateDoesNotOvertake) {
   MessageLine line(8, 512, {.seed = 1, .duplicate = 0.5, .delay = 0.2}, 0, counters);
   putMany(line, 200);
   EXPECT_EQ(take(line, now() + 10s).size(), 200u);

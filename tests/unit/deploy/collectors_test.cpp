@@ -111,7 +111,7 @@ TEST(DeployedCollectors, EventsOfTheLifeCycleComeToTheFile) {
   EXPECT_EQ(linesOf(directory.file("life.jsonl")).front().at("value").at("state"), "Running");
 }
 
-TEST(DeployedCollectors, WhatIsWrongIsSaid) {
+TEST(DeployedCollectors, MistakesAreNamed) {
   const std::string sound = logOf("StateCollector", R"({"file": "/dev/null"})");
   EXPECT_EQ(problemOf(sound, "PSM/Arm"), "none");
   EXPECT_EQ(problemOf(sound, ""),

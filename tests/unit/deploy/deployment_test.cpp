@@ -79,7 +79,7 @@ TEST(Deployment, Sound) {
   EXPECT_EQ(deployment.connections()[1].to.toString(), "right:PSM1/Arm");
 }
 
-TEST(Deployment, OneProcessNeedsNeitherManagerNorProcessNames) {
+TEST(Deployment, OneProcessNeedsNoManagerAndNoNames) {
   const Deployment deployment(JsonDocument::parse(
       R"({"processes": [{"name": "all", "components": [
             {"name": "a", "class": "A"}, {"name": "b", "class": "B"}]}],

@@ -166,7 +166,7 @@ TEST(Host, RunsAndConnectsWhatTheFileSays) {
   EXPECT_TRUE(host.troubles().empty());
 }
 
-TEST(Host, DelaysTheConnectionsOfWhichTheFileSaysSo) {
+TEST(Host, DelaysTheConnectionsThatTheFileNames) {
   const Deployment deployment = deploymentOf(
       "{\"name\": \"PSM\", \"class\": \"SimulatedArm\"},\n"
       "{\"name\": \"Client\", \"class\": \"Client\"}",
@@ -295,7 +295,7 @@ TEST(Host, ManagerThatIsNotRunning) {
   }
 }
 
-TEST(Host, ATaskIsRestartedAsOftenAsTheFileSaysAndThatIsTold) {
+TEST(Host, ATaskIsRestartedAsTheFileSays) {
   const Deployment deployment =
       deploymentOf(R"({"name": "T", "class": "Throwing", "restart": {"most": 2, "per": "1000s"}})");
   Host host(deployment, "all", kClasses);

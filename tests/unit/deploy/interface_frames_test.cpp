@@ -63,19 +63,19 @@ TEST(InterfaceFrames, AreComparedWhenTheDeploymentConnects) {
       << refused[0];
 }
 
-TEST(InterfaceFrames, OfAnInterfaceThatIsNotThereAreAnError) {
+TEST(InterfaceFrames, FramesOfAnUnknownInterfaceAreAnError) {
   EXPECT_EQ(start(R"("Amr": {"reference": "PSM1_base"})", ""),
             Texts{"d.json:2: error: component 'PSM1': declaring the frames of interface 'Amr': its "
                   "component has interfaces 'Arm'. Did you mean 'Arm'?"});
 }
 
-TEST(InterfaceFrames, ThatTheComponentDeclaresOtherwiseAreAnError) {
+TEST(InterfaceFrames, ConflictingFramesAreAnError) {
   EXPECT_EQ(start("", R"("Slave": {"moving": "PSM1_tip"})"),
             Texts{"d.json:3: error: component 'Guide': declaring 'PSM1_tip' as the moving frame of "
                   "'Slave': that is 'PSM2_tip' already. Declare each frame once"});
 }
 
-TEST(InterfaceFrames, ThatAreNoneAreAnError) {
+TEST(InterfaceFrames, InvalidFramesAreAnError) {
   const auto problemWith = [](const std::string& frames) {
     const Texts problems = problemsOf([&] { (void)framedDeployment("\"Arm\": " + frames, ""); });
     return problems.size() == 1 ? problems[0] : std::to_string(problems.size()) + " problems";

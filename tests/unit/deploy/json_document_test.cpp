@@ -38,7 +38,7 @@ TEST(JsonDocument, KnowsTheLineOfEachValue) {
   EXPECT_EQ(document.value().at("b").at("c").at(1), 20);
 }
 
-TEST(JsonDocument, WhatIsNotThereIsWhereItsSurroundingsAre) {
+TEST(JsonDocument, AMissingKeyIsAtItsParentsLine) {
   const auto document = JsonDocument::parse("{\n\"a\": {\n\"b\": 1}}", "f.json");
   EXPECT_EQ(document.lineOf("/a/missing/deeper"), 2);
   EXPECT_EQ(document.locate("/a/b", "wrong"), "f.json:3: error: wrong");

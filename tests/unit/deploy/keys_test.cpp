@@ -54,7 +54,7 @@ TEST_F(DeploymentKeys, EachProcessAndTheGlobalManagerGetSome) {
   EXPECT_EQ(suture::makeKeys({.deployment = "", .processes = {"late"}, .out = keys()}).size(), 2u);
 }
 
-TEST_F(DeploymentKeys, NobodyToMakeThemForIsAnError) {
+TEST_F(DeploymentKeys, NoProcessesIsAnError) {
   const std::string error = refusal([&] { suture::makeKeys(KeysRequest{"", {}, keys()}); });
   EXPECT_TRUE(contains(error, "Add --deployment FILE or --process NAME")) << error;
   EXPECT_FALSE(std::filesystem::exists(keys()));

@@ -48,7 +48,7 @@ TEST(RealTime, IsReadForTasksAndProcesses) {
   EXPECT_EQ(process.components[0].scheduling, (rt::Scheduling{rt::Policy::Fifo, 80, 1}));
 }
 
-TEST(RealTime, WhatIsNoSchedulingIsAnError) {
+TEST(RealTime, InvalidSchedulingIsAnError) {
   const auto problemWith = [](const std::string& value) {
     const Texts problems =
         problemsOf([&] { (void)deploymentWith("", ", \"scheduling\": " + value); });
@@ -78,7 +78,7 @@ TEST(RealTime, ADeviceHasNoThreadToBeScheduled) {
                   "whose thread it runs"});
 }
 
-TEST(RealTime, WhatTheMachineDoesNotGrantIsAWarningOrAnErrorIfItIsRequired) {
+TEST(RealTime, MissingRightsAreAWarningOrAnError) {
   const auto withFarProcessors = [](const std::string& key) {
     return deploymentWith(key + "\"scheduling\": {\"processor\": 1000},",
                           ", \"scheduling\": {\"processor\": 1001}");

@@ -129,7 +129,7 @@ TEST(HeavyArm, AtRestPressesNoHarderThanItsFriction) {
   EXPECT_GT(std::abs(efforts[1]), 2 * mechanics.coulomb[1]) << "it is the weight that is much";
 }
 
-TEST(HeavyArm, WithoutBrakesSinksWhenItIsDisabled) {
+TEST(HeavyArm, SinksWithoutBrakesWhenDisabled) {
   Mtm mtm(MtmParameters{});
   MtmDrives drives(
       {.permit = {}, .dynamics = DriveDynamics::RigidBody, .rigid_body = {.brakes = false}});
@@ -149,7 +149,7 @@ TEST(HeavyArm, WithoutBrakesSinksWhenItIsDisabled) {
 }
 
 // The effort that carries its weight seems to be more than its motors can give.
-TEST(HeavyArm, WhoseCurrentSensorsTellTooMuchIsInFault) {
+TEST(HeavyArm, TooHighSensorsPutItInFault) {
   Psm psm(PsmParameters{});
   PsmDrives drives(
       {.permit = {}, .dynamics = DriveDynamics::RigidBody, .rigid_body = {.current_gain = 50}});

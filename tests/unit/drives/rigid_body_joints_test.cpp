@@ -69,7 +69,7 @@ typename RigidBodyModel<N>::Joints worstOfAMotion(const RigidBodyModel<N>& model
   return worst;
 }
 
-TEST(Following, OfThePsmIsWithinItsStatedError) {
+TEST(Following, ThePsmKeepsToItsStatedError) {
   RigidBodyModel<6>::Joints far = RigidBodyModel<6>::Joints::Constant(0.2);
   far[kInsertion] = 0.02;
   auto worst = worstOfAMotion<6>(heavyPsm(), far);
@@ -78,7 +78,7 @@ TEST(Following, OfThePsmIsWithinItsStatedError) {
   EXPECT_LT(worst.maxCoeff(), 0.0025) << worst.transpose();
 }
 
-TEST(Following, OfTheMtmIsWithinItsStatedError) {
+TEST(Following, TheMtmKeepsToItsStatedError) {
   const auto worst = worstOfAMotion<7>(heavyMtm(), RigidBodyModel<7>::Joints::Constant(0.2));
   EXPECT_LT(worst.head<3>().maxCoeff(), 0.008) << worst.transpose();
   EXPECT_LT(worst.maxCoeff(), 0.012) << worst.transpose();
@@ -101,7 +101,7 @@ TEST(Effort, IsNoMoreThanTheMotorGives) {
 }
 
 // Two motors of an MTM act on its shoulder, so that it may get more than either gives.
-TEST(Effort, OfEachMotorIsNoMoreThanItGives) {
+TEST(Effort, IsWithinWhatEachMotorGives) {
   auto model = heavyMtm();
   model.rate_limit.setConstant(1000);
   RigidBodyJoints<7> joints(model);

@@ -71,7 +71,7 @@ TEST_F(SimulatedDrivesTest, StartParkedWithoutPowerAndSaySo) {
   EXPECT_EQ(position(), 0.1);
 }
 
-TEST_F(SimulatedDrivesTest, WithoutPowerNothingMoves) {
+TEST_F(SimulatedDrivesTest, NothingMovesWithoutPower) {
   follow(0.2, 50);
   EXPECT_EQ(position(), 0.1);
   drives_.power_on(drives_.feedback().permitted);
@@ -79,7 +79,7 @@ TEST_F(SimulatedDrivesTest, WithoutPowerNothingMoves) {
   EXPECT_EQ(position(), 0.1) << "a goal from before is none";
 }
 
-TEST_F(SimulatedDrivesTest, WithPowerTheJointsFollow) {
+TEST_F(SimulatedDrivesTest, JointsFollowWithPower) {
   drives_.power_on(drives_.feedback().permitted);
   follow(0.2, 100);
   EXPECT_EQ(heard_.states, std::vector{DrivePower::On});
@@ -127,7 +127,7 @@ TEST(Permit, IsAwaitedByDrivesThatStart) {
   EXPECT_EQ(drives.feedback().power, DrivePower::Off);
 }
 
-TEST_F(SimulatedDrivesTest, WithoutAPermitTheyStopAtOnceAndAreNotStartedByAnother) {
+TEST_F(SimulatedDrivesTest, ALostPermitStopsThemForGood) {
   drives_.power_on(drives_.feedback().permitted);
   follow(0.2, 5);
   ASSERT_GT(velocity(), 1);
@@ -148,7 +148,7 @@ TEST_F(SimulatedDrivesTest, WithoutAPermitTheyStopAtOnceAndAreNotStartedByAnothe
   EXPECT_NEAR(position(), 0.2, 1e-3);
 }
 
-TEST_F(SimulatedDrivesTest, PowerThatWasAskedForBeforeAStopIsNotGivenAfterIt) {
+TEST_F(SimulatedDrivesTest, AStopCancelsAnEarlierWishForPower) {
   const suture::Time before = drives_.feedback().permitted;
   drives_.permit(false);
   drives_.permit(true);
@@ -158,7 +158,7 @@ TEST_F(SimulatedDrivesTest, PowerThatWasAskedForBeforeAStopIsNotGivenAfterIt) {
   EXPECT_EQ(drives_.feedback().power, DrivePower::On);
 }
 
-TEST_F(SimulatedDrivesTest, WhatBrakesDoesNotMoveWhileNobodyStepsIt) {
+TEST_F(SimulatedDrivesTest, BrakesHoldBetweenSteps) {
   drives_.power_on(drives_.feedback().permitted);
   follow(0.2, 5);
   const double held = position();
@@ -168,7 +168,7 @@ TEST_F(SimulatedDrivesTest, WhatBrakesDoesNotMoveWhileNobodyStepsIt) {
   EXPECT_EQ(position(), held);
 }
 
-TEST_F(SimulatedDrivesTest, WhatIsNoGoalMovesNothing) {
+TEST_F(SimulatedDrivesTest, InvalidGoalsMoveNothing) {
   drives_.power_on(drives_.feedback().permitted);
   DriveGoal tooFew = goal(0.2);
   tooFew.joints = 5;

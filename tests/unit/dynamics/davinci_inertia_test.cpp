@@ -30,8 +30,8 @@ void expectBodiesThatExist(const ArmMechanics<N>& arm) {
   EXPECT_GT(arm.encoder_step.minCoeff(), 0);
 }
 
-TEST(DaVinciInertia, OfThePsmIsThatOfBodiesThatExist) { expectBodiesThatExist(psmMechanics()); }
-TEST(DaVinciInertia, OfTheMtmIsThatOfBodiesThatExist) { expectBodiesThatExist(mtmMechanics()); }
+TEST(DaVinciInertia, ThePsmHasPossibleBodies) { expectBodiesThatExist(psmMechanics()); }
+TEST(DaVinciInertia, TheMtmHasPossibleBodies) { expectBodiesThatExist(mtmMechanics()); }
 
 template <int N>
 void expectMotorsHoldIt(const kinematics::Chain<N>& chain, const ArmMechanics<N>& arm,

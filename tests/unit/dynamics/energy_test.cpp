@@ -53,13 +53,13 @@ void expectEnergyIsKept(JointMotion<N> motion) {
   EXPECT_LT(worst / mostKinetic, 1e-3);
 }
 
-TEST(Energy, OfAFallingPsmIsKept) {
+TEST(Energy, IsConservedWhileThePsmFalls) {
   auto start = JointMotion<6>::Joints::Constant(0.3).eval();
   start[2] = 0.1;
   expectEnergyIsKept(frictionless(kinematics::psm(), psmMechanics(), start));
 }
 
-TEST(Energy, OfAFallingMtmIsKept) {
+TEST(Energy, IsConservedWhileTheMtmFalls) {
   expectEnergyIsKept(frictionless(kinematics::mtmLeft(), mtmMechanics(), kinematics::mtmHome()));
 }
 

@@ -35,7 +35,7 @@ class JointMotionTest : public ::testing::Test {
   Joints effort_ = Joints::Zero();
 };
 
-TEST_F(JointMotionTest, NothingMovesAJointThatFrictionHolds) {
+TEST_F(JointMotionTest, FrictionHoldsAJoint) {
   const Joints start = motion_.position();
   effort_ = 0.99 * arm_.coulomb;
   cycles(1500);

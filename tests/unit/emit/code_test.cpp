@@ -42,7 +42,7 @@ TEST(Code, LongLambdasGetLinesForTheirBodies) {
             "each(" + name + name + ", [](int element) {\n  return use(element);\n});\n");
 }
 
-TEST(Code, StatementOfAChoiceGoesBelowItWhenBothAreTooLong) {
+TEST(Code, ALongStatementGoesBelowItsLabel) {
   Code code;
   const std::string name(90, 'n');
   code.open("switch (x) {")

@@ -51,7 +51,7 @@ TEST_F(EmitTest, EqualModelsGiveEqualBytes) {
   EXPECT_EQ(emit(sample::robots(), {}), once);
 }
 
-TEST_F(EmitTest, TheBasesCommandsKeepItsLocksOrderInWhatDerivesFromIt) {
+TEST_F(EmitTest, ADerivedContractKeepsItsBasesOrder) {
   model::Diagnostics none;
   const lock::Locks locks = lock::read(lock::update(model_, {}).files, none);
   const auto before = emit(model_, locks);
@@ -64,7 +64,7 @@ TEST_F(EmitTest, TheBasesCommandsKeepItsLocksOrderInWhatDerivesFromIt) {
   EXPECT_EQ(emit(model_, locks), before);
 }
 
-TEST_F(EmitTest, WhatDerivesHoldsOnlyWhatItAdds) {
+TEST_F(EmitTest, ADerivedContractHoldsOnlyWhatItAdds) {
   const std::string source = text("robots/gripper.suture.cpp");
   EXPECT_FALSE(contains(source, "ServoCpParams"));
   EXPECT_TRUE(contains(source,
@@ -74,7 +74,7 @@ TEST_F(EmitTest, WhatDerivesHoldsOnlyWhatItAdds) {
                        "class Required<robots::Gripper> : public Required<robots::Arm> {"));
 }
 
-TEST_F(EmitTest, WhatAddsNothingIsServedByItsBase) {
+TEST_F(EmitTest, AContractThatAddsNothingUsesItsBase) {
   for (model::Header& header : model_.headers) {
     for (model::Interface& interface : header.interfaces) {
       if (interface.base.empty()) continue;
@@ -157,7 +157,7 @@ TEST_F(EmitTest, DescriptionSaysWhatTheTypesAre) {
   EXPECT_EQ(json["interfaces"][0]["events"][0]["latched"], true);
 }
 
-TEST_F(EmitTest, APageLinksToTheContractsOfOtherTargetsInItsTree) {
+TEST_F(EmitTest, APageLinksToContractsOfOtherTargets) {
   model::Header& contract = sample::armHeader(model_);
   contract.own = false;
   for (model::Header& one : model_.headers) one.file = "/project/" + one.path;
@@ -167,7 +167,7 @@ TEST_F(EmitTest, APageLinksToTheContractsOfOtherTargetsInItsTree) {
   EXPECT_FALSE(contains(text("robots/simulated_arm.suture.md"), link));
 }
 
-TEST_F(EmitTest, OneSourceReadsATypeOfAnotherTargetForAllParameters) {
+TEST_F(EmitTest, OneSourceReadsAForeignTypeForAll) {
   sample::armHeader(model_).own = false;  // with the enum that parameters have a value of
   model::Header other = model_.headers.back();
   other.path = "robots/third_arm.h";

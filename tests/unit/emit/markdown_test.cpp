@@ -16,15 +16,13 @@ TEST(Markdown, ColumnsThatAreEmptyInEveryRowAreLeftOut) {
 
 TEST(Markdown, ATableWithoutRowsIsNone) { EXPECT_EQ(MarkdownTable({"name"}).text(), ""); }
 
-TEST(Markdown, WhatWouldEndACellDoesNot) {
+TEST(Markdown, TextCannotEndACell) {
   MarkdownTable table({"about"});
   table.add({"one | two\nlines"});
   EXPECT_EQ(table.text(), "| about |\n| --- |\n| one \\| two lines |\n\n");
 }
 
-TEST(Markdown, WhatLooksLikeHtmlStaysText) {
-  EXPECT_EQ(prose("a <b> and `<c>`"), "a &lt;b> and `<c>`");
-}
+TEST(Markdown, HtmlStaysText) { EXPECT_EQ(prose("a <b> and `<c>`"), "a &lt;b> and `<c>`"); }
 
 TEST(Markdown, TheFirstSentenceIsOnOneLine) {
   EXPECT_EQ(firstSentence("Goes to 0.5 m\nor less. Then stops."), "Goes to 0.5 m or less.");

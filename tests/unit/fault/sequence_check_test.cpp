@@ -43,7 +43,7 @@ TEST_F(SequenceCheckTest, DropsWhatWasOvertakenAndItsDuplicate) {
   EXPECT_EQ(counters.duplicated, 1u);
 }
 
-TEST_F(SequenceCheckTest, WhatHasBeenPassedOverIsNotTakenAnyMore) {
+TEST_F(SequenceCheckTest, SkippedNumbersAreNotTaken) {
   EXPECT_EQ(accepted({1}), Numbers{1});
   check.passOver(3);
   check.passOver(2);  // an older mark

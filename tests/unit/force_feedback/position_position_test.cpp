@@ -58,7 +58,7 @@ PositionPositionModel with(double stiffness, bool passive) {
 
 constexpr double kStiffness[] = {300, 500, 1000};
 
-TEST(PositionPosition, GivesTheHandEnergyThatNobodyPutInWithoutTheController) {
+TEST(PositionPosition, GivesTheHandEnergyWithoutTheController) {
   for (const double stiffness : kStiffness) {
     for (const Wish wish : {reach, sway, rest}) {
       const Outcome active = outcome(wish, with(stiffness, false), kDelay);

@@ -47,7 +47,7 @@ TEST_F(FrameConnections, AskedForOnAUnixSocketAreHad) {
   EXPECT_EQ(outcomeOf(0.5), Errc{});
 }
 
-TEST_F(FrameConnections, ServeWhoMayOnlyRead) {
+TEST_F(FrameConnections, ServeAClientThatMayOnlyRead) {
   const Policy readers({{"user:same", {.full = {}, .read = {"*/*"}}}});
   begin(unixAddress(), readers);
   connect();
@@ -78,7 +78,7 @@ TEST_F(FrameConnections, ComeBackWhenTheirProviderDoes) {
 }
 
 /// Both ends of each socket are in this process.
-TEST_F(FrameConnections, OfOneProcessShareASocket) {
+TEST_F(FrameConnections, ConnectionsOfOneProcessShareASocket) {
   constexpr std::size_t kMore = 8;
   for (std::size_t i = 0; i < kMore; ++i) others.push_back(std::make_unique<Teleop>());
   begin("tcp://127.0.0.1:0");
@@ -204,7 +204,7 @@ TEST_F(FrameConnections, ATokenIsGoodForOneConnection) {
   EXPECT_TRUE(isServed(first));
 }
 
-TEST_F(FrameConnections, OnlyThoseOfOneSessionShareASocket) {
+TEST_F(FrameConnections, OnlyOneSessionSharesASocket) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager()), other(manager());
   caller.greet();
@@ -217,7 +217,7 @@ TEST_F(FrameConnections, OnlyThoseOfOneSessionShareASocket) {
 
 // The provider reads only a little of a stranger, and nothing would bound what it reads of a second
 // connection.
-TEST_F(FrameConnections, ATokenIsForWhoHasSaidHello) {
+TEST_F(FrameConnections, AStrangerGetsNoToken) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
   EXPECT_THROW(caller.socket(), rpc::ControlFailure);
@@ -225,7 +225,7 @@ TEST_F(FrameConnections, ATokenIsForWhoHasSaidHello) {
   caller.socket();
 }
 
-TEST_F(FrameConnections, ATokenThatNobodyGaveIsGoodForNothing) {
+TEST_F(FrameConnections, AForgedTokenIsRefused) {
   begin("tcp://127.0.0.1:0");
   Caller caller(manager());
   caller.greet();

@@ -66,7 +66,7 @@ TEST(EncodedPayloads, BringStampsToTheReadersClock) {
   EXPECT_EQ(slot.goal.stamp - arrived.goal.stamp, 5'000'000'000);
 }
 
-TEST(EncodedPayloads, ThatAreMalformedHaveNoValue) {
+TEST(EncodedPayloads, MalformedPayloadsHaveNoValue) {
   EncodedPayloads payloads(armContract());
   std::array<std::byte, 64> bytes;
   bytes.fill(std::byte{0xff});
@@ -79,7 +79,7 @@ TEST(EncodedPayloads, ThatAreMalformedHaveNoValue) {
   EXPECT_FALSE(row->columns.any());
 }
 
-TEST(EncodedPayloads, OfASenderThatSendsNothingAreDefaults) {
+TEST(EncodedPayloads, MissingValuesAreDefaults) {
   EncodedPayloads payloads(armContract());
   EXPECT_EQ(payloads.open({Kind::Command, kHoldCommand}, {}, Duration{0}).error, Errc{});
   EXPECT_EQ(payloads.open({Kind::Reply, kResetCommand}, {}, Duration{0}).error, Errc{});
@@ -121,7 +121,7 @@ struct Strangers {
   JoinedLinks links;
 };
 
-TEST(EncodedPayloads, OfACommandThatIsNotKnownAreRefusedAndCostNoCredit) {
+TEST(EncodedPayloads, AnUnknownCommandIsRefusedWithoutCredit) {
   Strangers strangers;
   for (unsigned i = 0; i < 2 * armContract().commands[kHoldCommand].depth; ++i) {
     EXPECT_TRUE(strangers.send(kHoldCommand, 0));
@@ -135,7 +135,7 @@ TEST(EncodedPayloads, OfACommandThatIsNotKnownAreRefusedAndCostNoCredit) {
   EXPECT_EQ(reply->error, Errc::NotImplemented);
 }
 
-TEST(EncodedPayloads, OfACommandWithAnotherNumberThereReachIt) {
+TEST(EncodedPayloads, ACommandWithAnotherNumberArrives) {
   Strangers strangers;
   ASSERT_TRUE(strangers.send(kResetCommand, 0));
   strangers.far->commands.fixCut();

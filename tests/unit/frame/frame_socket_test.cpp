@@ -47,7 +47,7 @@ TEST(FrameSocket, CarriesFramesBothWays) {
   EXPECT_EQ(takeAll(ends.near), 2u);
 }
 
-TEST(FrameSocket, WhatItsPeerDoesNotTakeIsBounded) {
+TEST(FrameSocket, UntakenBytesAreBounded) {
   Ends ends;
   unsigned sent = 0;
   while (const unsigned more = send(ends.near, 1000)) sent += more;

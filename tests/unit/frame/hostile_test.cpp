@@ -127,7 +127,7 @@ void serve(Channel& channel, unsigned& executed) {
   }
 }
 
-TEST(HostileFrames, OfAClientReachNothingButItsChannel) {
+TEST(HostileFrames, AHostileClientReachesOnlyItsChannel) {
   constexpr std::array kKindsOfClients = {Kind::Command, Kind::Subscribe, Kind::Acknowledge};
   unsigned executed = 0, ended = 0;
   for (unsigned seed = 0; seed < kSessions; ++seed) {
@@ -155,7 +155,7 @@ TEST(HostileFrames, OfAClientReachNothingButItsChannel) {
   std::printf("%u sessions: %u commands executed, %u sessions ended\n", kSessions, executed, ended);
 }
 
-TEST(HostileFrames, OfAProviderReachNothingButItsClientsChannel) {
+TEST(HostileFrames, AHostileProviderReachesOnlyItsChannel) {
   constexpr std::array kKindsOfProviders = {Kind::Reply, Kind::Event, Kind::Row,
                                             Kind::Taken, Kind::Tally, Kind::Acknowledge};
   unsigned events = 0, ended = 0;
@@ -209,7 +209,7 @@ std::string refusedOf(const Header& header, std::uint32_t size) {
   return std::string(played.channel->lastInvalid.read().text());
 }
 
-TEST(HostileFrames, WhatTheContractDoesNotAdmitIsToldByItsPlace) {
+TEST(HostileFrames, AnInvalidValueIsToldByItsPlace) {
   constexpr std::uint16_t kServoCp = 0, kArrived = 1;
   EXPECT_EQ(refusedOf<ProviderSide>(
                 {.kind = Kind::Command, .number = kServoCp, .connection = kConnection},

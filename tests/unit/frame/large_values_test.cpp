@@ -92,7 +92,7 @@ class LargeValues : public testing::Test, protected JoinedLinks {
   Easel easel{1}, other{2};
 };
 
-TEST_F(LargeValues, OfACommandArriveWhole) {
+TEST_F(LargeValues, CommandsArriveWhole) {
   ASSERT_TRUE(easel.command(kDraw, 0, 1));
   ASSERT_TRUE(easel.command(kDraw, 0, 2));
   carryAll();
@@ -107,7 +107,7 @@ TEST_F(LargeValues, OfACommandArriveWhole) {
   EXPECT_EQ(easel.near->commands.waiting(kDraw), 0u);
 }
 
-TEST_F(LargeValues, OfAnAnswerArriveWhole) {
+TEST_F(LargeValues, AnswersArriveWhole) {
   ASSERT_TRUE(easel.command(kScan, 1, 0));
   carryAll();
   ASSERT_NE(easel.nextCommand(), nullptr);
@@ -124,7 +124,7 @@ TEST_F(LargeValues, OfAnAnswerArriveWhole) {
   EXPECT_TRUE(isValue(3, reply->result()));
 }
 
-TEST_F(LargeValues, OfEventsArriveWholeAndInOrder) {
+TEST_F(LargeValues, EventsArriveWholeAndInOrder) {
   const auto first = makeValue(4), second = makeValue(5);
   ASSERT_TRUE(easel.far->events.push(kScene, now(), first));
   ASSERT_TRUE(easel.far->events.push(kTick, now(), {}));
@@ -139,7 +139,7 @@ TEST_F(LargeValues, OfEventsArriveWholeAndInOrder) {
   }
 }
 
-TEST_F(LargeValues, OfAReadArriveWhole) {
+TEST_F(LargeValues, ReadsArriveWhole) {
   easel.near->state->ask(0);
   carryAll();
   for (const unsigned seed : {6u, 7u, 8u}) {
@@ -169,7 +169,7 @@ TEST_F(LargeValues, LetOthersHaveTheirTurns) {
 }
 
 // One that ends in the middle of a value leaves the others.
-TEST_F(LargeValues, OfAConnectionThatEndsAreDropped) {
+TEST_F(LargeValues, AnEndedConnectionsValuesAreDropped) {
   ASSERT_TRUE(easel.far->events.push(kScene, now(), makeValue(8)));
   turn();
   easel.far->status = ChannelStatus::Closed;

@@ -102,7 +102,7 @@ TEST_F(LinkTest, TellsWhatHasBecomeOfTheCommandsOfATinyContract) {
   EXPECT_EQ(client->counts->told.load().executed, 1u);
 }
 
-TEST_F(LinkTest, TakesWhoJoinsWhileItCarriesOthers) {
+TEST_F(LinkTest, TakesAConnectionThatJoinsLater) {
   Pair& late = *(add(7), pairs.back());
   exchange();
   Pair& early = add(3);
@@ -139,7 +139,7 @@ TEST_F(LinkTest, ProviderIsSilentUntilItsClientIsThere) {
 }
 
 // A client that joins is given the last value of a latched event, which comes no second time.
-TEST_F(LinkTest, WhoSubscribesWhileTheLaneLooksIsToldOfAsJoining) {
+TEST_F(LinkTest, ALateSubscriberIsToldOfAsJoining) {
   constexpr EventSet kEvent = EventSet{1} << kStopped;
   Pair& pair = add(1);
   exchange();
@@ -170,7 +170,7 @@ TEST_F(LinkTest, WhoSubscribesWhileTheLaneLooksIsToldOfAsJoining) {
   EXPECT_EQ(missed, 0);
 }
 
-TEST_F(LinkTest, BreaksForAllAndForWhoComesLater) {
+TEST_F(LinkTest, ABrokenLinkEndsAllConnections) {
   Pair& one = add(1);
   exchange();
   far.reset();
@@ -184,7 +184,7 @@ TEST_F(LinkTest, BreaksForAllAndForWhoComesLater) {
   EXPECT_TRUE(late.client->broken());
 }
 
-TEST_F(LinkTest, WhoComesAfterItsEndIsTold) {
+TEST_F(LinkTest, AConnectionAfterItsEndIsTold) {
   Pair& one = add(1);
   EXPECT_FALSE(near->endIfEmpty());  // it is joining
   exchange();
@@ -210,7 +210,7 @@ TEST_F(LinkTest, ANumberIsOneConnections) {
 }
 
 // One that floods its link: the window and the turns leave the others theirs.
-TEST_F(LinkTest, NobodyTakesAllTheRoom) {
+TEST_F(LinkTest, NoConnectionTakesAllTheRoom) {
   Pair& loud = add(1);
   Pair& quiet = add(2);
   exchange();
@@ -266,7 +266,7 @@ TEST(LaneThread, StopsWheneverItIsTold) {
 
 // Acknowledgements, and frames of no connection, count in no window: the other links have their
 // turns all the same.
-TEST(Link, TakesNoMoreThanItsTurnFromAPeerThatSendsWithoutEnd) {
+TEST(Link, AnEndlessPeerGetsItsTurnOnly) {
   auto sockets = rpc::makeSocketPair();
   const int room = 8 << 20;
   if (setsockopt(sockets.theirs, SOL_SOCKET, SO_SNDBUFFORCE, &room, sizeof(room)) != 0) {
@@ -291,7 +291,7 @@ TEST(Link, TakesNoMoreThanItsTurnFromAPeerThatSendsWithoutEnd) {
   EXPECT_FALSE(link.broken());
 }
 
-TEST(LaneThread, DropsALinkThatIsEmptyAndNobodys) {
+TEST(LaneThread, DropsAnEmptyLinkWithoutAnOwner) {
   const TestClock clock(steppedOptions());
   auto pair = rpc::makeSocketPair();
   Link far(rpc::ByteStream(kj::mv(pair.theirs)), 1);

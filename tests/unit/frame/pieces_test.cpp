@@ -73,14 +73,14 @@ TEST(Pieces, AllocateOnlyForWhatIsLargerThanAllBefore) {
   EXPECT_EQ(allocations(), before);
 }
 
-TEST(Pieces, OfAValueThatIsTooLargeAreNotTaken) {
+TEST(Pieces, TooLargeValuesAreNotTaken) {
   const Value value;
   Pieces pieces(kWhole - 1, kWhole - 1);
   Surplus surplus;
   EXPECT_FALSE(pieces.add(kPiece, value.piece(0), surplus));
 }
 
-TEST(Pieces, ThatAreNotAsLargeAsAllArePartsOfNothing) {
+TEST(Pieces, APieceOfAnotherSizeIsRefused) {
   const Value value;
   Pieces pieces(kLimit, kLimit);
   Surplus surplus;
@@ -88,7 +88,7 @@ TEST(Pieces, ThatAreNotAsLargeAsAllArePartsOfNothing) {
   EXPECT_FALSE(pieces.add(kPiece, {}, surplus));
 }
 
-TEST(Pieces, ThatLeaveNothingForTheLastFrameAreTooMany) {
+TEST(Pieces, TooManyPiecesAreRefused) {
   const Value value;
   Pieces pieces(kLimit, kLimit);
   Surplus surplus;
@@ -98,7 +98,7 @@ TEST(Pieces, ThatLeaveNothingForTheLastFrameAreTooMany) {
   EXPECT_FALSE(pieces.add(kPiece, value.piece(1), surplus));
 }
 
-TEST(Pieces, OfAnotherValueDoNotMix) {
+TEST(Pieces, ValuesDoNotMix) {
   const Value value;
   Pieces pieces(kLimit, kLimit);
   Surplus surplus;
@@ -109,7 +109,7 @@ TEST(Pieces, OfAnotherValueDoNotMix) {
       pieces.add({.kind = Kind::Piece, .number = 0, .call = kWhole}, value.piece(1), surplus));
 }
 
-TEST(Pieces, OfOneKindDoNotEndInAnother) {
+TEST(Pieces, KindsDoNotMix) {
   const Value value;
   Pieces pieces(kLimit, kLimit);
   Surplus surplus;

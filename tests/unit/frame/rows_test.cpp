@@ -149,7 +149,7 @@ TEST_F(Rows, AreOfOneMoment) {
   EXPECT_EQ(copy.row().sequence, 1u);
 }
 
-TEST_F(Rows, ThatAreOverwrittenMeanwhileGiveWayToTheNewest) {
+TEST_F(Rows, AnOverwrittenRowGivesWayToTheNewest) {
   publish(10);
   begin();
   EXPECT_FALSE(copy.go());
@@ -175,7 +175,7 @@ TEST_F(Rows, AreStoredAsTheyCome) {
 }
 
 // A stamp becomes the reader's when it is there whole, and what was stored of it before is not.
-TEST_F(Rows, WithStampsOfAnotherClockAreStoredWhenTheyAreWhole) {
+TEST_F(Rows, ForeignStampsAreShiftedWhenTheRowIsWhole) {
   // The second is of a peer whose clock was found to differ while the row came.
   for (const Duration ofParts : {Duration{99}, Duration{0}}) {
     const auto row = sendInParts(10, ofParts, Duration{99});
@@ -187,7 +187,7 @@ TEST_F(Rows, WithStampsOfAnotherClockAreStoredWhenTheyAreWhole) {
   }
 }
 
-TEST_F(Rows, OfWhichTheEndIsMissingAreNone) {
+TEST_F(Rows, ARowWithoutItsEndIsRefused) {
   publish(10);
   begin();
   goToTheEnd();
@@ -312,7 +312,7 @@ TEST_F(LargeRows, TakeWhatIsUsedOfThem) {
   EXPECT_GT(send(), kRoom + kRemark - 100);
 }
 
-TEST_F(LargeRows, OfPiecesOfAnySizeAreThere) {
+TEST_F(LargeRows, PiecesOfAnySizeMakeARow) {
   int value = 10;
   for (const std::size_t piece : {std::size_t{1024}, std::size_t{8}, std::size_t{4096}}) {
     publish(++value, kMostPayload / 4 + 1);
@@ -324,7 +324,7 @@ TEST_F(LargeRows, OfPiecesOfAnySizeAreThere) {
   }
 }
 
-TEST_F(LargeRows, WithStampsOfAnotherClockAreStoredWhenTheyAreWhole) {
+TEST_F(LargeRows, ForeignStampsAreShiftedWhenTheRowIsWhole) {
   publish(10, 2 * kMostPayload);
   send();
   const auto row = arrive(Duration{99});
@@ -333,7 +333,7 @@ TEST_F(LargeRows, WithStampsOfAnotherClockAreStoredWhenTheyAreWhole) {
   expectArrived(*row, 10, 2 * kMostPayload, 99);
 }
 
-TEST_F(LargeRows, OfWhichTheEndIsMissingOrTooLongAreNone) {
+TEST_F(LargeRows, ARowWithAWrongEndIsRefused) {
   publish(10, 120);
   const std::size_t size = send();
   const std::vector<std::uint64_t> all = words;

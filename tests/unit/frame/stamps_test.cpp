@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(InEachForm, FrameStamps, testing::Values(Form::Slots, F
                            return one.param == Form::Slots ? "Slots" : "Encoded";
                          });
 
-TEST_P(FrameStamps, OfCommandsAreTheProviders) {
+TEST_P(FrameStamps, CommandStampsAreOfTheProvidersClock) {
   StampedEnds ends(GetParam());
   const Time sent = now();
   ASSERT_TRUE(ends.near->commands.claim(kHoldMethod, sent, 0));
@@ -45,7 +45,7 @@ TEST_P(FrameStamps, OfCommandsAreTheProviders) {
   EXPECT_EQ(record->stamp, sent - 5s);
 }
 
-TEST_P(FrameStamps, OfEventsAndRowsAreTheClients) {
+TEST_P(FrameStamps, EventAndRowStampsAreOfTheClientsClock) {
   StampedEnds ends(GetParam());
   ends.near->state->ask(0);
   ends.links.exchange();
@@ -59,7 +59,7 @@ TEST_P(FrameStamps, OfEventsAndRowsAreTheClients) {
   EXPECT_EQ(ends.near->state->readRowNumber(1, {}).stamp, produced - 7s);
 }
 
-TEST_P(FrameStamps, NothingComesFromTheFuture) {
+TEST_P(FrameStamps, NoStampIsInTheFuture) {
   StampedEnds ends(GetParam());
   ASSERT_TRUE(ends.far->events.push(kStoppedMethod, now() + 1h, {}));
   ends.links.exchange();

@@ -24,7 +24,7 @@ void acknowledge(Window& from, Window& to) {
   EXPECT_TRUE(to.takes(header));
 }
 
-TEST(Window, AStoppedPeerFindsSoManyFramesAndNoMore) {
+TEST(Window, AStoppedPeersFramesAreBounded) {
   Window near, far;
   EXPECT_EQ(send(near, far), Window::kFrames);
   EXPECT_EQ(send(near, far), 0u);

@@ -80,7 +80,7 @@ TEST_F(Fixtures, TheTargetIsNotPassed) {
   EXPECT_LE(fixtures_.distanceToTarget(knot_), 1e-4) << "it does not get there";
 }
 
-TEST_F(Fixtures, AHandThatGoesAsideDoesNotLeadTheKnotOutOfTheCorridor) {
+TEST_F(Fixtures, AHandAsideKeepsTheKnotInTheCorridor) {
   place(0.01, Vector3d::Zero());
   const double width = model().radius + model().slope * 0.01;
   carry({1e-4, 1e-4, 0}, 1000);
@@ -88,7 +88,7 @@ TEST_F(Fixtures, AHandThatGoesAsideDoesNotLeadTheKnotOutOfTheCorridor) {
   EXPECT_GE(outOfCorridor(), -1e-9) << "it stops before the edge";
 }
 
-TEST_F(Fixtures, NothingMovesThatIsNotMovedByItsOperator) {
+TEST_F(Fixtures, OnlyTheOperatorMovesTheKnot) {
   place(0.01, {0.02, 0, 0});  // far out of the corridor
   const Vector3d none = Vector3d::Zero();
   const TipPair step = fixtures_.constrain(tips_, knot_, {none, none}, kCycle);
@@ -96,7 +96,7 @@ TEST_F(Fixtures, NothingMovesThatIsNotMovedByItsOperator) {
   EXPECT_EQ(step.right, Vector3d::Zero());
 }
 
-TEST_F(Fixtures, AKnotOutOfTheCorridorGetsNoFartherOutOfItButBack) {
+TEST_F(Fixtures, AKnotOutsideOnlyComesBack) {
   place(0.01, {0.02, 0, 0});
   const double before = outOfCorridor();
   carry({1e-5, 0, 0}, 1000);
@@ -141,7 +141,7 @@ TEST_F(Fixtures, HoldForRandomWishes) {
 }
 
 /// A hand whose place is unknown moves nothing.
-TEST_F(Fixtures, NothingMovesByAWishThatIsNotFinite) {
+TEST_F(Fixtures, AnInfiniteWishMovesNothing) {
   place(0.01, Vector3d::Zero());
   const Vector3d wild(std::numeric_limits<double>::quiet_NaN(), 0, 0);
   const TipPair step = fixtures_.constrain(tips_, knot_, {wild, {0, 0, 1e-5}}, kCycle);

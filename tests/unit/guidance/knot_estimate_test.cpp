@@ -74,7 +74,7 @@ TEST(KnotEstimate, AfterBlindnessCountsWhatIsSeenAndNotWhatWas) {
 }
 
 /// A guide of 10 kHz needs this.
-TEST(KnotEstimate, RemembersTheTipsForAsLongAsASightingCountsAtAnyPeriod) {
+TEST(KnotEstimate, RemembersTheTipsAtAnyPeriod) {
   KnotEstimate estimate(kAge, 100us);
   suture::Time now{1s};
   const suture::Time exposed = now;

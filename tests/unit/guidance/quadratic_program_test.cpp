@@ -85,7 +85,7 @@ TEST(QuadraticProgram, BeginsWithTheRowsThatWereActive) {
   EXPECT_LT(again, anew / 10);
 }
 
-TEST(QuadraticProgram, WithoutARowInTheWayGoesToTheFreeMinimum) {
+TEST(QuadraticProgram, FindsTheFreeMinimum) {
   Problem problem = Problems().next();
   problem.d.setConstant(-1e6);
   const auto solution = Program().solve(problem.H, problem.g, problem.C, problem.d);

@@ -110,7 +110,7 @@ TEST(Inverse, LeavesThePsmNearestToAGoalThatALimitForbids) {
   }
 }
 
-TEST(Inverse, TellsAGoalThatNoJointsReachFromOneThatALimitForbids) {
+TEST(Inverse, TellsUnreachableFromForbiddenGoals) {
   const auto chain = mtmLeft();
   const Chain<7>::Joints start = Chain<7>::Joints::Constant(0.1);
   Eigen::Isometry3d goal = chain.forward(start);

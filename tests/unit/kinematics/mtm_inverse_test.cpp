@@ -40,7 +40,7 @@ TEST(MtmInverse, IsContinuousAlongAPath) {
 }
 
 // The axes of platform and roll are in line, so that one of the two could turn for the other.
-TEST(MtmInverse, KeepsPlatformAndRollWhereTheirAxesAreInLine) {
+TEST(MtmInverse, KeepsPlatformAndRollWhenInLine) {
   const auto chain = mtmLeft();
   std::mt19937 random(31);
   for (int sample = 0; sample < 10'000; ++sample) {
@@ -54,7 +54,7 @@ TEST(MtmInverse, KeepsPlatformAndRollWhereTheirAxesAreInLine) {
   }
 }
 
-TEST(MtmInverse, KeepsTheYawWhereTheWristStandsOnItsAxis) {
+TEST(MtmInverse, KeepsTheYawAtItsSingularity) {
   const auto chain = mtmLeft();
   Mtm start = mtmHome();
   start[0] = 0.3;

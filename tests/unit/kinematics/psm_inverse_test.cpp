@@ -70,7 +70,7 @@ TEST(PsmInverse, TakesTheTurnOfTheRollNearestToItsStart) {
 }
 
 // There yaw, pitch, roll and wrist pitch have a motion that leaves the tool where it is.
-TEST(PsmInverse, KeepsTheShaftWhereTheWristIsInTheRemoteCentre) {
+TEST(PsmInverse, KeepsTheShaftAtTheRemoteCentre) {
   const auto chain = psm();
   std::mt19937 random(22);
   for (int sample = 0; sample < 10'000; ++sample) {
@@ -91,7 +91,7 @@ double insertionWithYawAxisThroughCentre(double wristPitch) {
   return kInCentre - kPsmWrist / std::cos(wristPitch);
 }
 
-TEST(PsmInverse, KeepsTheWristPitchWhereTheYawAxisLeadsThroughTheRemoteCentre) {
+TEST(PsmInverse, KeepsTheWristPitchAtTheRemoteCentre) {
   const auto chain = psm();
   std::mt19937 random(23);
   for (int sample = 0; sample < 10'000; ++sample) {

@@ -153,7 +153,7 @@ struct ClosedWall final : WallTask {
 
 /// A plain Cap'n Proto client sends as many as it likes. Calls for whose answers there is no memory
 /// are refused, and each gets an answer.
-TEST(LargeAnswers, AreOwedToAPlainClientOnlyWithinTheLimit) {
+TEST(LargeAnswers, APlainClientsCallsAreBounded) {
   constexpr unsigned kCalls = 16;
   const unsigned limit = suture::callLimitOf(suture::interfaceInfo<Gallery>()).calls;
   const suture::TemporaryDirectory directory;

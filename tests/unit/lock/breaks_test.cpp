@@ -43,7 +43,7 @@ class BreakTest : public testing::Test {
   const Locks before_ = read(update(model_, {}).files);
 };
 
-TEST_F(BreakTest, AnAcceptedBreakRaisesTheMajorOfWhatItReaches) {
+TEST_F(BreakTest, AnAcceptedBreakRaisesTheMajorVersion) {
   EXPECT_EQ(majorOf(before_, "robots::Arm"), 1u);
   speed().unit = "mm/s";
   const Locks once = accept(before_);
@@ -70,7 +70,7 @@ TEST_F(BreakTest, AMajorStaysAndNothingElseRaisesIt) {
   EXPECT_EQ(majorOf(accept(once), "robots::Arm"), 2u);
 }
 
-TEST_F(BreakTest, ContractsThatDoNotReachTheBreakKeepTheirMajor) {
+TEST_F(BreakTest, OtherContractsKeepTheirMajorVersion) {
   model::Interface other = sample::armHeader(model_).interfaces[0];
   other.name = "robots::Other";
   other.wireName = "Other";

@@ -135,7 +135,7 @@ TEST_F(CompositesTest, TwoUsesShareOneStruct) {
             1);
 }
 
-TEST_F(CompositesTest, WhatIsInsideIsGuarded) {
+TEST_F(CompositesTest, ThePartsAreGuarded) {
   const Locks old = locks();
   EXPECT_TRUE(slugs(old).empty());
   last() = of(Shape::Optional, {sample::scalar(Scalar::Float32)});

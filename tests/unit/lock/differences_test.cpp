@@ -98,7 +98,7 @@ TEST(Differences, ARenamedParameterIsGoneAndNew) {
                                       "parameter 'target' of 'move' of interface Arm is new"}));
 }
 
-TEST(Differences, WhatFollowsARemovedParameterIsNotToldOf) {
+TEST(Differences, OnlyTheRemovedParameterIsTold) {
   const std::string old = "interface Arm @0x8000000000000004 { move @0 (a :Bool, b :Bool) -> (); }";
   const std::string now = "interface Arm @0x8000000000000004 { move @0 (b :Bool) -> (); }";
   EXPECT_EQ(textsOf(old, now),

@@ -162,7 +162,7 @@ TEST_F(LockTest, TypeChangeIsRefusedAndNamesTheLine) {
   EXPECT_EQ(slugs(update(model_, before_).diagnostics), Slugs{"lock-break"});
 }
 
-TEST_F(LockTest, WhatCapnpCannotSayIsGuardedToo) {
+TEST_F(LockTest, MeaningsBeyondCapnpAreGuardedToo) {
   field("speed").unit = "mm/s";
   field("period").type.periodDenominator = 1'000'000;
   field("when").type.clock = model::Clock::System;

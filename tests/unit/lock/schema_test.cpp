@@ -38,7 +38,7 @@ void compile(model::Model model) {
 
 TEST(Schema, CapnpCompilesEveryLock) { compile(sample::robots()); }
 
-TEST(Schema, HeadersMayBeCalledWhatIsNoNameForCapnp) {
+TEST(Schema, HeadersMayHaveNamesThatCapnpRefuses) {
   constexpr char kOld[] = "robots/geometry.h", kNew[] = "my-robots.v2/3d-geometry.h";
   model::Model model = sample::robots();
   for (model::Header& header : model.headers) {

@@ -41,7 +41,7 @@ TEST(ClockOffset, IsKnownWorseAsTimeGoesBy) {
   EXPECT_EQ(clock.error(compared + 10s), 1100us);
 }
 
-TEST(ClockOffset, ASlowQuestionTellsMoreThanOneOfLongAgo) {
+TEST(ClockOffset, ASlowAnswerBeatsAnOldOne) {
   ClockOffset clock;
   ask(clock, 100us, 0ms, 100us);
   const auto askAgain = [&](Time asked) {

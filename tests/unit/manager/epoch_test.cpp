@@ -192,7 +192,7 @@ TEST_F(Epochs, ALaterConnectionEndsTheOneBefore) {
 }
 
 // Lanes may take their time to get ready, so both are under way.
-TEST_F(Epochs, OfTwoThatAreMadeAtOnceTheLaterStands) {
+TEST_F(Epochs, TheLaterOfTwoConnectionsStands) {
   for (const auto& [first, second] : {std::pair(5, 6), std::pair(8, 7)}) {
     Caller caller(provider_, "a");
     caller.connectTwice(first, second);
@@ -219,14 +219,14 @@ TEST_F(Epochs, OneOfAnotherProtocolIsRefused) {
   EXPECT_EQ(caller.hello(wire::PROTOCOL_VERSION), "");
 }
 
-TEST_F(Epochs, OfDifferentClocksAreNotCompared) {
+TEST_F(Epochs, DifferentClocksAreNotCompared) {
   Caller first(provider_, "a"), second(provider_, "b");
   EXPECT_EQ(first.connect(6), "");
   EXPECT_EQ(second.connect(5), "") << "its machine has been started again";
   EXPECT_EQ(standing(), 1u);
 }
 
-TEST_F(Epochs, WhatHasEndedIsForgotten) {
+TEST_F(Epochs, AnEndedConnectionIsForgotten) {
   {
     Caller first(provider_, "a");
     EXPECT_EQ(first.connect(6), "");
@@ -236,7 +236,7 @@ TEST_F(Epochs, WhatHasEndedIsForgotten) {
   EXPECT_EQ(second.connect(5), "");
 }
 
-TEST_F(Epochs, AnAttemptThatIsDeclinedLeavesTheSumsOfOthersAlone) {
+TEST_F(Epochs, ADeclinedAttemptChangesNoSums) {
   std::shared_ptr<Ledger> sums;
   {
     Caller first(provider_, "a", 1);
@@ -250,7 +250,7 @@ TEST_F(Epochs, AnAttemptThatIsDeclinedLeavesTheSumsOfOthersAlone) {
   EXPECT_EQ(there_.channels().back()->terms.ledger, sums);
 }
 
-TEST_F(Epochs, OneThatIsAcceptedTakesThePlaceOfTheSumsBefore) {
+TEST_F(Epochs, AnAcceptedConnectionReplacesTheSums) {
   std::shared_ptr<Ledger> sums;
   {
     Caller first(provider_, "a", 1);
@@ -263,7 +263,7 @@ TEST_F(Epochs, OneThatIsAcceptedTakesThePlaceOfTheSumsBefore) {
   EXPECT_NE(there_.channels().back()->terms.ledger, sums);
 }
 
-TEST_F(Epochs, WhoTellsNoneNeitherEndsNorIsEnded) {
+TEST_F(Epochs, WithoutAnEpochAConnectionEndsNoOther) {
   Caller first(provider_, "a"), second(provider_, "a");
   EXPECT_EQ(first.connect(0), "");
   EXPECT_EQ(second.connect(0), "");

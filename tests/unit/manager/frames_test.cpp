@@ -55,7 +55,7 @@ class RemoteFrames : public testing::TestWithParam<Lane> {
 INSTANTIATE_TEST_SUITE_P(Lanes, RemoteFrames, testing::Values(Lane::Shm, Lane::Frame, Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(RemoteFrames, ThatDifferAreNotConnected) {
+TEST_P(RemoteFrames, DifferentFramesAreNotConnected) {
   begin({"PSM1_base", "PSM1_tip"});
   testing::internal::CaptureStderr();
   const std::string text = refusal([&] { connect(); });
@@ -69,14 +69,14 @@ TEST_P(RemoteFrames, ThatDifferAreNotConnected) {
   stop();
 }
 
-TEST_P(RemoteFrames, ThatAreTheSameOrNotDeclaredAreConnected) {
+TEST_P(RemoteFrames, EqualOrUndeclaredFramesAreConnected) {
   begin({"PSM2_base", ""});
   connect();
   EXPECT_EQ(processes_.here.channels().size(), 1u);
   stop();
 }
 
-TEST(LocalFrames, ThatDifferAreNotConnectedWithADelayEither) {
+TEST(LocalFrames, ADelayDoesNotConnectDifferentFrames) {
   FramedArm arm({"PSM1_base", ""});
   FramedClient client;
   Manager manager("here");

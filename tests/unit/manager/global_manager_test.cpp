@@ -168,7 +168,7 @@ TEST_P(GlobalManagerTest, ResolvingWaitsNoLongerThanAsked) {
   EXPECT_TRUE(contains(error, "has waited 30 ms")) << error;
 }
 
-TEST_P(GlobalManagerTest, SoManyMayWaitAndNoMore) {
+TEST_P(GlobalManagerTest, WaitersAreBounded) {
   auto peer = enrolled("left");
   testing::internal::CaptureStderr();
   const std::string answer = peer->resolveBehind(NameService::kMostWaiting);

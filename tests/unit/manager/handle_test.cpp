@@ -83,7 +83,7 @@ class Handles : public testing::TestWithParam<bool> {
   std::unique_ptr<Manager> provider_;
 };
 
-TEST_P(Handles, OffersWhatARequiredInterfaceDoes) {
+TEST_P(Handles, OfferAllOfARequiredInterface) {
   Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
   TestThread([&] {
     std::vector<Mode> modes;
@@ -132,7 +132,7 @@ TEST_P(Handles, AnyNumberOfThemInAnyNumberOfThreads) {
   EXPECT_EQ(psm.holds, 200);
 }
 
-TEST_P(Handles, WhatCannotBeConnectedSaysWhy) {
+TEST_P(Handles, AFailedConnectionSaysWhy) {
   Handle<ArmLike> handle(*manager, "Gui/Arm", arm());
   EXPECT_NE(handleRefusal(*manager, "Gui/Arm", arm()).find("already connected"), std::string::npos);
   EXPECT_NE(handleRefusal(*manager, "Gui/Other", arm("Nobody")).find("Nobody"), std::string::npos);

@@ -119,7 +119,7 @@ TEST_F(HeartbeatTest, ATaskThatStopsMovingLaterHangs) {
   EXPECT_TRUE(whyLost({0ms, 0ms, 0ms, 3s}).starts_with("hung: the thread of 'Arm'"));
 }
 
-TEST_F(HeartbeatTest, APeerThatNeverAnswersIsLostWhenTheBoundHasPassed) {
+TEST_F(HeartbeatTest, AMutePeerIsLostAfterTheBound) {
   answers_.silentAfter = 0;
   const Time begun = now();
   EXPECT_TRUE(whyLost({}).starts_with("silent: its process has not answered for 5000 ms"));
@@ -140,7 +140,7 @@ TEST_F(HeartbeatTest, APeerThatGoesOnAnsweringIsNeverLost) {
 }
 
 // It answers before its tasks have had a turn.
-TEST_F(HeartbeatTest, AProcessThatWasStoppedAsAWholeIsWellAgain) {
+TEST_F(HeartbeatTest, AStoppedProcessIsWellAgain) {
   EXPECT_EQ(firstOf({3s, 0ms}), "well");
   EXPECT_EQ(answers_.asked, 2u);
 }
@@ -160,7 +160,7 @@ TEST_F(HeartbeatTest, EachWatchJudgesBySilenceOfItsOwn) {
 }
 
 // A connection that is taken down must not delay the loss of the others.
-TEST_F(HeartbeatTest, IsSilentAsSoonAsNoWatchBearsItAnyMore) {
+TEST_F(HeartbeatTest, IsSilentOnceNoWatchBearsIt) {
   answers_.silentAfter = 1;
   Watched strict(heartbeat_, "Arm", {.silence = 200ms, .hang = 5s});
   strict.whenLost().wait(port_.scope());
@@ -199,7 +199,7 @@ TEST_F(HeartbeatTest, AWatchThatBeginsLaterCountsFromThen) {
 
 // ---- a peer that is gone
 
-TEST_F(HeartbeatTest, APeerThatIsGoneIsToldToAllWatchesAndToLaterOnes) {
+TEST_F(HeartbeatTest, AllWatchesHearThatAPeerIsGone) {
   Watched other(heartbeat_, "Camera", kBounds);
   heartbeat_.end("closed");
   heartbeat_.end("closed again");

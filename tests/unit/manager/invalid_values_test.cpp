@@ -133,7 +133,7 @@ class InvalidAnswers : public InvalidEvents {
   ArmClient client_;
 };
 
-TEST_F(InvalidAnswers, OfAReadAreNone) {
+TEST_F(InvalidAnswers, AReadGetsNoInvalidAnswer) {
   EXPECT_EQ(client_.arm.measured_cp().error(), Errc::NotYet);  // which asks for it
   publish(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(client_.arm.measured_cp().error(), Errc::Invalid);
@@ -143,7 +143,7 @@ TEST_F(InvalidAnswers, OfAReadAreNone) {
   EXPECT_TRUE(client_.arm.measured_cp().hasValue());
 }
 
-TEST_F(InvalidAnswers, OfACallAreNone) {
+TEST_F(InvalidAnswers, ACallGetsNoInvalidAnswer) {
   reference::PoseStamped to;
   auto call = client_.arm.distance.start(to);
   ASSERT_TRUE(eventually([&] { return call.poll() != nullptr; }));

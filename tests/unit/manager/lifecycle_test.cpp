@@ -260,7 +260,7 @@ TEST(LifecycleInterface, TellsAndLeadsAcrossProcesses) {
   watchesAndLeads(watcher, worker);
 }
 
-TEST(LifecycleInterface, AnswersWhoAsksASuspendedComponentForTheFirstTime) {
+TEST(LifecycleInterface, AnswersAFirstQuestionWhileSuspended) {
   Worker worker;
   Watcher watcher;
   Manager manager("here");

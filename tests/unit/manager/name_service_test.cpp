@@ -67,7 +67,7 @@ TEST(NameService, AnotherProtocolIsRefused) {
   EXPECT_EQ(service.refusalOf(wire::PROTOCOL_VERSION), "");
 }
 
-TEST(NameService, WhoWaitsForASilentProcessHearsWhenItIsBack) {
+TEST(NameService, AWaiterHearsThatASilentProcessIsBack) {
   Service service;
   auto lease = service.enrol("left");
   ASSERT_TRUE(service.renew(lease));
@@ -81,7 +81,7 @@ TEST(NameService, WhoWaitsForASilentProcessHearsWhenItIsBack) {
   EXPECT_TRUE(found.wait(service.scope()).isFound());
 }
 
-TEST(NameService, WhoWasSilentHearsThatItsNameIsGone) {
+TEST(NameService, ASilentProcessHearsThatItsNameIsGone) {
   Service service;
   auto lease = service.enrol("left");
   ASSERT_TRUE(service.renew(lease));

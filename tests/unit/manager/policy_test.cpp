@@ -13,14 +13,14 @@ PeerIdentity user(uid_t number) { return {Proof::User, number, ""}; }
 const PeerIdentity kPlain{};
 const Endpoint kArm{"robot", "PSM", "Arm"};
 
-TEST(Policy, WithoutRulesWhoeverGetsALinkMayDoEverything) {
+TEST(Policy, WithoutRulesAnyPeerMayDoEverything) {
   for (const PeerIdentity& peer : {process("console"), user(1000), kPlain}) {
     EXPECT_TRUE(Policy().admits(peer)) << peer.text();
     EXPECT_EQ(Policy().access(peer, kArm), Access::Full) << peer.text();
   }
 }
 
-TEST(Policy, WithRulesWhoHasNoneMayDoNothing) {
+TEST(Policy, APeerWithoutARuleMayDoNothing) {
   const Policy policy(std::vector<Rule>{});
   for (const PeerIdentity& peer : {process("console"), user(0), user(geteuid()), kPlain}) {
     EXPECT_FALSE(policy.admits(peer)) << peer.text();

@@ -155,7 +155,7 @@ TEST(Reconnect, CallsUnderWayEnd) {
   here.arm.busy = false;
 }
 
-TEST(Reconnect, WhatIsNotConnectedCannotBeDisconnected) {
+TEST(Reconnect, AMissingConnectionCannotBeTakenDown) {
   Client client;
   Manager manager("here");
   manager.add("Teleop", client);
@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, StartedAgain,
                            return std::string(row.param ? toString(*row.param) : "local");
                          });
 
-TEST_P(StartedAgain, AComponentIsLostToItsClientsUntilTheyAreConnectedAnew) {
+TEST_P(StartedAgain, ClientsLoseItUntilTheyReconnect) {
   ArmTask arm;
   Client client;
   TwoProcesses processes;
@@ -355,7 +355,7 @@ TEST(Reconnect, ADeviceResumesWhenItUsesTheConnectionNext) {
   EXPECT_TRUE(client.slave.hold());
 }
 
-TEST(Reconnect, WhoHasResumedADeviceHasNotSeenALaterLoss) {
+TEST(Reconnect, AResumeDoesNotCoverALaterLoss) {
   const TemporaryDirectory directory;
   rpc::ControlThread control;
   const GlobalManager global(control, "unix:" + directory.file("m.sock"));

@@ -20,7 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(RefusalsTest, TheSameIsToldOnceAMinuteAndCountedEachTime) {
+TEST(RefusalsTest, ARepeatedRefusalIsToldOnceAMinute) {
   rpc::Refusals refusals("left");
   testing::internal::CaptureStderr();
   for (int i = 0; i < 3; ++i) refusals.add("user 7", "talk to it: no");
@@ -42,7 +42,7 @@ TEST(RefusalsTest, APeerThatInventsReasonsFillsNoLog) {
   EXPECT_EQ(refusals.summary().count, 1000u);
 }
 
-TEST(RefusalsTest, WhatAPeerCallsItselfSteersNoTerminalAndFillsNoLog) {
+TEST(RefusalsTest, APeersNameIsMadeHarmless) {
   rpc::Refusals refusals("left");
   testing::internal::CaptureStderr();
   refusals.add("process '\x1b[2J\nright: refused nobody'", "talk to it: no");
@@ -66,7 +66,7 @@ struct GripperClient final : EventTask {
   Required<reference::GripperArm> slave{*this, "Slave"};
 };
 
-TEST(RefusalsTest, WhatTheClientIsToldTheProviderTellsToo) {
+TEST(RefusalsTest, TheProviderTellsWhatItsClientHears) {
   RefusingArm arm;
   GripperClient client;
   TwoProcesses processes;
@@ -111,7 +111,7 @@ std::string whyNotExplained(const std::string& address) {
   });
 }
 
-TEST(RefusalsTest, WhoOnlyLooksForWhatIsNotThereIsToldOfToo) {
+TEST(RefusalsTest, AFailedLookUpIsToldToo) {
   RefusingArm arm;
   TwoProcesses processes;
   processes.there.add("PSM", arm);

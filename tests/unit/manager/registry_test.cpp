@@ -39,7 +39,7 @@ TEST(Registry, ATakenNameIsRefusedAndTheHolderNamed) {
   EXPECT_EQ(registry.find("left")->pid, 4711);
 }
 
-TEST(Registry, ALateRemovalDoesNotTakeTheNameFromItsNextHolder) {
+TEST(Registry, ALateRemovalKeepsTheNextHolder) {
   Registry registry;
   const auto first = registry.add(recordOf("left"), link());
   registry.remove("left", *first);
@@ -56,7 +56,7 @@ void ageBeyondLeases(Registry& registry) {
   for (int i = 0; i <= wire::MISSABLE_RENEWALS; ++i) registry.age();
 }
 
-TEST(Registry, WhoMissesTooManyRenewalsIsSilentUntilTheNext) {
+TEST(Registry, AProcessThatMissesRenewalsIsSilent) {
   Registry registry;
   const auto generation = registry.add(recordOf("left", 4711), link());
   ASSERT_TRUE(registry.renew("left", *generation));
@@ -72,7 +72,7 @@ TEST(Registry, WhoMissesTooManyRenewalsIsSilentUntilTheNext) {
   EXPECT_FALSE(registry.list().processes.at(0).silent);
 }
 
-TEST(Registry, WhoIsStoppedBeforeItsFirstRenewalIsSilentToo) {
+TEST(Registry, AProcessThatNeverRenewsIsSilent) {
   Registry registry;
   ASSERT_TRUE(registry.add(recordOf("left", 4711), link()));
   ageBeyondLeases(registry);
@@ -80,7 +80,7 @@ TEST(Registry, WhoIsStoppedBeforeItsFirstRenewalIsSilentToo) {
   EXPECT_TRUE(registry.add(recordOf("left", 4712), link()));
 }
 
-TEST(Registry, TheNameOfASilentProcessGoesToWhoAsksForIt) {
+TEST(Registry, ASilentProcessLosesItsNameToAnother) {
   Registry registry;
   const auto first = registry.add(recordOf("left", 4711), link());
   ASSERT_TRUE(registry.renew("left", *first));
@@ -128,7 +128,7 @@ void expectLimit(const tl::expected<std::uint64_t, Refusal>& added, const std::s
   EXPECT_NE(added.error().text.find(named), std::string::npos) << added.error().text;
 }
 
-TEST(Registry, ARecordIsBoundedWhenItIsAddedAndWhenItIsReplaced) {
+TEST(Registry, ARecordIsBounded) {
   Registry registry;
   expectLimit(registry.add(recordOfSize("left", (1u << 20) + 2000), link()), "1048576 bytes");
   const auto generation = registry.add(recordOf("left"), link());
@@ -140,7 +140,7 @@ TEST(Registry, ARecordIsBoundedWhenItIsAddedAndWhenItIsReplaced) {
   EXPECT_TRUE(registry.update("left", *generation, recordOfSize("left", 1u << 20).components));
 }
 
-TEST(Registry, ALinkIsBoundedInNamesAndInBytesAndIsGivenBackWhatItFrees) {
+TEST(Registry, ALinksNamesAndBytesAreBounded) {
   Registry registry;
   const auto holding = link();
   for (std::size_t i = 0; i < Registry::kMostNamesOfALink; ++i) {

@@ -37,7 +37,7 @@ class Program final : public Child {
 class SutureManagerTest : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Signals, SutureManagerTest, testing::Values(SIGINT, SIGTERM));
 
-TEST_P(SutureManagerTest, SaysWhereItIsReadyAndEndsCleanlyOnASignal) {
+TEST_P(SutureManagerTest, StartsAndEndsCleanlyOnASignal) {
   const TemporaryDirectory directory;
   const std::string address = "unix:" + directory.file("new/manager.sock");
   Program program(address);
@@ -96,7 +96,7 @@ TEST(SutureManager, TlsWithoutKeysIsRefused) {
   EXPECT_EQ(program.end(0), 1);
 }
 
-TEST(SutureManager, PlainTcpToTheOutsideHasToBeAskedFor) {
+TEST(SutureManager, PlainTcpHasToBeAskedFor) {
   Program program("tcp://0.0.0.0:0?insecure");
   const std::string line = program.line();
   EXPECT_TRUE(line.starts_with("suture-manager: ready on tcp://0.0.0.0:")) << line;

@@ -105,7 +105,7 @@ TEST(Report, AConnectionWithoutAContractHasNone) {
   EXPECT_FALSE(suture::reportFromJson(json).connections[0].contract);
 }
 
-TEST(Report, DroppedIsWhatWasNeitherExecutedNorLateNorReplaced) {
+TEST(Report, DroppedIsNotExecutedLateOrReplaced) {
   EXPECT_EQ(sample().connections[0].dropped(), 5u + 6 + 8 + 60);
 }
 

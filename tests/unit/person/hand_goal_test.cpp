@@ -32,7 +32,7 @@ TEST(HandGoal, DoesNotRunAwayFromAnArmThatDoesNotCome) {
 }
 
 // This lets an arm at a limit slide along it.
-TEST(HandGoal, TurnsAsideWhereItLeadsAsFarAsItMay) {
+TEST(HandGoal, TurnsAsideAtItsLongestLead) {
   Isometry3d goal = Isometry3d::Identity();
   goal.translation().z() = kFurthestLead;
   const HandInput input{

@@ -73,7 +73,7 @@ TEST_F(KeyMotionTest, StopsAtOnceAtASpace) {
   EXPECT_TRUE(at(20ms).isAtRest());
 }
 
-TEST_F(KeyMotionTest, OpensAndClosesTheGripperOnceSomebodySaysSo) {
+TEST_F(KeyMotionTest, OpensAndClosesTheGripperOnAKey) {
   EXPECT_FALSE(at(0ms).opening);
   press("c");
   EXPECT_EQ(at(1s).opening, 0);

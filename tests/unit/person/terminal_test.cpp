@@ -14,7 +14,7 @@ namespace {
 
 std::string text(std::span<const char> keys) { return {keys.begin(), keys.end()}; }
 
-TEST(Terminal, HandsOverKeysOneByOneAndIsThenAsBefore) {
+TEST(Terminal, HandsOverSingleKeysAndIsRestored) {
   const PseudoTerminal pty;
   {
     Terminal terminal(pty.path());

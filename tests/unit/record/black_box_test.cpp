@@ -129,7 +129,7 @@ TEST_F(Boxed, EveryFaultHasAFileOfItsOwn) {
   EXPECT_TRUE(std::filesystem::exists(directory_.file("PSM.2.jsonl")));
 }
 
-TEST_F(Boxed, FaultsBetweenTwoLooksShareAFileThatSaysSo) {
+TEST_F(Boxed, FaultsBetweenTwoLooksShareAFile) {
   arm_.restartAfterFaults({.most = 2, .per = 24h});
   begin(directory_.file(""), 10s, 1h);
   arm_.broken = 3;

@@ -66,7 +66,7 @@ class Collectors : public testing::TestWithParam<Lane> {
   Required<Collecting>& log = operator_.log;
 };
 
-TEST_P(Collectors, OfStateAreSwitchedPacedAndAsked) {
+TEST_P(Collectors, StateCollectorsAreSwitchedPacedAndAsked) {
   const auto sink = std::make_shared<CountingSink>();
   StateCollector collector(interfaceInfo<ArmLike>(), {.collecting = false}, sink);
   begin(collector, "PSM/Arm");
@@ -95,7 +95,7 @@ TEST_P(Collectors, OfStateAreSwitchedPacedAndAsked) {
   EXPECT_EQ(sink->lost, collector.counts().missed);
 }
 
-TEST_P(Collectors, OfEventsAreSwitchedAndAsked) {
+TEST_P(Collectors, EventCollectorsAreSwitchedAndAsked) {
   const auto sink = std::make_shared<CountingSink>();
   EventCollector collector(interfaceInfo<Lifecycle>(), {.collecting = false}, sink);
   Watcher watcher;

@@ -70,7 +70,7 @@ TEST(StateCollector, RefusesAContractWithAReadWithoutBounds) {
   EXPECT_THROW(StateCollector(contract, {.reads = {"measured_cp"}}, sink), SetupError);
 }
 
-TEST(JsonLines, AnEventOfSeveralValuesHasThemByNameAndOneOfNoneHasNone) {
+TEST(JsonLines, EventValuesAreNamed) {
   const TemporaryDirectory directory;
   const std::string file = directory.file("run.jsonl");
   JsonLines sink(file);
@@ -89,7 +89,7 @@ TEST(JsonLines, AnEventOfSeveralValuesHasThemByNameAndOneOfNoneHasNone) {
   EXPECT_EQ(lines.at(1), json({{"from", "Collector"}, {"event", "stopped"}, {"stamp", 2}}));
 }
 
-TEST(JsonLines, AReadDoesNotTakeTheNameOfTheLinesOwnKey) {
+TEST(JsonLines, AReadAvoidsTheLinesOwnKeys) {
   InterfaceInfo contract = interfaceInfo<robots::Arm>();
   std::vector<CommandInfo> commands(contract.commands.begin(), contract.commands.end());
   const auto read = static_cast<std::size_t>(robots::ArmCommand::measured_cp);

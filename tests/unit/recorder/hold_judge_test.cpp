@@ -42,7 +42,7 @@ TEST(HoldJudge, AcceptsAnArmThatHoldsSoonAndGoesOn) {
   EXPECT_TRUE(violations(judgement).empty());
 }
 
-TEST(HoldJudge, AcceptsAnArmWhoseRecorderWasCutOffToo) {
+TEST(HoldJudge, AcceptsACutOffRecorderToo) {
   std::vector<ArmRow> rows = armThatHolds(kBroken, kMended);
   std::erase_if(rows,
                 [](const ArmRow& row) { return row.stamp >= kBroken && row.stamp < kMended; });

@@ -142,7 +142,7 @@ TEST(Judge, SeesFiveMillisecondsOfUndeclaredLag) {
   EXPECT_FALSE(violations(fast).empty());
 }
 
-TEST(Judge, TellsByHowMuchALateSlaveIsOffAtEqualTimeAndWhy) {
+TEST(Judge, ExplainsTheErrorOfALateSlave) {
   double before = 0;
   for (const double delay : {0.0, 0.05, 0.2}) {
     const Judgement judgement = judged(makeRun({.delay = delay}));
@@ -156,7 +156,7 @@ TEST(Judge, TellsByHowMuchALateSlaveIsOffAtEqualTimeAndWhy) {
 }
 
 // The slave stands 5 mm off, without power, from 4 s to 5 s; then it follows again.
-TEST(Judge, AsksForNothingOfADisabledSlaveUntilFollowingBeginsAnew) {
+TEST(Judge, ADisabledSlaveIsNotJudged) {
   Recorded run = makeRun({});
   for (ArmRow& row : run.slave) {
     if (row.stamp < at(4) || row.stamp >= at(5)) continue;

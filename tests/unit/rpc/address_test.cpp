@@ -53,7 +53,7 @@ TEST(Address, EveryRefusalNamesTheAddressAndTheReason) {
   }
 }
 
-TEST(Address, APathTooLongForASocketIsAnErrorThatSaysSo) {
+TEST(Address, ATooLongSocketPathIsAnError) {
   const std::string error = errorOf("unix:/" + std::string(107, 'x'));
   EXPECT_NE(error.find("108 characters"), std::string::npos) << error;
   EXPECT_NE(error.find("107"), std::string::npos) << error;
@@ -78,13 +78,13 @@ TEST(Addresses, AreOneOrSeveral) {
   EXPECT_EQ(both[1].text(), "tls://10.0.0.2:7701");
 }
 
-TEST(Addresses, OfWhichOneIsNoneAreRefused) {
+TEST(Addresses, AListWithANonAddressIsRefused) {
   for (const std::string text : {"", ",", "unix:/a,", ",unix:/a", "unix:/a,/b"}) {
     EXPECT_NE(errorOfAll(text).find("begins with neither"), std::string::npos) << text;
   }
 }
 
-TEST(Addresses, OfSeveralKindsAreRefused) {
+TEST(Addresses, AListOfSeveralKindsIsRefused) {
   for (const std::string text :
        {"tls://10.0.0.1:7700,tcp://127.0.0.1:7700", "unix:/a,tls://[::1]:1",
         "tcp://127.0.0.1:1,tcp://10.0.0.1:1?insecure"}) {

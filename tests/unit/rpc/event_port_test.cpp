@@ -86,7 +86,7 @@ TEST(EventPort, DoesNotSleepOverARing) {
 }
 
 // This work has no end, since each turn finds more. Output and a socket must not wait for its end.
-TEST(EventPort, EndlessWorkStarvesNobody) {
+TEST(EventPort, EndlessWorkStarvesNoOther) {
   Port port;
   CountedOutput output;
   int ends[2];

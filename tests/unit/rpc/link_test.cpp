@@ -185,7 +185,7 @@ TEST_P(LinkTest, AHostilePeerIsCutOffAndOthersAreServed) {
   EXPECT_EQ(echo(client, 1).wait(port_.scope()), 1u);
 }
 
-TEST_P(LinkTest, APeerBeyondTheLimitHearsOfItAndThoseWithinAreServed) {
+TEST_P(LinkTest, APeerBeyondTheLimitIsTold) {
   serve();  // for two at a time
   auto first = connect();
   auto second = connect();
@@ -202,7 +202,7 @@ TEST_P(LinkTest, APeerBeyondTheLimitHearsOfItAndThoseWithinAreServed) {
   EXPECT_EQ(echo(fourth->bootstrap<Echo>(), 1).wait(port_.scope()), 1u);
 }
 
-TEST_P(LinkTest, BeyondThoseWhoHearOfTheLimitConnectionsAreClosed) {
+TEST_P(LinkTest, FurtherPeersBeyondTheLimitAreClosed) {
   serve();
   std::vector<kj::Own<Link>> links;
   for (int i = 0; i < 2 + 16; ++i) links.push_back(connect());
@@ -233,7 +233,7 @@ class NoMoreDescriptors {
   rlimit before_{};
 };
 
-TEST_P(LinkTest, WhoCannotBeAcceptedWaitsAndTheProcessSaysWhy) {
+TEST_P(LinkTest, APeerWithoutADescriptorWaits) {
 #if defined(SUTURE_ADDRESS_SANITIZER)
   GTEST_SKIP() << "UBSan itself takes a descriptor to look at an object";
 #endif
@@ -256,7 +256,7 @@ TEST_P(LinkTest, WhoCannotBeAcceptedWaitsAndTheProcessSaysWhy) {
 }
 
 // Of a process that has not said who it is, a link reads as much as a first message needs.
-TEST_P(LinkTest, AMessageIsBoundedUntilThePeerHasSaidWhoItIs) {
+TEST_P(LinkTest, AStrangersMessagesAreSmall) {
   knows_ = false;
   serve();
   auto stranger = connect();
@@ -311,7 +311,7 @@ TEST_P(LinkTest, AnAddressInUseIsRefused) {
   EXPECT_EQ(echo(link->bootstrap<Echo>(), 3).wait(port_.scope()), 3u);
 }
 
-TEST(Listener, APlainFileAtTheAddressIsToldApartFromASocket) {
+TEST(Listener, APlainFileAtTheAddressIsAnError) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("s");
   std::ofstream(path) << "somebody's notes";
@@ -328,7 +328,7 @@ TEST(Listener, APlainFileAtTheAddressIsToldApartFromASocket) {
   EXPECT_TRUE(std::ifstream(path).good()) << "the file was taken away";
 }
 
-TEST_P(LinkTest, NobodyListening) {
+TEST_P(LinkTest, NoListenerIsAnError) {
   serve();
   const Address address = server_->address();
   server_ = nullptr;
@@ -347,7 +347,7 @@ TEST_P(LinkTest, TheRealPortIsReported) {
 class UnixListenerTest : public LinkTest {};
 INSTANTIATE_TEST_SUITE_P(Sockets, UnixListenerTest, testing::Values("unix"));
 
-TEST_P(UnixListenerTest, TheSocketFileIsTheOwnersOnlyAndGoesWithTheListener) {
+TEST_P(UnixListenerTest, TheSocketFileIsPrivateAndRemoved) {
   serve();
   const std::string path = server_->address().path;
   struct stat status {};

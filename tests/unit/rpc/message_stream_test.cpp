@@ -238,7 +238,7 @@ TEST_F(MessageStreamTest, ALongMessageTakesNoMemoryBeforeItArrives) {
   EXPECT_LT(residentBytes(), before + (8u << 20));
 }
 
-TEST_F(MessageStreamTest, WhatHasComeOfAMessageCountsBeforeMoreComes) {
+TEST_F(MessageStreamTest, PartsOfAMessageCountAgainstTheBound) {
   openBounded(100'000);
   auto reading = read();  // it waits: from here on each read knows that the peer has not closed
   EXPECT_FALSE(reading.poll(port_.scope()));
@@ -272,7 +272,7 @@ TEST_F(MessageStreamTest, MessagesOfOneTurnLeaveTogether) {
   EXPECT_EQ(stream_->counters()->sentBytes, 3 * frame);
 }
 
-TEST_F(MessageStreamTest, WhatMayWaitLeavesWithTheNextMessageOrAfterAWhile) {
+TEST_F(MessageStreamTest, ADelayableMessageLeavesSoon) {
   open();
   capnp::MallocMessageBuilder waits, doesNot;
   waits.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(8);
@@ -308,7 +308,7 @@ TEST_F(MessageStreamTest, CountsReceivedBytes) {
   EXPECT_EQ(stream_->counters()->receivedBytes, blobFrame(100).size());
 }
 
-TEST_F(MessageStreamTest, APeerThatClosesBeforeItHasReadEndsBothDirections) {
+TEST_F(MessageStreamTest, AnEarlyCloseEndsBothDirections) {
   open();
   capnp::MallocMessageBuilder message;
   message.getRoot<capnp::AnyPointer>().initAs<capnp::Data>(2 << 20);
@@ -322,7 +322,7 @@ TEST_F(MessageStreamTest, APeerThatClosesBeforeItHasReadEndsBothDirections) {
   EXPECT_NE(nextFault(), "a message");
 }
 
-TEST_F(MessageStreamTest, APeerThatTakesNothingCostsSoMuchAndNoMore) {
+TEST_F(MessageStreamTest, AStuckPeersCostIsBounded) {
   open({.unsentBytes = 3u << 20});
   auto reading = bounded(read());
   capnp::MallocMessageBuilder message;

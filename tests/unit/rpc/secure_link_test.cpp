@@ -164,7 +164,7 @@ TEST_F(SecureLinkTest, ATlsClientAtAPlainPortIsToldSo) {
   EXPECT_TRUE(contains(fault, "it does not speak TLS")) << fault;
 }
 
-TEST_F(SecureLinkTest, GarbageAtATlsPortIsCutOffAndOthersAreServed) {
+TEST_F(SecureLinkTest, GarbageAtATlsPortHurtsNoOther) {
   serveTls();
   auto link = connect(trustOf("client"));
   const std::string garbage[] = {std::string(64, '\xff'), std::string(64, '\0'),
@@ -191,7 +191,7 @@ TEST_F(SecureLinkTest, HalfAHandshakeHeldOpenEndsAtTheDeadline) {
   EXPECT_EQ(echoed(*connect(trustOf("client")), 1), 1u) << "their places are free again";
 }
 
-TEST_F(SecureLinkTest, WhoSaysNothingAfterTheHandshakeIsClosed) {
+TEST_F(SecureLinkTest, ASilentPeerIsClosedAfterTheHandshake) {
   knows_ = false;
   serveTls();
   auto link = connect(trustOf("client"));
@@ -202,7 +202,7 @@ TEST_F(SecureLinkTest, WhoSaysNothingAfterTheHandshakeIsClosed) {
   EXPECT_NE(callFault(*link), "answered");
 }
 
-TEST_F(SecureLinkTest, WhoIsKnownStays) {
+TEST_F(SecureLinkTest, AKnownPeerStays) {
   serve(unixAddress(), {});
   auto link = connect({});
   EXPECT_EQ(echoed(*link, 1), 1u);

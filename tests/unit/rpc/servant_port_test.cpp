@@ -57,7 +57,7 @@ Errc outcomeOf(const End& end) {
   });
 }
 
-TEST(ServantPort, ACallThatIsBeingExecutedAtTheEndIsOfUnknownOutcome) {
+TEST(ServantPort, ARunningCallHasAnUnknownOutcome) {
   for (const ChannelStatus status : {ChannelStatus::Lost, ChannelStatus::Lapsed}) {
     EXPECT_EQ(
         outcomeOf([status](Provider& provider, std::uint32_t) { provider.channel->tell(status); }),
@@ -86,7 +86,7 @@ TEST(ServantPort, AFaultIsTold) {
 }
 
 // Each ring wakes a sleeping task, which would take the calls of a burst one by one.
-TEST(ServantPort, RingsForTheFirstCallAndOnceForTheOthersThatComeTogether) {
+TEST(ServantPort, RingsOnceForABurst) {
   ControlThread control;
   control.run(kPatience, [&control] {
     auto provider = kj::heap<Provider>(control);

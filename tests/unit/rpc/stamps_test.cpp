@@ -88,7 +88,7 @@ class CallStamps : public testing::Test {
   }
 };
 
-TEST_F(CallStamps, OfEventsAreTheClients) {
+TEST_F(CallStamps, EventStampsAreOfTheClientsClock) {
   const Time emitted = now() + 1s;
   EXPECT_EQ(heard(emitted), emitted - 7s);
   EXPECT_EQ(heard(emitted + 1ms), emitted + 1ms - 7s);

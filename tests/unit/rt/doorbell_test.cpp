@@ -35,7 +35,7 @@ std::shared_ptr<MemoryBlock> wordOfABell() {
 }
 
 // It may be asleep already, in the way of those that only its own process rings.
-TEST(Doorbell, OneThatIsSharedWhileItsOwnerSleepsIsRungFromElsewhere) {
+TEST(Doorbell, SharingItWhileTheOwnerSleepsWorks) {
   for (int round = 0; round < 200; ++round) {
     Doorbell bell(wordOfABell(), Doorbell::Sleeper::Here);
     AwaitsTwoRings sleeper(bell);

@@ -72,7 +72,7 @@ TEST(DueBells, OneThatIsAddedForTwoThingsIsRungForBoth) {
   EXPECT_EQ(other.takeRing(), RungFor::Arrival);
 }
 
-TEST(DueBells, WhatHasBeenTakenIsNotRungFor) {
+TEST(DueBells, TakenWorkIsNotRungFor) {
   SharedFlag untaken, other;
   untaken.raise();
   Sleeper sleeper;

@@ -59,7 +59,7 @@ TEST_P(FullEventQueue, KeepsTheLastValueOfALatchedEvent) {
 }
 
 // There is room in the ring again, but what was kept is older.
-TEST_P(FullEventQueue, LetsNoLaterValueGoAheadOfTheOneThatItKeeps) {
+TEST_P(FullEventQueue, KeepsTheOrderOfTheValuesItHolds) {
   EXPECT_TRUE(push(kLatched, 1));
   ASSERT_NE(queue.next(), nullptr);
   queue.pop();

@@ -50,7 +50,7 @@ TEST(ForeignSpscRing, AFrontIsACopy) {
   ring.consumer->pop();
 }
 
-TEST(ForeignSpscRing, AProducerBelievesNobodysPositionsButItsOwn) {
+TEST(ForeignSpscRing, AProducerTrustsOnlyItsOwnPositions) {
   Shared<SpscRing> ring(std::size_t{100}, std::size_t{8});
   put(*ring.producer, 1);
   std::ranges::fill(ring.bytes().first(128), std::byte{0xee});  // both positions

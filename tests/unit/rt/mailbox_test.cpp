@@ -72,7 +72,7 @@ TEST(Mailbox, HoldThenServoEndsInServo) {
   EXPECT_EQ(drain(mailbox), (std::vector<Executed>{{kHold, 0}, {kServoCp, 1}}));
 }
 
-TEST(Mailbox, TwoNewestWinsCommandsRunInTheOrderOfTheirLastSending) {
+TEST(Mailbox, NewestWinsCommandsRunInTheirLastOrder) {
   Mailbox mailbox(kCommands);
   send(mailbox, kServoCp, 1);
   send(mailbox, kServoJp, 2);
@@ -85,7 +85,7 @@ TEST(Mailbox, TwoNewestWinsCommandsRunInTheOrderOfTheirLastSending) {
 }
 
 // The producer sends again while the drain is under way: what comes after the cut waits.
-TEST(Mailbox, WhatComesAfterTheCutWaitsForTheNextDrain) {
+TEST(Mailbox, CommandsAfterTheCutWaitForTheNextDrain) {
   Mailbox mailbox(kCommands);
   send(mailbox, kServoCp, 1);
   send(mailbox, kHold);
@@ -126,7 +126,7 @@ TEST(Mailbox, ACreditComesBackOnlyWhenItIsReturned) {
   EXPECT_TRUE(send(mailbox, kHold));
 }
 
-TEST(Mailbox, AnAbandonedClaimTakesNeitherCreditNorSequence) {
+TEST(Mailbox, AnAbandonedClaimCostsNothing) {
   Mailbox mailbox(kCommands);
   for (int i = 0; i < 100; ++i) ASSERT_TRUE(mailbox.claim(kHold, now(), 0));
   EXPECT_FALSE(mailbox.pending());

@@ -45,7 +45,7 @@ TEST(MemoryBlock, OthersMayOnlyReadWhereItSaysSo) {
   EXPECT_EQ(other->data()[0], std::byte{1});
 }
 
-TEST(MemoryBlock, OfAnotherProcessMustBeSealedAndLargeEnough) {
+TEST(MemoryBlock, AForeignBlockMustBeSealedAndLarge) {
   const MemoryBlock small("test", 4096);
   EXPECT_THROW(MemoryBlock::open(small.descriptor(), 4097, MemoryBlock::Others::Read), SetupError);
   const int loose = memfd_create("test", MFD_ALLOW_SEALING);

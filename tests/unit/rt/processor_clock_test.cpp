@@ -19,7 +19,7 @@ void workFor(Duration share) {
   while (std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec) < share);
 }
 
-TEST(ProcessorClock, CountsForItsThreadAndKeepsTheCountOfThoseThatHaveEnded) {
+TEST(ProcessorClock, KeepsTheCountOfEndedThreads) {
   ProcessorClock clock;
   EXPECT_EQ(clock.used(), 0ns);
   Doorbell worked, seen;

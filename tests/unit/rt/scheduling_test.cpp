@@ -53,7 +53,7 @@ TEST(Scheduling, AProcessorThatIsNotThereIsRefused) {
   inThread([] { EXPECT_THROW(configureThisThread("far", {.processor = 1000}), SetupError); });
 }
 
-TEST(Scheduling, WhatIsRefusedOfAWishLeavesTheRest) {
+TEST(Scheduling, ARefusedWishLeavesTheOthers) {
   const Granted granted = grantedOf("far", {.processor = 1000});
   EXPECT_EQ(granted.scheduling, Scheduling{});
   ASSERT_EQ(granted.refusals.size(), 1u);

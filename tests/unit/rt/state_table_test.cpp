@@ -45,7 +45,7 @@ TEST(StateTable, SeveralColumnsAreAskedForTogether) {
   EXPECT_EQ(table.demand(), 0b011u);
 }
 
-TEST(StateTable, AValueWhoseSizeIsNoMultipleOfAWordKeepsItsNeighbours) {
+TEST(StateTable, OddSizesLeaveTheirNeighbours) {
   StateTable table(kSizes);
   const std::uint32_t value = 0xdeadbeef;
   std::memcpy(table.draft(1), &value, sizeof(value));
@@ -82,7 +82,7 @@ TEST(StateTable, FindsTheRowAtOrBeforeATime) {
   EXPECT_EQ(valueAt(table, 1000).value(), 50u);
 }
 
-TEST(StateTable, TellsWhatWasNotYetFromWhatIsNoMore) {
+TEST(StateTable, TellsNotYetFromNoMore) {
   StateTable table(kSizes, 4);
   EXPECT_EQ(valueAt(table, 5).error(), Errc::NotYet);
   for (std::uint32_t stamp = 10; stamp <= 40; stamp += 10) publish(table, stamp);
@@ -134,7 +134,7 @@ TEST(StateTable, PublishesValuesThatLieElsewhere) {
   EXPECT_EQ(read, second);
 }
 
-TEST(StateTable, StoresAheadOfARowThatNobodySeesYet) {
+TEST(StateTable, StoresAheadOfAnUnseenRow) {
   StateTable table(kSizes, 2);
   std::array<std::byte, 120> value, slot;
   for (const unsigned char one : {5, 6, 7}) {

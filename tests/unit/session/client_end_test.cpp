@@ -34,7 +34,7 @@ TEST_F(ClientEnds, TellTheFirstReason) {
   EXPECT_EQ(told, Reasons{"silent"});
 }
 
-TEST_F(ClientEnds, TellWhoeverListensLater) {
+TEST_F(ClientEnds, TellALaterListener) {
   end->tellBroken("silent");
   end->tellBroken("closed");
   listen();

@@ -86,7 +86,7 @@ TEST_F(LaneChoice, ARequiredLaneHasAName) {
   EXPECT_TRUE(contains(refusalOf({.laneRequired = true}), "it requires a lane and names none"));
 }
 
-TEST_F(LaneChoice, ALaneThatNobodyKnowsIsAnError) {
+TEST_F(LaneChoice, AnUnknownLaneIsAnError) {
   begin(kTcp);
   EXPECT_TRUE(contains(refusalOf({.lane = {"hope"}}), "this process has no lane 'hope'"));
 }
@@ -130,7 +130,7 @@ class SocketSeeker : public reference::PlayedClient {
 };
 
 // Its name is known as soon as the process is, and a lane comes when its program gets to it.
-TEST_F(LaneChoice, ALaneThatItsProviderIsStillToAddIsWaitedFor) {
+TEST_F(LaneChoice, ALaneToBeAddedIsAwaited) {
   begin(kTcp);
   Manager starting("starting", manager());
   SocketSeeker seeker(manager(), "starting");
@@ -142,7 +142,7 @@ TEST_F(LaneChoice, ALaneThatItsProviderIsStillToAddIsWaitedFor) {
   EXPECT_TRUE(eventually([&] { return seeker.said() == "given"; })) << seeker.said();
 }
 
-TEST_F(LaneChoice, ALaneThatItsProviderHasNotWhenItHasStartedIsRefused) {
+TEST_F(LaneChoice, AnAbsentLaneIsRefusedAfterTheStart) {
   begin(kTcp);
   Manager starting("starting", manager());
   SocketSeeker seeker(manager(), "starting");
@@ -161,7 +161,7 @@ TEST_F(LaneChoice, ALaneThatWasAddedIsNotChosenUnasked) {
   EXPECT_EQ(channel()->lane, "frame");
 }
 
-TEST_F(LaneChoice, ALaneIsAddedOnceAndToAProcessThatHasPeers) {
+TEST_F(LaneChoice, ALaneIsAddedOnce) {
   begin(kTcp);
   console->addLane(std::make_unique<HopefulLane>());
   EXPECT_TRUE(contains(refusal([&] { console->addLane(std::make_unique<HopefulLane>()); }),

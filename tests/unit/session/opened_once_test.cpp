@@ -35,7 +35,7 @@ class OpenedOnceTest : public testing::Test {
   int openings_ = 0;
 };
 
-TEST_F(OpenedOnceTest, AllWhoAskMeanwhileGetTheSame) {
+TEST_F(OpenedOnceTest, AllAskersGetTheSame) {
   auto first = ask(), second = ask();
   EXPECT_FALSE(first.poll(port_.scope()));
   let_->fulfill(std::make_shared<Thing>());
@@ -45,7 +45,7 @@ TEST_F(OpenedOnceTest, AllWhoAskMeanwhileGetTheSame) {
   EXPECT_EQ(openings_, 1);
 }
 
-TEST_F(OpenedOnceTest, WhoGivesUpDoesNotEndItForTheOthers) {
+TEST_F(OpenedOnceTest, AnAskerThatGivesUpDoesNotHurtOthers) {
   auto second = [this] {
     auto first = ask();
     return ask();
@@ -54,7 +54,7 @@ TEST_F(OpenedOnceTest, WhoGivesUpDoesNotEndItForTheOthers) {
   EXPECT_NE(second.wait(port_.scope()), nullptr);
 }
 
-TEST_F(OpenedOnceTest, AllHearOfTheSameFailureAndTheNextTriesAgain) {
+TEST_F(OpenedOnceTest, AFailureIsSharedAndTheNextTriesAgain) {
   auto first = ask(), second = ask();
   let_->reject(rpc::failure(kj::Exception::Type::FAILED, "no such thing"));
   EXPECT_THROW(first.wait(port_.scope()), kj::Exception);
@@ -65,7 +65,7 @@ TEST_F(OpenedOnceTest, AllHearOfTheSameFailureAndTheNextTriesAgain) {
   EXPECT_EQ(openings_, 2);
 }
 
-TEST_F(OpenedOnceTest, WhatIsBrokenOrNobodysIsOpenedAnew) {
+TEST_F(OpenedOnceTest, BrokenOrUnusedOnesAreOpenedAnew) {
   auto first = ask();
   let_->fulfill(std::make_shared<Thing>());
   Opened thing = first.wait(port_.scope());

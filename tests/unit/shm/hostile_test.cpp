@@ -269,7 +269,7 @@ TEST_F(HostileClient, SendsWhatNoHandlerSees) {
 
 class HostileMemory : public SharedConnection, public testing::TestWithParam<unsigned> {};
 
-TEST_P(HostileMemory, HarmsNeitherProviderNorClient) {
+TEST_P(HostileMemory, HarmsNoProviderAndNoClient) {
   psm.port.attach(offer.channel);
   teleop.slave.attach(client);
   psm.start();

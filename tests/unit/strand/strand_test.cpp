@@ -88,7 +88,7 @@ TEST(Strand, FollowsItsTipsWithoutStretching) {
   EXPECT_NEAR(length, 0.11, 1e-4);
 }
 
-TEST(Strand, OfTwoNodesInOnePlaceIsStillAStrand) {
+TEST(Strand, MayHaveTwoNodesInOnePlace) {
   Strand strand(weightless(), kLeft, kRight);
   strand.hold(Place::Left, strand.nodes().col(1));
   strand.advance(0.5);

@@ -169,7 +169,7 @@ class Listener final : VirtualTime::Sockets {
   rt::Thread thread_;
 };
 
-TEST(TestClock, WakesAThreadForItsSocketsOnlyWhenSomethingHasCome) {
+TEST(TestClock, WakesAThreadOnlyForArrivedBytes) {
   TestClock clock;
   Listener listener;
   Counter counter(1ms);

@@ -158,7 +158,7 @@ struct Caller final : Device {
   Required<reference::ArmLike> arm{*this, "Arm"};
 };
 
-TEST(SteppedClock, TellsOfWorkThatNobodyHasRungFor) {
+TEST(SteppedClock, TellsOfWorkWithoutARing) {
   std::vector<std::string> problems;
   TestClock clock({.problem = [&](const std::string& one) { problems.push_back(one); }});
   SleepingArm arm;

@@ -111,7 +111,7 @@ TEST_F(KeyMaker, AKeyThatOthersCanReadIsNotUsed) {
   EXPECT_TRUE(contains(error, "chmod 600 " + (folder_ / "left.key").string())) << error;
 }
 
-TEST_F(KeyMaker, WhatIsNotThereOrNoKeyIsNamed) {
+TEST_F(KeyMaker, AMissingOrBadKeyIsNamed) {
   makeKeys(folder_, {"left", "right"});
   std::string error = refusedUse("middle");
   EXPECT_TRUE(contains(error, "middle.crt: No such file")) << error;

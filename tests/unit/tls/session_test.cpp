@@ -160,7 +160,7 @@ TEST_F(SessionTest, BytesArriveAsTheyWereSentHoweverMany) {
   EXPECT_TRUE(received == sent);
 }
 
-TEST_F(SessionTest, WhatIsOnTheWireIsNotWhatWasSaid) {
+TEST_F(SessionTest, TheWireIsEncrypted) {
   Pair pair(keys("left"), keys("right"));
   const std::string secret = "servo_cp servo_cp servo_cp";
   ASSERT_GT(pair.client.send(std::as_bytes(std::span(secret))), 0);
@@ -212,7 +212,7 @@ TEST_F(SessionTest, AStrangerWithKeysOfThisSystemIsAccepted) {
   }
 }
 
-TEST_F(SessionTest, NobodyWithoutACertificateIsLetIn) {
+TEST_F(SessionTest, APeerNeedsACertificate) {
   const Verdicts verdicts = meet(Side::Server, {});
   EXPECT_TRUE(contains(verdicts.ours, "it shows no certificate")) << verdicts.ours;
   EXPECT_TRUE(contains(verdicts.theirs, "certificate required")) << verdicts.theirs;
@@ -252,7 +252,7 @@ TEST_F(SessionTest, OlderVersionsAreRefused) {
   EXPECT_NE(meet(Side::Client, shown(ours_, "left"), TLS1_2_VERSION).ours, "");
 }
 
-TEST_F(SessionTest, WhatIsNoTlsIsCalledSo) {
+TEST_F(SessionTest, APeerWithoutTlsIsNamed) {
   const std::string zeros(4096, '\0'), ones(4096, '\xff');
   const std::string bytes[] = {"GET / HTTP/1.1\r\n\r\n", zeros, ones,
                                std::string("\0\0\0\0\2\0\0\0\0\0\0\0\0\0\0\0", 16)};

@@ -108,7 +108,7 @@ class Observed {
 
 // The test also sees that kDisparityNoise is not much more than what there is: a bound that nothing
 // can miss would bound nothing.
-TEST(Accuracy, AnErrorOfTheDepthIsThatOfTheDisparityAtEachDepth) {
+TEST(Accuracy, DepthErrorsAreThoseOfTheDisparity) {
   const CameraPair cameras;
   Observed observed(cameras);
   double worst = 0;
@@ -123,7 +123,7 @@ TEST(Accuracy, AnErrorOfTheDepthIsThatOfTheDisparityAtEachDepth) {
 }
 
 // With four samples a pixel it scattered by 0.039 px, and three quarters of that came of the edges.
-TEST(Accuracy, AKnotAtTheTargetScattersByLittleMoreThanTheNoiseOfTheSensor) {
+TEST(Accuracy, AKnotScattersLittleMoreThanTheSensorsNoise) {
   constexpr double kTarget = 0.11;  // m before the camera: where fig3b places it
   const double scatter = Observed(CameraPair{}).ofKnotAt(kTarget).deviation();
   EXPECT_LT(scatter, CameraPair{}.depthOf(kTarget, 0.03));
@@ -132,7 +132,7 @@ TEST(Accuracy, AKnotAtTheTargetScattersByLittleMoreThanTheNoiseOfTheSensor) {
 // A right camera that is turned by `a` toward the left one's axis sees a point on its own axis
 // f tan(a) px farther to the right. So the disparity f b / z is that much smaller, and the depth
 // f b / (f b / z - f tan(a)) = z / (1 - z tan(a) / b): at 80 mm and 0.2 degrees 6 mm too large.
-TEST(Accuracy, VergenceThatTheCalibrationDoesNotKnowGivesThePredictedBias) {
+TEST(Accuracy, UnknownVergenceGivesThePredictedBias) {
   constexpr double kVergence = 0.2 * std::numbers::pi / 180;
   CameraPair turned;
   turned.vergence = kVergence;

@@ -158,7 +158,7 @@ TEST(Endoscope, TakesFifteenPairsASecondAndSixtyWhereItIsTold) {
   }
 }
 
-TEST(Endoscope, ImagesComeAsLateAsTheirLatencyWithTheStampOfTheExposure) {
+TEST(Endoscope, ImagesComeLateWithTheStampOfTheExposure) {
   for (const suture::Duration latency : {0ms, 30ms, 120ms}) {
     EndoscopeParameters parameters = steady();
     parameters.latency = latency;
@@ -192,7 +192,7 @@ TEST(Endoscope, LosesTheShareOfItsPairsThatItWasTold) {
   EXPECT_TRUE(theatre.tracker.sighting().valid);
 }
 
-TEST(Endoscope, OfWhichNothingComesShowsNothing) {
+TEST(Endoscope, ASilentEndoscopeShowsNothing) {
   EndoscopeParameters parameters = steady();
   parameters.dropout = 1;
   Theatre theatre(parameters);

@@ -58,7 +58,7 @@ TEST(ImageSensor, NoTwoImagesHaveTheSameNoise) {
 }
 
 // A pixel that is as dark or as bright as it gets stays so, and does not come out at the other end.
-TEST(ImageSensor, NoiseNeitherUnderflowsNorOverflows) {
+TEST(ImageSensor, NoiseDoesNotOverflow) {
   for (const std::uint8_t extreme : {0, 255}) {
     ImageFrame image = grey(extreme);
     ImageSensor(5, 0).expose(image);

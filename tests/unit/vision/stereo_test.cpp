@@ -60,7 +60,7 @@ TEST_F(Stereo, AMarkerIsFoundWhereItIsInTheImage) {
   }
 }
 
-TEST_F(Stereo, WhatIsOutOfTheImageIsNotSeen) {
+TEST_F(Stereo, AMarkerOutsideTheImageIsNotSeen) {
   const MarkerPoints found =
       look(hanging({-0.2, 0, 0.08}, {0.001, -0.004, 0.08}, {0.029, 0, 0.08}));
   EXPECT_FALSE(sees(found, Marker::LeftTip));
@@ -68,7 +68,7 @@ TEST_F(Stereo, WhatIsOutOfTheImageIsNotSeen) {
 }
 
 // Half of a ball has its centre elsewhere.
-TEST_F(Stereo, WhatIsOnlyPartlyInTheImageIsNotSeen) {
+TEST_F(Stereo, APartlyVisibleMarkerIsNotSeen) {
   const double edge = -0.08 * cameras_.width / 2 / cameras_.focal;
   look(hanging({edge, 0, 0.08}, {0, -0.004, 0.08}, {0.029, 0, 0.08}));
   EXPECT_FALSE(detect(left_)[static_cast<std::size_t>(Marker::LeftTip)]);
@@ -109,7 +109,7 @@ TEST_F(Stereo, ACoveredCameraSeesNothing) {
 }
 
 // Tissue, strand and instruments are everywhere in the image, with all the noise that there may be.
-TEST_F(Stereo, NothingButAMarkerLooksLikeOne) {
+TEST_F(Stereo, OnlyAMarkerLooksLikeOne) {
   sensor_ = ImageSensor(5, 0);
   const MarkerPoints found = look(hanging({-0.2, 0, 0.08}, {0.001, -0.2, 0.08}, {0.2, 0, 0.08}));
   for (const auto& one : found) EXPECT_FALSE(one);

@@ -41,13 +41,13 @@ void expectBreak(const Json& changed, const Lines& here, const Lines& there) {
   EXPECT_EQ(compare(changed, contract()).breaks, there);
 }
 
-TEST(Compatibility, OfTheSame) {
+TEST(Compatibility, EqualContractsMatch) {
   const Compatibility found = compare(contract(), contract());
   EXPECT_EQ(found.breaks, Lines{});
   EXPECT_EQ(found.lacking, Numbers{});
 }
 
-TEST(Compatibility, WhatOneHasAloneBehindTheRestDoesNoHarm) {
+TEST(Compatibility, ExtraMembersAtTheEndAreFine) {
   Json newer = contract();
   newer["commands"].push_back({{"name", "clear"}, {"ordinal", 3}});
   newer["events"].push_back({{"name", "stopped"}, {"ordinal", 2}});
@@ -114,7 +114,7 @@ Json derived() {
   return json;
 }
 
-TEST(Compatibility, WhatABaseGotSinceMovesNothing) {
+TEST(Compatibility, ALaterMemberOfABaseMovesNothing) {
   Json grown = derived();
   const Json clear = {{"name", "clear"}, {"ordinal", 2}, {"from", "suture::Messages"}};
   const Json sent = {{"name", "sent"}, {"ordinal", 1}};

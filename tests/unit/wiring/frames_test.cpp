@@ -61,7 +61,7 @@ TEST(Frames, AreDeclaredOnceAndInParts) {
             "each frame once");
 }
 
-TEST(Frames, ThatDifferAreNotConnected) {
+TEST(Frames, DifferentFramesAreNotConnected) {
   FramedArm arm;
   FramedClient client;
   arm.port.declareFrames({"PSM1_base", "PSM1_tip"});
@@ -73,7 +73,7 @@ TEST(Frames, ThatDifferAreNotConnected) {
   EXPECT_TRUE(arm.port.channels().empty());
 }
 
-TEST(Frames, ThatAreTheSameAreConnected) {
+TEST(Frames, EqualFramesAreConnected) {
   FramedArm arm;
   FramedClient client;
   arm.port.declareFrames({"PSM1_base", "PSM1_tip"});

@@ -58,7 +58,7 @@ TEST(MemoryLayout, IsThatOfWhatTravelsOfAValue) {
   EXPECT_NE(memoryLayout(info), layout);
 }
 
-TEST(MemoryLayout, WhatHasNoBoundIsNamed) {
+TEST(MemoryLayout, AnUnboundedValueIsNamed) {
   InterfaceInfo info = infoWith(kDescription);
   EXPECT_EQ(whyUnbounded(info), "");
   std::vector<CommandInfo> commands(info.commands.begin(), info.commands.end());
@@ -67,7 +67,7 @@ TEST(MemoryLayout, WhatHasNoBoundIsNamed) {
   EXPECT_EQ(whyUnbounded(info), "command 'servo_jp' has values without a bound");
 }
 
-TEST(MemoryLayout, OfAnotherBuildIsToldApart) {
+TEST(MemoryLayout, AnotherBuildsLayoutIsToldApart) {
   const InterfaceInfo info = infoWith(kDescription);
   EXPECT_EQ(whyOtherSlots(info, memoryLayout(info)), "");
   EXPECT_EQ(whyOtherSlots(info, "another"),
@@ -84,7 +84,7 @@ bool hidesStampsWith(const char* description) {
   return hidesStamps(info);
 }
 
-TEST(Stamps, OfASteadyClockAreSeenInTheDescription) {
+TEST(Stamps, TheDescriptionShowsSteadyStamps) {
   EXPECT_FALSE(hidesStampsWith(R"({"commands": [{"type": {"kind": "Int32"}}]})"));
   EXPECT_FALSE(hidesStampsWith(R"({"commands": [], "structs": [{"clock": "system"}]})"));
   EXPECT_TRUE(hidesStampsWith(R"({"commands": [], "structs": [{"clock": "steady"}]})"));

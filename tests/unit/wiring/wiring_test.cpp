@@ -44,13 +44,13 @@ class Wired : public testing::Test {
   Directory directory_{"left"};
 };
 
-TEST_F(Wired, AComponentThatDoesNotExistIsNamedWithTheNearest) {
+TEST_F(Wired, AMissingComponentIsNamedWithTheNearest) {
   EXPECT_EQ(refusal([&] { directory_.provided(Endpoint::parse("PSM2/Arm")); }),
             "asked for 'PSM2/Arm': process 'left' has components 'Console' and 'PSM1'. "
             "Did you mean 'PSM1'?");
 }
 
-TEST_F(Wired, AnInterfaceThatDoesNotExistIsNamedWithTheNearest) {
+TEST_F(Wired, AMissingInterfaceIsNamedWithTheNearest) {
   EXPECT_EQ(refusal([&] { directory_.provided(Endpoint::parse("PSM1/Arn")); }),
             "asked for the provided interface 'PSM1/Arn': component 'PSM1' has provided interfaces "
             "'Arm'. Did you mean 'Arm'?");
@@ -64,7 +64,7 @@ TEST_F(Wired, ANameIsTakenOnce) {
             std::string::npos);
 }
 
-TEST_F(Wired, ANameThatNoEndpointCouldSayIsRefused) {
+TEST_F(Wired, AnImpossibleNameIsRefused) {
   reference::SimulatedArm other{{}};
   for (const char* const name : {"", "left:PSM2", "PSM2/Arm"}) {
     const std::string error = refusal([&] { directory_.add(name, other, [] {}); });
@@ -92,7 +92,7 @@ TEST(Differences, AreToldFieldByFieldAndIgnoreDocumentation) {
   EXPECT_TRUE(differences(here, here).empty());
 }
 
-TEST(Differences, WhatIsNestedWithoutEnd) {
+TEST(Differences, EndlessNestingEnds) {
   constexpr std::size_t kLevels = 1'000'000;
   const std::string there = std::string(kLevels, '[') + std::string(kLevels, ']');
   const std::vector<std::string> lines = differences(R"({"name": "Arm"})", there);
@@ -119,7 +119,7 @@ TEST(Contract, ADifferentOneIsRefusedWithTheDifference) {
   EXPECT_NE(error.find("Build both sides from the same header"), std::string::npos) << error;
 }
 
-TEST(Contract, AnErrorSaysWhatToDoThenThreeDifferencesAndHowManyMore) {
+TEST(Contract, AnErrorNamesThreeDifferencesAndCountsTheRest) {
   const InterfaceInfo info = described("hash", R"({"name": "reference::ArmLike"})");
   const InterfaceInfo other =
       described("another hash", R"({"name": "other", "a": 1, "b": 2, "c": 3, "d": 4})");
@@ -159,7 +159,7 @@ TEST(Contract, OptionalCommandsMayBeMissingOnEitherSide) {
   EXPECT_EQ(lackingOptional(two, two), Numbers{});
 }
 
-TEST(Contract, NothingElseMayDiffer) {
+TEST(Contract, NoOtherDifferenceIsAllowed) {
   const std::string hold = contract("1", kHold);
   EXPECT_EQ(lackingOptional(hold, contract("2", std::string(kHold) + "," + kHome)), std::nullopt);
   EXPECT_EQ(lackingOptional(hold, contract("2", std::string(kPark) + "," + kHold)), std::nullopt);

@@ -125,10 +125,10 @@ class Verdicts(unittest.TestCase):
         self.assertEqual(self.accepted[0], 0, self.accepted[1])
         self.each(lambda edit: self.assertEqual(self.refused[edit.stem], set(edit.accept.split())))
 
-    def test_what_was_written_is_a_lock_without_fault(self):
+    def test_written_locks_have_no_fault(self):
         self.assertEqual((self.after[0], slugs(self.after[1])), (0, {}), self.after[1])
 
-    def test_what_was_written_is_a_schema(self):
+    def test_written_locks_are_schemas(self):
         schemas = sorted(str(one) for one in (self.folder / "schemas").rglob("*.capnp"))
         done = subprocess.run([GIVEN.capnp, "compile", "-o-", "-I", str(self.folder / "schemas"), "-I", GIVEN.schemas, *schemas],
                               capture_output=True)

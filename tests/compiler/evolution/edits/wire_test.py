@@ -81,7 +81,7 @@ class Conversation(unittest.TestCase):
         self.assertEqual([line for line in self.asked if line.startswith(("latched ", "row depth "))],
                          ["latched 3", "row depth 4"])
 
-    def test_what_breaks_does_not_connect(self):
+    def test_breaking_edits_do_not_connect(self):
         self.each(BREAKING, self.judge_refusal)
 
     def judge_refusal(self, edit):

@@ -49,7 +49,7 @@ TEST(Bulk, IsOneBlockOfLittleEndianBytes) {
   EXPECT_EQ(sent.getImage().getData().size(), 8 * sizeof(double));
 }
 
-TEST(Bulk, WhatIsCutOrTooLongIsRefused) {
+TEST(Bulk, CutOrTooLongBytesAreRefused) {
   Trip trip;
   trip.send(full()).initSamples(6 * sizeof(double) - 1);
   EXPECT_EQ(trip.receive(), Errc::Invalid);

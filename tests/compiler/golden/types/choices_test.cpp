@@ -107,14 +107,14 @@ TEST(Choices, OneBeyondCapacityDoesNotFit) {
   EXPECT_FALSE(fits([](Choices& value) { value.either = "five5"; }));
 }
 
-TEST(Choices, WhatIsTooLargeOnTheWireIsRefused) {
+TEST(Choices, ATooLargeMessageIsRefused) {
   Trip trip;
   trip.send(full()).getFrame().setSome("nine99999");
   EXPECT_EQ(trip.receive(), Errc::TooLarge);
 }
 
 // A sender that is older than the members sends such a message.
-TEST(Choices, AMissingOptionalIsNoneAndAMissingTupleHasItsDefaults) {
+TEST(Choices, MissingOptionalsAndTuplesHaveDefaults) {
   Trip trip;
   auto sent = trip.send(full());
   sent.disownGain();
@@ -139,7 +139,7 @@ TEST(Choices, AMissingAlternativeHasItsDefaults) {
   EXPECT_EQ(std::get<Point>(received.either).x, Point().x);
 }
 
-TEST(Choices, WhatIsWrongInsideIsTold) {
+TEST(Choices, TheWrongPartIsNamed) {
   const auto refused = [](auto change) {
     Choices value = full();
     change(value);
@@ -160,7 +160,7 @@ TEST(Choices, WhatIsWrongInsideIsTold) {
 }
 
 // A slot holds its number, so that only a check can tell.
-TEST(Choices, AnEnumeratorThatIsNotDeclaredIsRefusedInsideToo) {
+TEST(Choices, AnUndeclaredEnumeratorInsideIsRefused) {
   Choices value = full();
   value.nested = Level::High;
   EXPECT_EQ(Trip::refusedUnsent(value), "");

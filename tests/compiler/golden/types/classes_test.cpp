@@ -46,7 +46,7 @@ TEST(Classes, AllThatIsPartOfTheValueArrives) {
   EXPECT_EQ(received.spiral[1].angle(), 4);
 }
 
-TEST(Classes, WhatIsHiddenIsJudgedToo) {
+TEST(Classes, HiddenMembersAreJudgedToo) {
   Classes value;
   fill(value);
   EXPECT_EQ(Trip().refused(value), "");

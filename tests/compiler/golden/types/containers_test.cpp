@@ -150,7 +150,7 @@ TEST(Containers, AnArrayOfAnotherLengthIsRefused) {
   EXPECT_EQ(trip.receive(), Errc::Invalid);
 }
 
-TEST(Containers, WhatIsWrongInsideIsToldByItsPlaceOrItsKey) {
+TEST(Containers, AWrongElementIsNamedByPlaceOrKey) {
   const auto refused = [](auto change) {
     Sequences value = full();
     change(value);
@@ -179,7 +179,7 @@ TEST(Containers, TheFirstOfSeveralIsTold) {
   EXPECT_EQ(Trip().refused(value), "path[1].x");
 }
 
-TEST(Containers, AnEnumeratorThatIsNotDeclaredIsToldAsWell) {
+TEST(Containers, AnUndeclaredEnumeratorIsNamedToo) {
   Trip trip;
   EXPECT_EQ(trip.refused(full()), "");
   trip.slot->levels.data[0] = 17;

@@ -51,7 +51,7 @@ TEST(Shown, SequencesSetsAndMapsAreLists) {
   EXPECT_EQ(json["grid"], Json::parse("[[0, 0, 0], [0, 0, 0]]"));
 }
 
-TEST(Shown, OptionalsAreTheirValueOrNullAndAVariantIsWhatIsSet) {
+TEST(Shown, OptionalsAndVariantsAreTheirValue) {
   Choices value;
   value.gain = 2.5;
   value.entry = {7, 0.5};

@@ -70,7 +70,7 @@ TEST(Moments, AreShiftedInEveryContainer) {
   expectShifted(std::get<Moment>(value.either), 14);
 }
 
-TEST(Moments, OfAVariantAreThoseThatItHolds) {
+TEST(Moments, AVariantsStampIsShifted) {
   Moments value = full();
   value.either = std::int64_t{5};
   EXPECT_EQ(std::get<std::int64_t>(shifted(value).either), 5);
@@ -78,7 +78,7 @@ TEST(Moments, OfAVariantAreThoseThatItHolds) {
   EXPECT_EQ(std::get<suture::Time>(shifted(value).either), at(13));
 }
 
-TEST(Moments, ThatAreNotThereStayAway) {
+TEST(Moments, AbsentStampsStayAbsent) {
   const Moments value = shifted({});
   EXPECT_TRUE(value.list.empty());
   EXPECT_FALSE(value.perhaps || value.moment);

@@ -84,7 +84,7 @@ TEST(Open, ASlotIsUsedAgain) {
   expectEqual(value, received);
 }
 
-TEST(Open, WhatHoldsItselfArrives) {
+TEST(Open, RecursiveValuesArrive) {
   Open value, received;
   value.root.children.resize(2);
   value.root.children[1].children.resize(1);
@@ -140,7 +140,7 @@ TEST(Open, TheBoundsThatThereAreHold) {
   EXPECT_EQ(trip.receive(), Errc::TooLarge);
 }
 
-TEST(Open, WhatContradictsItselfIsRefused) {
+TEST(Open, ContradictoryValuesAreRefused) {
   Open value;
   fill(value, 2);
   Trip trip;

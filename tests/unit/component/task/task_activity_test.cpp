@@ -44,7 +44,7 @@ TEST(TaskActivity, OverdueBeginsWhereItIsDue) {
   EXPECT_EQ(activity.read().activity, Activity::Suspended);
 }
 
-TEST(TaskActivity, OfATaskThatSleepsUntilItHasWork) {
+TEST(TaskActivity, ASleepingTaskIsDueAfterItsLongestSleep) {
   Watched<EventTask> task(EventOptions{.longestSleep = 1h});
   EXPECT_EQ(task.activity().read().activity, Activity::Suspended);
   task.start();
@@ -60,7 +60,7 @@ TEST(TaskActivity, OfATaskThatSleepsUntilItHasWork) {
   EXPECT_EQ(task.activity().read().activity, Activity::Suspended);
 }
 
-TEST(TaskActivity, OfAPeriodicTask) {
+TEST(TaskActivity, APeriodicTaskHasANextCycle) {
   Watched<PeriodicTask> task(PeriodicOptions{.period = 1h});
   const Time before = now();
   task.start();
@@ -69,7 +69,7 @@ TEST(TaskActivity, OfAPeriodicTask) {
   EXPECT_LE(task.activity().read().due, now() + 1h);
 }
 
-TEST(TaskActivity, OfACallbackTaskThatNobodyKnowsTheNextCycleOf) {
+TEST(TaskActivity, ACallbackTaskHasNoNextCycle) {
   Watched<CallbackTask> task;
   task.start();
   EXPECT_EQ(task.activity().read().activity, Activity::Asleep);

@@ -155,7 +155,7 @@ TEST(GuestTask, ACommandForItWakesTheHost) {
   }
 }
 
-TEST(GuestTask, WhatThrowsIsParkedAlone) {
+TEST(GuestTask, AThrowingGuestIsParkedAlone) {
   Worker<GuestTask> guest([] { throw std::runtime_error("the guest's fault"); });
   Worker<PeriodicTask> host({}, PeriodicOptions{.period = 1ms});
   host.lend(guest);
@@ -187,7 +187,7 @@ TEST(GuestTask, OutlivesAHostThatThrows) {
   EXPECT_LT(guest.statistics().cycles - before, 10u);
 }
 
-TEST(GuestTask, IsRefusedWithoutAHostWithTwoAndWhenConnected) {
+TEST(GuestTask, NeedsOneHostAndNoConnections) {
   Worker<GuestTask> guest, connected;
   Worker<PeriodicTask> host({}, PeriodicOptions{}), other({}, PeriodicOptions{});
   EXPECT_NE(refusal([&] { guest.start(); }).find("no task lends it a thread"), std::string::npos);

@@ -210,11 +210,11 @@ void expectRest(const Ask& ask) {
   EXPECT_LT(client.cycles, 6) << "it runs without pause";
 }
 
-TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasWaitedFor) {
+TEST(EventTask, AnAwaitedAnswerDoesNotWakeItAgain) {
   expectRest([](Required<ArmLike>& arm) { return arm.hold.start().within(kPatience).has_value(); });
 }
 
-TEST(EventTask, IsNotWokenAgainByTheAnswerThatItHasPolledFor) {
+TEST(EventTask, APolledAnswerDoesNotWakeItAgain) {
   expectRest([](Required<ArmLike>& arm) {
     auto call = arm.hold.start();
     arm.owner().ringNow();
@@ -231,7 +231,7 @@ TEST(EventTask, TheFirstAskWakesASleepingProvider) {
   EXPECT_TRUE(eventually([&] { return client.arm.measured_cp().hasValue(); }));
 }
 
-TEST(Provided, EvaluatesOnlyWhatSomebodyAskedFor) {
+TEST(Provided, EvaluatesOnlyWhatIsAskedFor) {
   CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   ArmClient client;
   connectLocally(client.arm, arm.arm, "test");
@@ -280,7 +280,7 @@ TEST(Events, ALateJoinerGetsTheLatchedValueAndNoOther) {
   EXPECT_EQ(late.stops, 0);
 }
 
-TEST(Events, ASlowSubscriberLosesItsOwnAndDelaysNobody) {
+TEST(Events, ASlowSubscriberLosesOnlyItsOwnEvents) {
   CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   Listener quick, slow;
   connectLocally(quick.arm, arm.arm, "quick");
@@ -297,7 +297,7 @@ TEST(Events, ASlowSubscriberLosesItsOwnAndDelaysNobody) {
   EXPECT_EQ(slow.stops + static_cast<int>(slowChannel->events.dropped()), kEvents);
 }
 
-TEST(Events, OfATaskAreEmittedInItsOwnThreadOnly) {
+TEST(Events, ATaskEmitsInItsOwnThread) {
   CycleCountingArm<EventTask> arm{EventOptions{}};
   Listener listener;
   connectLocally(listener.arm, arm.arm, "test");
@@ -359,7 +359,7 @@ TEST(Provided, TwoOfOneContractKeepApart) {
   EXPECT_EQ(right.arm.measured_cp.fresh().within(kPatience)->pose.translation().x(), 0);
 }
 
-TEST(Calls, WhatTheProviderLacksIsNotImplemented) {
+TEST(Calls, ALackingCommandIsNotImplemented) {
   CycleCountingArm<PeriodicTask> arm(PeriodicOptions{.period = 1ms});
   ArmClient client;
   connectLocally(client.arm, arm.arm, "test");

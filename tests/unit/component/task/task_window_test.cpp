@@ -70,7 +70,7 @@ class Measured final : public PeriodicTask {
   void run() override { pass(10us); }
 };
 
-TEST(TaskStatistics, OfTheLastWindowAreReadableByAnyThread) {
+TEST(TaskStatistics, AnyThreadReadsTheLastWindow) {
   Measured task;
   task.start();
   EXPECT_TRUE(eventually([&] { return task.statistics().windows.last().valid(); }));
