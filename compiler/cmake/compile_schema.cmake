@@ -1,6 +1,6 @@
 # cmake -DCAPNP=program -DPLUGIN=program -DSCHEMAS=dir -DSTEM=stem -DIMPORTS=list -DOUT=dir -P compile_schema.cmake
 #
-# SCHEMAS/STEM.capnp to OUT/STEM.capnp.{h,c++}.
+# Compiles SCHEMAS/STEM.capnp to OUT/STEM.capnp.{h,c++}.
 
 cmake_minimum_required(VERSION 3.25)
 

@@ -12,7 +12,7 @@ namespace bench {
 /// Pins the calling thread, and every thread that it starts, until the end of the scope.
 class Pinned {
  public:
-  /// Nothing is pinned without a processor. Throws SetupError if this process may not use it.
+  /// Pins nothing without a processor. Throws SetupError if this process may not use it.
   explicit Pinned(std::optional<int> cpu);
   ~Pinned();
   Pinned(const Pinned&) = delete;
@@ -23,10 +23,10 @@ class Pinned {
 };
 
 /// Runs the calling thread, and every thread and process that it starts, under SCHED_BATCH until
-/// the end of the scope. Under the default policy the kernel decides at each wake-up whether the
-/// woken thread preempts the one that rang, and the same work on one processor takes either of two
-/// times, a bare socket's round trip too. A batch thread never preempts, as one of SCHED_FIFO never
-/// preempts its equal, and needs no privilege.
+/// the end of the scope. Under the default policy the kernel decides at each wake-up if the woken
+/// thread preempts the one that rang, and the same work on one processor takes one of two times, a
+/// bare socket's round trip too. A batch thread never preempts, as one of SCHED_FIFO never preempts
+/// its equal, and needs no privilege.
 class Unpreempted {
  public:
   Unpreempted();

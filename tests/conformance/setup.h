@@ -81,7 +81,7 @@ class Conformance : public testing::TestWithParam<Row> {
 std::string nameOf(const testing::TestParamInfo<Row>& info);
 
 /// Waits, in the client's own thread inside of Client::with(), for what rings the client, and
-/// neither handles an event nor begins a cycle meanwhile. Returns false after kPatience.
+/// handles no event and begins no cycle meanwhile. Returns false after kPatience.
 template <class Condition>
 bool awaitInPlace(suture::RequiredBase& remote, const Condition& condition) {
   bool held = false;

@@ -29,7 +29,7 @@ def keys_of(schema, path=""):
 
 
 def tables_of(text):
-    """(key, what is told without it, example), of each row below a heading that names a place."""
+    """Returns (key, what is told without it, example) of each row below a heading that names a place."""
     place = None
     for line in text.split("\n"):
         if line.startswith("## "):
@@ -63,7 +63,7 @@ def takes(schema, value):
 class DeploymentKeys(unittest.TestCase):
     def setUp(self):
         schema = json.loads((ROOT / "schemas/deployment.schema.json").read_text(encoding="utf-8"))
-        # "frames.*" is no key that anybody writes.
+        # "frames.*" is no key that a deployment file has.
         self.schema = {key: value for key, value in keys_of(schema) if not key.endswith(".*")}
         self.rows = list(tables_of((ROOT / "docs/howto/deployment.md").read_text(encoding="utf-8")))
 

@@ -1,4 +1,4 @@
-"""A page as its fenced blocks: what each one says in its info string is to be done with it."""
+"""Reads a page as its fenced blocks: what each one says in its info string is to be done with it."""
 
 import dataclasses
 import pathlib
@@ -32,7 +32,7 @@ class Block:
 
 
 def blocks_of(page):
-    """The blocks of a page, sound as far as can be told without running them."""
+    """Returns the blocks of a page, sound as far as can be told without running them."""
     blocks = list(read(page))
     problems = [problem for before, block in zip([None, *blocks], blocks) for problem in judge(block, before)]
     for block, after in zip(blocks, [*blocks[1:], None]):

@@ -1,4 +1,4 @@
-"""A reader's project: the folder in which a page's commands run, and the processes that they start."""
+"""Is a reader's project: the folder in which a page's commands run, and the processes that they start."""
 
 import os
 import re
@@ -18,7 +18,7 @@ PORT = re.compile(r"\b77\d\d\b")
 
 
 class Process:
-    """A process of a page that goes on beside it, with all that it has said."""
+    """Is a process of a page that goes on beside it, with all that it has said."""
 
     def __init__(self, text, options):
         self._changed = threading.Condition()
@@ -49,7 +49,7 @@ class Process:
             return is_enough(self.said)
 
     def finish(self, limit):
-        """Its status when it has ended, and with it whatever it started; None if they had to be killed."""
+        """Returns its status when it has ended, and with it whatever it started; None if they had to be killed."""
         with self._changed:
             ended = self._changed.wait_for(lambda: self._ended, limit)
         try:
@@ -64,7 +64,7 @@ class Process:
         return status
 
     def stop(self, limit):
-        """Ctrl-C, if it runs; else as finish()."""
+        """Sends Ctrl-C, if it runs; otherwise does as finish()."""
         if self._process.poll() is None:
             os.killpg(self._process.pid, signal.SIGINT)
         status = self.finish(limit)

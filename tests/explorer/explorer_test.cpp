@@ -42,7 +42,7 @@ std::vector<std::uint64_t> failedSeeds() {
   return seeds;
 }
 
-/// Keep processors busy that others want, until the end.
+/// Keeps processors busy that others want, until the end.
 class BusyProcesses {
  public:
   explicit BusyProcesses(int count) {

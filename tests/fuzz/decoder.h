@@ -1,6 +1,6 @@
 #pragma once
-// The converters of one generated type, as a fuzzer sees them: any message in, and what must hold
-// of whatever is accepted.
+// These are the converters of one generated type, as a fuzzer sees them: any message in, and what
+// must hold of whatever is accepted.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -32,7 +32,7 @@ struct Decoder {
 /// Returns the decoders under test; each fuzzer links one list.
 std::span<const Decoder> decoders();
 
-/// The clock of a peer that was started a week later.
+/// Is the clock of a peer that was started a week later.
 inline constexpr Duration kShift = std::chrono::hours(24 * 7);
 
 template <class Value, class Slot, class Message>
@@ -64,7 +64,7 @@ struct Checks {
   }
 
  private:
-  /// A slot as it is in a running system: full of what was there before.
+  /// Returns a slot as it is in a running system: full of what was there before.
   static std::unique_ptr<Slot> used() {
     auto slot = std::make_unique<Slot>();
     if constexpr (!ownsMemory<Slot>) {

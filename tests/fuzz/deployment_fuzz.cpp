@@ -1,5 +1,5 @@
-// The reader of deployment files on any bytes: problems that each name their line, or a system in
-// which every name leads somewhere.
+// This gives any bytes to the reader of deployment files: the result is problems that each name
+// their line, or a system in which every name leads somewhere.
 
 #include <suture/deploy/document/deployment.h>
 

@@ -1,5 +1,5 @@
-// The reader of frames on a stream of right ones that a fault has hit: what it hands out is what
-// was written, in its order, from the first on.
+// This gives the reader of frames a stream of right ones that a fault has hit: what it hands out is
+// what was written, in its order, from the first on.
 
 #include <suture/lane/frame/bytes/frame_reader.h>
 #include <suture/lane/frame/bytes/frame_writer.h>

@@ -45,7 +45,7 @@ class Peer {
   kj::AutoCloseFd ours_, theirs_;
 };
 
-/// Often as it should be, so that what comes behind is reached.
+/// Returns a beginning that is often as it should be, so that what comes behind is reached.
 std::vector<std::byte> beginning(Input& input) {
   std::vector<std::byte> bytes;
   switch (input.byte() % 4) {

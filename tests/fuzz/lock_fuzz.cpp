@@ -1,5 +1,5 @@
-// The reader of locks on any bytes: one diagnostic or one lock, which differs from itself in
-// nothing, and that reads as it was written.
+// This gives any bytes to the reader of locks: the result is one diagnostic or one lock, which
+// differs from itself in nothing, and reads as it was written.
 
 #include <string>
 

@@ -10,7 +10,7 @@ namespace suture::fuzz {
 
 using Random = std::minstd_rand;
 
-/// One frame as it comes from a socket: the default value of that type, most of it changed.
+/// Returns one frame as it comes from a socket: the default value of that type, most of it changed.
 std::vector<std::byte> randomFrame(const Decoder& decoder, Random& random);
 
 }  // namespace suture::fuzz

@@ -1,6 +1,6 @@
-// The readers of memory that another process writes: mailbox, event queue and state table. The
-// other process writes what is right, and anything anywhere in between; what a reader hands out can
-// be nothing else but a record of the contract, and stays as it is while it is looked at.
+// This fuzzes the readers of memory that another process writes: mailbox, event queue and state
+// table. The other process writes what is right, and anything anywhere in between; what a reader
+// hands out must be a record of the contract, and stays as it is while it is looked at.
 
 #include <suture/rt/queue/event_queue.h>
 #include <suture/rt/queue/mailbox.h>
@@ -40,7 +40,7 @@ constexpr BoundedLevel kLevelsOf48[] = {{.size = 4, .data = 8, .stride = 4, .cap
 constexpr std::array<BoundedLevels, 1> kColumnLevels = {kLevelsOf48};
 constexpr unsigned kRows = 4;
 
-/// Both queues, in the order in which each process makes them.
+/// Has both queues, in the order in which each process makes them.
 struct Queues {
   explicit Queues(Arena arena)
       : commands(kCommands, arena), events(kEvents, rt::Producers::One, arena) {}

@@ -1,2 +1,2 @@
-// A shared library that has nothing to do with Suture.
+// This is a shared library that has nothing to do with Suture.
 extern "C" int answer() { return 42; }

@@ -14,7 +14,7 @@
 
 namespace suture {
 
-/// A child process with what it prints. Killed at the end if it has not been ended.
+/// Is a child process with what it prints. The destructor kills it if it has not been ended.
 class Child {
  public:
   /// `prepare` runs in the child before the program.
@@ -41,7 +41,8 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  /// The next line that it prints; what there is of it if the child ends or is silent for a minute.
+  /// Returns the next line that it prints; what there is of it if the child ends or is silent for a
+  /// minute.
   std::string line() {
     std::string text;
     char one;

@@ -40,7 +40,7 @@ class HostedProcess {
   sigset_t signals_;
 };
 
-/// The exit status of a process that does `work`; what it is refused it says.
+/// Returns the exit status of a process that does `work`, and says what it is refused.
 template <class Work>
 int statusOf(const Work& work) {
   try {

@@ -26,7 +26,7 @@ inline std::size_t openOf(const char* kind) {
   return count;
 }
 inline std::size_t openSockets() { return openOf("socket:"); }
-/// Memory that another process may map.
+/// Counts memory that another process may map.
 inline std::size_t openMemory() { return openOf("/memfd:"); }
 inline std::size_t threads() { return entriesOf("/proc/self/task"); }
 

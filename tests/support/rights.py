@@ -1,4 +1,4 @@
-"""The rights to real-time scheduling and locked memory: whether this user has them, and how to start a program without."""
+"""Tells if this user has the rights to real-time scheduling and locked memory, and how to start a program without them."""
 
 import ctypes
 import os

@@ -49,7 +49,7 @@ class Run:
         return named
 
     def cases(self):
-        """Name and seconds of each case of the gtest programs, which run many in one test."""
+        """Returns name and seconds of each case of the gtest programs, which run many in one test."""
         for file in self.records.glob("cases/*.json"):
             for suite in json.loads(file.read_text(encoding="utf-8"))["testsuites"]:
                 for case in suite["testsuite"]:

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import sys
 
-# The folders of runtime/suture/, lowest first. Each may include itself and what stands before it. Within one layer, which is one
+# These are the folders of runtime/suture/, lowest first. Each may include itself and what stands before it. Within one layer, which is one
 # library, a source may include any of its parts: the order holds for headers there.
 RUNTIME = ["base", "base/slots", "rt", "rt/queue", "rt/state", "component/contract", "component/channel/counts",
            "component/channel", "component/required",
@@ -170,7 +170,7 @@ FIXTURES = {"golden", "errors", "evolution", "project", "consumers", "refusals"}
 
 
 def folders_with_readme(root):
-    """Each folder of a top folder, and each below it that has sources."""
+    """Yields each folder of a top folder, and each below it that has sources."""
     for top in ("compiler", "runtime", "components", "examples", "tests", "schemas"):
         base = root / top
         for folder in base.iterdir() if base.exists() else []:

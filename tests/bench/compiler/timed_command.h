@@ -27,7 +27,7 @@ Command wordsOf(const std::string& commandLine);
 /// machine disturbs all alike.
 class Comparison {
  public:
-  /// `directory` is emptied before each run. Returns the number of the contestant.
+  /// Empties `directory` before each run. Returns the number of the contestant.
   std::size_t add(std::vector<Command> commands, std::filesystem::path directory);
   void run(std::size_t rounds, const std::string& what);
   Statistics seconds(std::size_t contestant) const;

@@ -30,8 +30,8 @@ class Report {
   /// Returns a single value by its name, one of a distribution as "event.csc.network.p50"; nothing
   /// if it was not measured.
   std::optional<Value> find(const std::string& name) const;
-  /// Why figure `name`, or the one that `name` is a part of, is not available; "" if it was not
-  /// even tried.
+  /// Says why figure `name`, or the one that `name` is a part of, is not available; "" if it was
+  /// not even tried.
   std::string whyUnavailable(const std::string& name) const;
 
   nlohmann::ordered_json toJson() const;

@@ -117,7 +117,7 @@ def check_usage(suturec, arguments, words):
 
 
 def check_fix(suturec, flags, original, record):
-    """--fix until nothing is left to fix gives the .fixed file, which suturec then takes."""
+    """Runs --fix until nothing is left to fix: that gives the .fixed file, which suturec then takes."""
     with tempfile.TemporaryDirectory() as folder:
         header = pathlib.Path(folder) / original.name
         header.write_bytes(original.read_bytes())

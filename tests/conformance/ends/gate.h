@@ -23,7 +23,7 @@ class Gate {
     state_.opensAt = time;
     bell_.ring();
   }
-  /// Only one visitor at a time may come.
+  /// Lets a visitor pass; only one at a time may come.
   void pass() {
     ++state_.waiting;
     while (suture::now() < state_.opensAt.load()) bell_.waitUntil(state_.opensAt);

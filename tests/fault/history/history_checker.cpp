@@ -195,7 +195,7 @@ class Checker {
   std::map<std::uint32_t, HistoryEntry> newest_;   // executed, by client
   std::map<std::uint32_t, HistoryEntry> heard_;    // the newest, by client
   std::map<std::uint32_t, HistoryEntry> counted_;  // the last word, by client
-  // The last word of providers, by client and incarnation.
+  // This is the last word of providers, by client and incarnation.
   std::map<std::pair<std::uint32_t, std::uint64_t>, HistoryEntry> served_;
   std::map<std::uint32_t, Time> killed_;
   std::map<std::pair<std::uint32_t, std::uint64_t>, Time> told_;      // by client and connection

@@ -1,8 +1,7 @@
 """Runs the demo for some seconds on one topology, lane and network, and checks what it says.
 
-How closely a slave follows, and whether a knot arrives in time, depends here on what else the machine
-does. Both, to a millimetre, are tested in virtual time: law_test.cpp and knot_test.cpp in
-tests/integration/teleoperation.
+How closely a slave follows, and if a knot arrives in time, depends here on what else the machine does. Both, to a
+millimetre, are tested in virtual time: law_test.cpp and knot_test.cpp in tests/integration/teleoperation.
 """
 
 import hashlib

@@ -137,7 +137,7 @@ class Caller : public reference::PlayedClient {
       });
     });
   }
-  /// Why the arm is not connected by frames on that socket; "" if it is.
+  /// Returns why the arm is not connected by frames on that socket; "" if it is.
   std::string connect(std::uint32_t socket) {
     return control_.run(kPatience, [this, socket] {
       auto request = peer().connectRequest();

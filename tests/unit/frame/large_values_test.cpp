@@ -168,7 +168,7 @@ TEST_F(LargeValues, LetOthersHaveTheirTurns) {
   EXPECT_GE(ticks, 4);
 }
 
-// One that ends in the middle of a value leaves the others.
+// A connection that ends in the middle of a value leaves the others.
 TEST_F(LargeValues, AnEndedConnectionsValuesAreDropped) {
   ASSERT_TRUE(easel.far->events.push(kScene, now(), makeValue(8)));
   turn();

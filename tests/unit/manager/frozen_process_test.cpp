@@ -147,7 +147,7 @@ class FrozenProcess : public testing::TestWithParam<std::tuple<Lane, Frozen, boo
       if (frozen() != Frozen::ClientsNetwork) client_.freeze();
     }
   }
-  /// The one that goes on later does so when the other has had time to go wrong.
+  /// Lets both go on; the later one does so when the other has had time to go wrong.
   void thaw() {
     arm_.slow = false;
     const bool providerFirst = frozen() == Frozen::BothThenProvider;

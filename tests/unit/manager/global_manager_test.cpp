@@ -53,7 +53,7 @@ class Peer {
   ProcessRecord resolve(const std::string& name, Duration wait = 0s) {
     return control_.run(wait + 10s, [this, name, wait] { return link_->resolve(name, wait); });
   }
-  /// Why a name is not there, while `waiting` others are waited for.
+  /// Returns why a name is not there, while `waiting` others are waited for.
   std::string resolveBehind(std::size_t waiting) {
     return control_.run(kPatience, [this, waiting] {
       kj::Vector<kj::Promise<ProcessRecord>> others;

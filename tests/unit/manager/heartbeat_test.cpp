@@ -34,7 +34,7 @@ class AnsweringPeer final : public wire::Peer::Server {
   kj::Promise<void> ping(PingContext context) override {
     const auto in = context.getParams();
     if (in.hasComponents()) name(in.getComponents());
-    // One that does not move stays due at the moment at which it first was.
+    // A task that does not move stays due at the moment at which it first was.
     const unsigned turn = answers_.asked++;
     if (turn >= answers_.silentAfter) return kj::NEVER_DONE;
     if (turn < answers_.overdue.size()) due_ = now() - answers_.overdue[turn];
@@ -92,7 +92,7 @@ class HeartbeatTest : public testing::Test {
     auto well = watch_->whenItWorks().then([] { return std::string("well"); });
     return watch_.whenLost().exclusiveJoin(kj::mv(well)).wait(port_.scope());
   }
-  /// Why the component is lost, or "not lost" after many times what any bound takes.
+  /// Returns why the component is lost, or "not lost" after many times what any bound takes.
   std::string whyLost(std::vector<Duration> overdue) {
     answers_.overdue = std::move(overdue);
     auto never =

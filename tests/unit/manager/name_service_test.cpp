@@ -15,7 +15,7 @@ class Service {
     session_ = hello.send().wait(scope_).getSession();
   }
 
-  /// Why a process of `version` of the protocol gets no session, or "".
+  /// Returns why a process of `version` of the protocol gets no session, or "".
   std::string refusalOf(std::uint16_t version) {
     auto hello = manager_.helloRequest();
     hello.setVersion(version);

@@ -116,7 +116,7 @@ TEST(Period, SkipsAndCountsWhatWasMissed) {
   EXPECT_EQ(period.skipped(), 3u);
 }
 
-// executed + skipped = elapsed / period, within one, whatever the cycles cost.
+// executed + skipped = elapsed / period holds within one, whatever the cycles cost.
 TEST(Period, AccountsForEveryPeriod) {
   Period period(1ms);
   const Time start = now();

@@ -11,7 +11,7 @@
 
 namespace bench {
 
-/// Sends a block and, when it is back, the next one, from its first cycle on. `Contract`:
+/// Sends a block and, when it is back, the next one, from its first cycle on. `Contract` is
 /// SmallBlocks or LargeBlocks.
 template <class Contract>
 class BlockClient final : public suture::EventTask {

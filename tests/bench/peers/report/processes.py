@@ -15,7 +15,7 @@ FIRST_PORT, PORTS, PORTS_OF_A_RUN = 20000, 12000, 400  # below those that the ke
 
 
 class Failure(Exception):
-    """Why a peer has no figures, in words."""
+    """Says why a peer has no figures, in words."""
 
 
 class Runs:

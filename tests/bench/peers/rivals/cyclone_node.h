@@ -37,7 +37,7 @@ class Node {
 };
 
 void write(dds_entity_t writer, const void* sample);
-/// The waitset wakes with `token` when the reader has data.
+/// Makes the waitset wake with `token` when the reader has data.
 void attach(dds_entity_t waitset, dds_entity_t reader, dds_attach_t token);
 
 /// Calls `take` with each sample that is there, which the library lends. Returns how many.

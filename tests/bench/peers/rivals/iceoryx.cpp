@@ -111,7 +111,7 @@ BlobLead leadOf(const char* memory) {
   return lead;
 }
 
-/// Only the first server answers; the others take part under names that nobody uses.
+/// Only the first server answers; the others take part under names without a user.
 std::string answering(int server, const std::string& name) {
   return server == 0 ? name : name + "_unused";
 }

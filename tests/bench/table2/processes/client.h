@@ -23,8 +23,9 @@ class Client {
 
   // The rest once the task has been stopped.
 
-  /// Returns ns. CSC: from the write to the event. SCS, event-driven: from fresh() to the end of
-  /// the blocking write, twice across. SCS, periodic: nothing, since only the server measures.
+  /// Returns ns. With CSC they are from the write to the event. With SCS, event-driven, they are
+  /// from fresh() to the end of the blocking write, twice across. With SCS, periodic, there are
+  /// none, since only the server measures.
   virtual const std::vector<std::int64_t>& elapsed() const = 0;
   /// Returns how many calls were refused or had no answer within a second.
   virtual std::size_t failures() const = 0;

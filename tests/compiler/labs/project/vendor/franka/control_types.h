@@ -1,4 +1,5 @@
-// The shape of libfranka's franka/control_types.h: commands that no constructor makes of nothing.
+// This has the shape of libfranka's franka/control_types.h: commands that no constructor makes of
+// nothing.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The shape of libfranka's franka/duration.h: a count that nobody sees.
+// This has the shape of libfranka's franka/duration.h: a count that is hidden.
 #pragma once
 
 #include <chrono>

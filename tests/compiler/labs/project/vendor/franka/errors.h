@@ -1,4 +1,5 @@
-// The shape of libfranka's franka/errors.h: flags that are references into a private array.
+// This has the shape of libfranka's franka/errors.h: flags that are references into a private
+// array.
 #pragma once
 
 #include <array>

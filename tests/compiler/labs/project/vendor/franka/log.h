@@ -1,4 +1,4 @@
-// The shape of libfranka's franka/log.h.
+// This has the shape of libfranka's franka/log.h.
 #pragma once
 
 #include <franka/control_types.h>

@@ -1,4 +1,4 @@
-// The shape of libfranka's franka/robot_state.h.
+// This has the shape of libfranka's franka/robot_state.h.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The shape of libfranka's franka/vacuum_gripper_state.h.
+// This has the shape of libfranka's franka/vacuum_gripper_state.h.
 #pragma once
 
 #include <cstdint>

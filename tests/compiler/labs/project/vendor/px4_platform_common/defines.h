@@ -1,3 +1,3 @@
 #pragma once
-// What NuttX says of a symbol that other modules see.
+// NuttX says this of a symbol that other modules see.
 #define __EXPORT __attribute__((visibility("default")))

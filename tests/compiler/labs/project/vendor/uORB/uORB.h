@@ -1,5 +1,5 @@
 #pragma once
-// The shape of PX4's uORB/uORB.h: what describes a topic, and refers to it.
+// This has the shape of PX4's uORB/uORB.h: what describes a topic, and refers to it.
 
 #include <px4_platform_common/defines.h>
 #include <stdbool.h>

@@ -1,4 +1,5 @@
-// The shape of libfranka's research_interface/robot/rbk_types.h: what its robot sends, packed.
+// This has the shape of libfranka's research_interface/robot/rbk_types.h: what its robot sends,
+// packed.
 #pragma once
 
 #include <array>
