@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What takes too long for every push: the tests labelled long (docs/tests.md lists them), suturec under AddressSanitizer and
+# Runs what takes too long for every push: the tests labelled long (docs/tests.md lists them), suturec under AddressSanitizer and
 # UBSan on 10,000 mutated headers and on all its tests, ten minutes of each fuzzer, a minute of stress on each part between
 # threads, a thousand restarts of a peer, a million changed sessions, twenty rounds of faults between processes, ten minutes of
 # faults of messages, ten draws of random types and contracts, each scenario of conformance on each row that
@@ -30,7 +30,7 @@ printf '%s\n' lock deployment frames shared handshake generated golden | xargs -
   ./{}_fuzz -max_total_time="$seconds" -max_len=8192 -timeout=10 -artifact_prefix=found/{}_ \
     found/{} corpus/{} 2>&1 | sed -u "s/^/{}: /"'
 
-# The tiers leave it out under the sanitizers, as they have an allocator and locks of their own and it needs the arm.
+# The tiers leave this test out under the sanitizers, since they have an allocator and locks of their own, and it needs the arm.
 for preset in tsan asan; do
   cmake --preset $preset --log-level=WARNING
   cmake --build --preset $preset --target task_thread_test -- --quiet
@@ -44,7 +44,7 @@ tests/planted.sh
 ctest --preset dev -j "$(nproc)" -L long
 SUTURE_STRESS_SECONDS=60 "$build/bin/stress_test" --gtest_brief=1
 SUTURE_SESSIONS=1000000 "$build/bin/fault_test" --gtest_filter=Sessions.*
-SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.OfAPeer*'
+SUTURE_RECONNECTS=1000 "$build/bin/fault_test" --gtest_filter='*Restarts.ManyRestartsOfAPeer*'
 SUTURE_FAULT_SECONDS=20 "$build/bin/fault_test" --gtest_filter='*Messages*' --gtest_brief=1
 for _ in {1..20}; do SUTURE_FAULT_ROUNDS=3 "$build/bin/fault_test" --gtest_filter='*Kill.*:*Stop.*:*Proxy.*:*Messages*:Lanes/Stopped*' --gtest_brief=1; done
 for _ in {1..10}; do

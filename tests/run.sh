@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 presets=("$@")
 [ $# -gt 0 ] || presets=(dev tsan asan)
 
-# A preset's minutes are kept beside its build for tests/timing.sh, and printed whether or not all went well.
+# A preset's minutes are kept beside its build for tests/timing.sh, and printed also when a test failed.
 trap 'tests/timing.sh --summary "${presets[@]/fast/dev}"' EXIT
 timed() {  # timed FILE COMMAND...
   local file=$1 begin=$SECONDS status=0

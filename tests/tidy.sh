@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# clang-tidy on the sources that differ from origin/main, or from the commit before where there is none: .clang-tidy says what it
-# looks for. Needs the build folder of the preset dev.
+# Runs clang-tidy on the sources that differ from origin/main, or from the commit before where there is none: .clang-tidy says what
+# it looks for. It needs the build folder of the preset dev.
 #   tests/tidy.sh [--all | FILE...]
 set -euo pipefail
 cd "$(dirname "$0")/.."

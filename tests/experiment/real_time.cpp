@@ -50,7 +50,7 @@ suture::rt::Scheduling aheadOf(suture::rt::Scheduling scheduling) {
 
 Pair pairAt(Time then, const Course& master, const Course& slave, const Course& setpoint) {
   const auto at = [then](const Course& course) {
-    return Eigen::Isometry3d(Eigen::Translation3d(course.at(then)));  // nobody asks for its turn
+    return Eigen::Isometry3d(Eigen::Translation3d(course.at(then)));  // its turn is not needed
   };
   return {at(master), at(slave), at(setpoint)};
 }

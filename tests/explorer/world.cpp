@@ -161,7 +161,7 @@ class World {
   void resume() {
     try {
       console_->resumeConnection("Operator/Arm");
-    } catch (const suture::SetupError&) {  // they await nobody, or the arm is still lost
+    } catch (const suture::SetupError&) {  // they await no resume, or the arm is still lost
     }
   }
   /// The world works as soon as a call is answered.

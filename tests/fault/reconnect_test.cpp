@@ -59,7 +59,7 @@ class Restarts : public testing::TestWithParam<const char*> {
 INSTANTIATE_TEST_SUITE_P(Sockets, Restarts, testing::Values("unix", "tcp"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST_P(Restarts, OfAPeerOverAndOverCostNothing) {
+TEST_P(Restarts, ManyRestartsOfAPeerCostNothing) {
   rpc::ControlThread control;
   const GlobalManager names(control, address("m.sock"));
   auto child = provider(names.address());

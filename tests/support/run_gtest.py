@@ -1,6 +1,6 @@
 """Runs a gtest program and prints the cases that do not simply pass: run_gtest.py RECORD PROGRAM [FLAG...]
 
-A program of hundreds of cases runs in few processes, and whoever reads a failure wants that case alone: its output is held back
+A program of hundreds of cases runs in few processes, and a reader of a failure wants that case alone: its output is held back
 until the case has ended, and dropped if it passed. A case that ends the process, or that runs for long, is named. RECORD is where
 gtest writes how long each case took, for tests/timing.sh.
 """

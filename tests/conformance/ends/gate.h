@@ -29,7 +29,7 @@ class Gate {
     while (suture::now() < state_.opensAt.load()) bell_.waitUntil(state_.opensAt);
     --state_.waiting;
   }
-  /// Somebody waits at the gate.
+  /// Tells if a handler waits at the gate.
   bool hasVisitor() const { return state_.waiting > 0; }
 
  private:

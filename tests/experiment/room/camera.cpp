@@ -14,7 +14,7 @@ Camera::Camera(const CameraModel& model)
       lost_(model.dropout) {}
 
 void Camera::run() {
-  if (lost_(random_)) return;  // nobody hears of it: the last sighting stays the last
+  if (lost_(random_)) return;  // the last sighting stays the last
   const auto strand = strand_.strand.delayed(model_.latency);
   const auto frames = registration_.frames();
   sighting_.valid = strand && strand->valid && frames;

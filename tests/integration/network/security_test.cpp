@@ -223,7 +223,7 @@ TEST_F(SecurityTest, AReadOnlyRoleReadsAndHearsAndCommandsNothing) {
   EXPECT_EQ(onlooker.arm.reset.start().within(kPatience).error(), Errc::NotPermitted);
   const auto refused = [&] { return observe(viewer, {}).connections.at(0).refused; };
   const auto before = refused();
-  ASSERT_TRUE(onlooker.arm.hold());  // nobody waits for the answer of this one
+  ASSERT_TRUE(onlooker.arm.hold());  // the answer of this one is not awaited
   EXPECT_TRUE(eventually([&] { return refused() > before; })) << "but it is counted";
   surgeon.processEvents();
   onlooker.processEvents();

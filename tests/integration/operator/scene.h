@@ -31,7 +31,7 @@ class Scene final : public suture::PeriodicTask, public KnotVision, public Guida
   const GuidanceProgress& progress() const override { return progress_; }
   const KnotSighting& sighting() const override { return sighting_; }
 
-  std::atomic<bool> covered = false;  ///< nobody sees the knot
+  std::atomic<bool> covered = false;  ///< no camera sees the knot
   std::atomic<bool> frozen = false;   ///< the picture is that of before
 
  private:

@@ -61,7 +61,7 @@ class JawFollowing : public testing::TestWithParam<suture::Lane> {
     });
   }
   double jaw() {
-    (void)surgeon_.jaw.measured_js();  // rows are published of what somebody has asked for
+    (void)surgeon_.jaw.measured_js();  // only asked-for rows are published
     pass(10ms);
     const auto sample = surgeon_.jaw.measured_js();
     EXPECT_TRUE(sample && sample->valid);

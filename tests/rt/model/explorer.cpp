@@ -28,7 +28,7 @@ bool independent(const Access& a, const Access& b) {
 /// A moment of a run at which one of several threads had to be chosen.
 struct Choice {
   Threads enabled = 0;
-  Threads asleep = 0;  // whoever they run as next, it has been seen in another run
+  Threads asleep = 0;  // another run has seen what comes if one of them is next
   Threads tried = 0;
   std::size_t chosen = 0;
   std::size_t value = 0, values = 1;  // which of so many values its load returns

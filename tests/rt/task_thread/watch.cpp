@@ -64,7 +64,7 @@ void Watch::end() {
   if (faults > 0) {
     record("page fault");
     findings_.back().count = faults;
-    findings_.back().frameCount = 0;  // nobody saw where
+    findings_.back().frameCount = 0;  // no watch saw where
   }
   done_.store(true, std::memory_order_release);
 }

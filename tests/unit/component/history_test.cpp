@@ -140,7 +140,7 @@ TEST_F(History, AProviderReadsItsOwn) {
   ASSERT_TRUE(then);
   EXPECT_EQ(x(*then), 1);
   EXPECT_EQ(x(*arm.past[&Required<ArmLike>::measured_cp]()), 2);
-  EXPECT_TRUE(arm.required().empty());  // nobody is to wire it
+  EXPECT_TRUE(arm.required().empty());  // no manager has to wire it
 }
 
 TEST_F(History, AStateInUseStaysAsItIs) {

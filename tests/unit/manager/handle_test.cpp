@@ -161,7 +161,7 @@ TEST_P(Handles, MayOutliveTheManager) {
   handle.on().stopped([] {});
   manager.reset();
   EXPECT_EQ(handle.hold().error(), Errc::Lost);
-  EXPECT_TRUE(handle.on().stopped.reset());  // and rings nobody who is gone
+  EXPECT_TRUE(handle.on().stopped.reset());  // and rings no client that is gone
   EXPECT_TRUE(handle.on().mode([](const reference::Mode&) {}));
 }
 

@@ -107,7 +107,7 @@ TEST(StateCollector, CollectsFromStartToStopAlone) {
   CollectedStates run({.collecting = false}, sink);
   pass(30ms);
   EXPECT_FALSE(run.collector.collecting());
-  EXPECT_EQ(run.produced(), 0u);  // nobody has asked
+  EXPECT_EQ(run.produced(), 0u);  // no client has asked
 
   run.collector.startCollecting();
   EXPECT_TRUE(eventually([&] { return run.collector.counts().collected >= 20; }));
