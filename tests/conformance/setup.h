@@ -1,5 +1,5 @@
 #pragma once
-// A provider and a client, connected over the lane under test.
+// These are a provider and a client, connected over the lane under test.
 
 #include <gtest/gtest.h>
 #include <suture/component/sleep.h>

@@ -17,7 +17,7 @@ TYPES = {"object": dict, "array": list, "string": str, "integer": int, "number":
 
 
 def keys_of(schema, path=""):
-    """Each key with its schema: {"processes[].name": ...}."""
+    """Returns each key with its schema: {"processes[].name": ...}."""
     for key, value in {**schema.get("properties", {}), "*": schema.get("additionalProperties")}.items():
         if not isinstance(value, dict):
             continue

@@ -9,7 +9,8 @@
 
 namespace experiment {
 
-/// A point of the grid, run both ways with equal seeds: a result of either for each seed.
+/// Is a point of the grid, run both ways with equal seeds: it has a result of each way for each
+/// seed.
 struct Point {
   Trial trial;
   std::vector<Result> real, stepped;

@@ -8,7 +8,7 @@
 
 namespace experiment {
 
-/// The names of the columns.
+/// Returns the names of the columns.
 std::string header();
 /// Returns a trial in these columns: ms, %, mm and s. A time that is none is empty.
 std::string row(const Trial& trial, const Result& result);

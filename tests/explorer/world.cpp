@@ -213,7 +213,7 @@ class World {
   void require(bool holds, const std::string& what) {
     if (!holds) outcome_.broken.push_back("not so: " + what);
   }
-  /// The report on the only connection between the two processes.
+  /// Returns the report on the only connection between the two processes.
   static suture::ConnectionReport of(const suture::Manager& manager) {
     suture::ConnectionReport last;
     for (auto& one : suture::observe(manager, {}).connections) {

@@ -144,7 +144,7 @@ Bytes recordedSession(const std::string& manager, const rpc::Address& robot) {
   return recorder.finish();
 }
 
-/// One to four changes.
+/// Returns the bytes after one to four changes.
 Bytes changed(Bytes bytes, std::mt19937& random) {
   const auto below = [&](std::size_t most) { return most == 0 ? 0 : random() % most; };
   for (std::size_t left = 1 + below(4); left > 0 && !bytes.empty(); --left) {

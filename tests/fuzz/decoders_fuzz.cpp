@@ -1,5 +1,5 @@
-// The decoders of generated types on any bytes: the first byte chooses the type, the rest is a
-// frame as a socket gives it, and goes the same way as there.
+// This gives any bytes to the decoders of generated types: the first byte chooses the type, the
+// rest is a frame as a socket gives it, and goes the same way as there.
 
 #include <kj/exception.h>
 #include <suture/framing/received_message.h>

@@ -72,7 +72,7 @@ bool beginsWith(const std::vector<std::byte>& bytes, const void* start, std::siz
   return bytes.size() >= size && (size == 0 || std::memcmp(bytes.data(), start, size) == 0);
 }
 
-/// All of its messages, read as far as they go.
+/// Reads all of its messages, as far as they go.
 void readMessages(EventPort& port, ByteStream stream, const std::vector<std::byte>& begun) {
   MessageStream messages(port, kj::mv(stream), kLimits, begun);
   for (;;) {

@@ -6,7 +6,7 @@
 
 namespace suture::fuzz {
 
-/// The input, a byte at a time; zeros behind its end.
+/// Is the input, a byte at a time, with zeros behind its end.
 class Input {
  public:
   Input(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}

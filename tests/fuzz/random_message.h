@@ -1,5 +1,5 @@
 #pragma once
-// Messages of any schema, with the values that converters get wrong.
+// These are messages of any schema, with the values that converters get wrong.
 
 #include "tests/fuzz/decoder.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// A fixture for tests of a lane: an arm, and who uses it from another process.
+// This is a fixture for tests of a lane: an arm, and its client in another process.
 
 #include <gtest/gtest.h>
 #include <suture/component/channel/channel.h>

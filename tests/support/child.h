@@ -1,5 +1,5 @@
 #pragma once
-// A process that a test starts, and ends.
+// This is a process that a test starts, and ends.
 
 #include <fcntl.h>
 #include <poll.h>

@@ -19,7 +19,7 @@ inline TestClockOptions steppedOptions() {
           .problem = [](const std::string& problem) { ADD_FAILURE() << problem; }};
 }
 
-/// The clock of the test that runs, in a program with stepped_main.cpp.
+/// Returns the clock of the test that runs, in a program with stepped_main.cpp.
 TestClock& clockOfTest();
 
 }  // namespace suture

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// A thread of a test: one that a stepped clock knows. Joined at the end at the latest.
+/// Is a thread of a test that a stepped clock knows.
 class TestThread {
  public:
   explicit TestThread(std::function<void()> body) {

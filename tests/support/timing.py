@@ -21,7 +21,7 @@ def minutes(seconds):
 
 
 class Run:
-    """The last run of a preset."""
+    """Is the last run of a preset."""
 
     def __init__(self, build, preset):
         self.preset, self.records = preset, build / preset / "Testing"
@@ -81,7 +81,7 @@ def print_summary(runs):
 
 
 def print_sums(run, what, group):
-    """Sums of tests that run side by side: more than the minutes that passed."""
+    """Adds up tests that run side by side: the sum is more than the minutes that passed."""
     sums = collections.Counter()
     for name, seconds in run.tests():
         sums[group(name)] += seconds

@@ -11,7 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
 
-# Their values name their frames themselves, and are of more than one.
+# Values of these contracts name their frames themselves, and are of more than one frame.
 OF_SEVERAL_FRAMES = {"robots::Registration", "robots::Teleoperation"}
 
 
@@ -53,7 +53,7 @@ class Contracts:
 
 
 def undeclared(deployment, contracts):
-    """Each end of a connection that does not declare a frame of what the connection carries."""
+    """Returns each end of a connection that does not declare a frame of what the connection carries."""
     components = {f"{process['name']}:{one['name']}": one for process in deployment["processes"]
                   for one in process["components"]}
     problems = []

@@ -165,7 +165,7 @@ def check_folders(root):
                 yield f"{folder.relative_to(root)}: {len(flat)} sources lie flat, at most {MAX_SOURCES}; part them by idea"
 
 
-# Projects and inputs of single tests, which are told of where the test is.
+# These are projects and inputs of single tests: the README of the test's folder tells of them.
 FIXTURES = {"golden", "errors", "evolution", "project", "consumers", "refusals"}
 
 

@@ -10,7 +10,7 @@ namespace bench {
 
 class NinjaBuild {
  public:
-  /// Configures the project in `source` below `build`; `settings` as for cmake -D. Throws
+  /// Configures the project in `source` below `build`, with `settings` as for cmake -D. Throws
   /// SetupError.
   NinjaBuild(std::filesystem::path source, std::filesystem::path build,
              const std::map<std::string, std::string>& settings);

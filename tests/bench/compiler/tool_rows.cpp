@@ -55,8 +55,8 @@ void writeFile(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
 }
 
-/// The same translation unit as suturec's for other programs: where suturec puts an include of X.h
-/// in the place of each X.suture.h, they find a file that does.
+/// Writes the same translation unit as suturec's for other programs: where suturec puts an include
+/// of X.h in the place of each X.suture.h, they find a file that does.
 fs::path writeUnit(const Call& call, const fs::path& folder) {
   std::string text;
   for (const std::string& header : call.headers) text += "#include \"" + header + "\"\n";

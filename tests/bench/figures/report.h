@@ -1,5 +1,5 @@
 #pragma once
-// The figures that a subcommand has measured, by name.
+// These are the figures that a subcommand has measured, by name.
 
 #include <nlohmann/json.hpp>
 #include <optional>

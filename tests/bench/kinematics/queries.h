@@ -1,5 +1,5 @@
 #pragma once
-// Goals of inverse kinematics with their starts, of every kind that an arm may be asked.
+// These are goals of inverse kinematics with their starts, of every kind that an arm may be asked.
 
 #include <cmath>
 #include <random>

@@ -16,7 +16,8 @@ using suture::MemoryBlock;
 
 constexpr suture::Duration kSilence = std::chrono::hours(1);
 
-/// The provider's end of a connection, on memory of its own or on memory that its client may write.
+/// Is the provider's end of a connection, on memory of its own or on memory that its client may
+/// write.
 class ProvidersEnd {
  public:
   explicit ProvidersEnd(suture::Duration silence, Arena memory = {})

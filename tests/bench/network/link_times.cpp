@@ -59,8 +59,8 @@ struct Connected {
   std::shared_ptr<suture::Channel> channel;
 };
 
-/// A new process's part: a manager, its names, the handshake and the lane; to a server that is
-/// there.
+/// Times a new process's part: a manager, its names, the handshake and the lane; to a server that
+/// is there.
 std::int64_t connectFromCold(suture::Lane lane, const Names& names) {
   SampleDevice client;
   const Time begin = now();

@@ -149,7 +149,7 @@ class Survivor {
   suture::Manager manager_;
 };
 
-/// One fault of each kind at least; the survivor is connected anew after each.
+/// Injects one fault of each kind at least; the survivor is connected anew after each.
 void injectFor(suture::Duration length, Victim& victim, Survivor& survivor) {
   const suture::Time end = now() + length;
   do {

@@ -84,7 +84,7 @@ class StopWatch final : public suture::PeriodicTask {
  public:
   StopWatch();
 
-  /// Any thread: all drives have that power.
+  /// Any thread: tells if all drives have that power.
   bool all(robots::DrivePower power) const;
   /// Any thread: forgets what has stopped until now.
   void reset();

@@ -1,5 +1,5 @@
 #pragma once
-// Two ends of a bare socket, for what is measured without Suture.
+// These are two ends of a bare socket, for what is measured without Suture.
 
 #include <array>
 

@@ -4,7 +4,7 @@
 
 namespace bench {
 
-/// The pose that all measurements send: two frames with names of four characters.
+/// Returns the pose that all measurements send: two frames with names of four characters.
 robots::PosePrm samplePose();
 
 }  // namespace bench

@@ -113,7 +113,7 @@ def stale_output(project):
 
 
 def bad_header(project):
-    """One bad header of a target: nothing of the others is written, and nothing is half-written."""
+    """Builds with one bad header of a target: nothing of the others is written, and nothing is half-written."""
     before = project.times()
     project.edit("count/sample.h", "namespace scratch {", "namespace scratch {\nint broken(")
     status, text = project.build()

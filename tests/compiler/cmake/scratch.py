@@ -44,7 +44,7 @@ def install(build, prefix, *options):
 
 
 class Project:
-    """A project in a folder of its own, whose path has a space, with its build folder."""
+    """Is a project in a folder of its own, whose path has a space, with its build folder."""
 
     def __init__(self, root, package, generator="Ninja"):
         self.root = root

@@ -64,7 +64,7 @@ def check_case(suturec, flags, header, record):
     return [f"{header.name}: {p}" for p in problems]
 
 
-# A faulty command line, run in cases/, and the words that must come.
+# Each row has a faulty command line, run in cases/, and the words that must come.
 USAGE = [
     ("--out OUT --lock-dir schemas", "headers is required"),
     ("--lock-dir schemas pointer.h", r"--out \(or --update-lock\) is required"),

@@ -82,7 +82,7 @@ class Folder:
         return self.run_all({"page": text}, *options)
 
     def run_all(self, texts, *options):
-        """One run of suturec on headers by their names."""
+        """Runs suturec once on headers by their names."""
         for name, text in texts.items():
             (self.root / f"{name}.h").write_text(text, encoding="utf-8")
         command = [self.suturec, "--base-dir", ".", "--lock-dir", "schemas", *options, *(f"{name}.h" for name in texts), "--",

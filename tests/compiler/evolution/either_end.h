@@ -38,7 +38,7 @@ void connected(const Asking& asking, suture::Component& client, const std::strin
   manager.stop();
 }
 
-/// The exit status of `program serve ADDRESS` or `program ask ADDRESS LANE`.
+/// Returns the exit status of `program serve ADDRESS` or `program ask ADDRESS LANE`.
 template <class Serve, class Ask>
 int eitherEnd(int argc, char** argv, const Serve& serve, const Ask& ask) {
   const std::string verb = argc > 1 ? argv[1] : "";

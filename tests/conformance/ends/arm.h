@@ -107,7 +107,7 @@ class RecordingArm : public GripperArm {
     const std::lock_guard lock(mutex_);
     return clients_;
   }
-  /// The thread, of all on this machine, in which the last release() or fits() ran.
+  /// Returns the thread, of all on this machine, in which the last release() or fits() ran.
   pid_t ranIn() const { return ranIn_; }
 
   std::vector<std::string> taken() const {

@@ -1,6 +1,6 @@
 #pragma once
-// The client of all scenarios: runs what the test gives it in the thread that owns the required
-// interface.
+// This is the client of all scenarios: it runs what the test gives it in the thread that owns the
+// required interface.
 
 #include <gtest/gtest.h>
 #include <suture/component/device.h>

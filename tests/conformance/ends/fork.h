@@ -1,5 +1,5 @@
 #pragma once
-// A second process of the test program's own.
+// This is a second process of the test program's own.
 
 #include <sys/types.h>
 
@@ -24,7 +24,7 @@ class Fork {
   Fork(const Fork&) = delete;
   Fork& operator=(const Fork&) = delete;
 
-  /// Any thread; returns when it is done.
+  /// Any thread may call it; it returns when the deed is done.
   std::string ask(Deed deed, const std::string& given);
   pid_t pid() const { return pid_; }
 

@@ -19,7 +19,7 @@ std::unique_ptr<ArmComponent> makeArm(ProviderKind kind, Gate& gate) {
   return nullptr;
 }
 
-// Rows enough for what a scenario asks of the past: on the stepped clock it takes some
+// These are rows enough for what a scenario asks of the past: on the stepped clock it takes some
 // milliseconds, and in real time it takes as long as it takes.
 constexpr unsigned kRowsSteppedThrough = 256, kRowsInRealTime = 4096;
 

@@ -1,5 +1,5 @@
 #pragma once
-// The provider's end of the connection under test, wherever it lives.
+// This is the provider's end of the connection under test, in whichever process it lives.
 
 #include <suture/manager/manager.h>
 #include <suture/names/security.h>

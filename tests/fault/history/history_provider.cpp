@@ -20,7 +20,7 @@
 
 namespace {
 
-/// The number of the client "client7:Client/Arm" of a connection; 0: it is another's.
+/// Returns the number of the client "client7:Client/Arm" of a connection; 0 if it is another's.
 std::uint32_t clientIn(const std::string& connection) {
   constexpr std::string_view kProcess = "client";
   if (!connection.starts_with(kProcess)) return 0;

@@ -1,4 +1,4 @@
-// A checksum that is always right: the fuzzer of frames must say so.
+// This is a checksum that is always right: the fuzzer of frames must say so.
 
 #include <suture/lane/frame/bytes/crc32c.h>
 

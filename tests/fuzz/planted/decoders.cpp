@@ -1,4 +1,4 @@
-// A type whose converter forgets a coordinate: the decoders' fuzzer must say so.
+// This is a type whose converter forgets a coordinate: the decoders' fuzzer must say so.
 
 #include "tests/fuzz/decoder.h"  // first
 

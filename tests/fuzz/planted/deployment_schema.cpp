@@ -1,4 +1,4 @@
-// A schema that lets everything through: the deployment's fuzzer must say so.
+// This is a schema that lets everything through: the deployment's fuzzer must say so.
 
 #include <suture/deploy/document/schema_check.h>
 

@@ -1,4 +1,4 @@
-// A writer that forgets what it was given: the lock's fuzzer must say so.
+// This is a writer that forgets what it was given: the lock's fuzzer must say so.
 
 #include "compiler/lock/schema/writer.h"
 

@@ -1,5 +1,5 @@
-// A ring that hands out another process's memory as it is: the fuzzer of shared memory must see it
-// change.
+// This is a ring that hands out another process's memory as it is: the fuzzer of shared memory must
+// see it change.
 
 #include <suture/rt/queue/mpsc_ring.h>
 

@@ -1,4 +1,4 @@
-"""Programs that cannot start: each says what was asked, what was found and what to do, and ends with 1."""
+"""Runs programs that cannot start: each says what was asked, what was found and what to do, and ends with 1."""
 
 import json
 import os

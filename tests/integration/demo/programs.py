@@ -59,7 +59,7 @@ class Demo:
         return json.loads(self.json.read_text())
 
     def child(self, name):
-        """Process id of the workstation `name`, or of the program `name`."""
+        """Returns the process id of the workstation `name`, or of the program `name`."""
         for pid, arguments in children_of(self.process.pid):
             if name in arguments or pathlib.Path(arguments[0]).name == name:
                 return pid

@@ -1,4 +1,4 @@
-"""A process of more components than the usual limit of descriptors lets it have."""
+"""Runs a process of more components than the usual limit of descriptors lets it have."""
 
 import json
 import pathlib

@@ -17,7 +17,7 @@ PROCESSOR = min(os.sched_getaffinity(0))
 
 
 def threads(pid):
-    """The policy and priority of each thread, by its name."""
+    """Returns the policy and priority of each thread, by its name."""
     found = {}
     for task in pathlib.Path(f"/proc/{pid}/task").iterdir():
         thread = int(task.name)

@@ -1,5 +1,5 @@
 #pragma once
-// The arm of these tests: is where it was last sent to.
+// This is the arm of these tests: it is where it was last sent to.
 
 #include <suture/component/task/event_task.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The client of these tests.
+// This is the client of these tests.
 
 #include <suture/component/device.h>
 

@@ -30,7 +30,7 @@ class LagProbe final : public suture::PeriodicTask {
         moved_(moved),
         seen_(seen) {}
 
-  /// Any thread: arms and picture are ready, and the knot is at rest.
+  /// Any thread may call it once arms and picture are ready, and the knot is at rest.
   void begin() { begun_ = true; }
   /// The measurement is done so long after begin().
   static constexpr suture::Duration kTakes = std::chrono::seconds(4);

@@ -37,8 +37,8 @@ bool diesOut(const Error& error) {
   return swing() < early;
 }
 
-/// The longest delay for which `isStable(delay)` holds, less `resolution` at most; at least
-/// `stable`, and less than `unstable`.
+/// Returns the longest delay for which `isStable(delay)` holds, less `resolution` at most; it is at
+/// least `stable`, and less than `unstable`.
 template <class IsStable>
 suture::Duration longestStable(const IsStable& isStable, suture::Duration stable,
                                suture::Duration unstable, suture::Duration resolution) {

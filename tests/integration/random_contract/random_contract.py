@@ -66,7 +66,7 @@ def call_across_processes(project, suture, seed, server_program=None):
 
 @contextlib.contextmanager
 def project():
-    """The options of a test of random headers, and the folder of its project, gone at the end."""
+    """Returns the options of a test of random headers, and the folder of its project, gone at the end."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--suture", type=pathlib.Path, required=True, help="build folder of Suture")
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(1 << 30))

@@ -34,7 +34,7 @@ class Field:
 
 
 class Types:
-    """A set of enums and structs; a later struct may hold an earlier one."""
+    """Is a set of enums and structs; a later struct may hold an earlier one."""
 
     def __init__(self, seed, count=5, data_only=False):
         """`data_only`: also what a contract cannot carry by value, base classes, and names that others have a use for."""

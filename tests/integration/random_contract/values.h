@@ -65,7 +65,7 @@ struct Random : std::mt19937_64 {
 };
 struct Tag {};
 
-/// The capacities of a member, outside in; each level takes its own.
+/// Has the capacities of a member, from outside to inside; each level takes its own.
 using Bounds = const unsigned*;
 
 template <class T>
@@ -180,7 +180,7 @@ bool equal(const Eigen::Transform<double, 3, Mode>& a, const Eigen::Transform<do
   return equal(a.matrix(), b.matrix(), tag);
 }
 
-/// Elements that all have the bounds that follow; `add(element)` once for each.
+/// Fills elements that all have the bounds that follow; `add(element)` is called once for each.
 template <class T, class Add>
 void fillElements(std::size_t count, Random& random, Bounds& bounds, const Add& add) {
   Bounds end = bounds;

@@ -6,7 +6,7 @@
 namespace model {
 namespace {
 
-// One column of one word: stamp and columns of a row are three more.
+// There is one column of one word: stamp and columns of a row are three more.
 constexpr std::uint32_t kColumns[] = {8};
 
 struct Table {

@@ -1,6 +1,6 @@
 #pragma once
-// One end of a scenario: a component of any kind that serves the contract and uses that of the
-// other end.
+// This is one end of a scenario: a component of any kind that serves the contract and uses that of
+// the other end.
 
 #include <functional>
 #include <memory>

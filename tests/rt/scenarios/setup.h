@@ -1,5 +1,5 @@
 #pragma once
-// Two ends, each connected to the other.
+// These are two ends, each connected to the other.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #pragma once
-// The two ends of the proof: a seven-joint arm and a client that uses all of its contract.
+// These are the two ends of the proof: a seven-joint arm and a client that uses all of its
+// contract.
 
 #include <functional>
 #include <string>

@@ -60,7 +60,7 @@ void free(void* memory) {
 
 namespace {
 
-/// The function of this name that the C library has.
+/// Returns the function of this name that the C library has.
 template <class Function>
 Function* original(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));

@@ -1,5 +1,5 @@
 #pragma once
-// The system calls of a thread, seen from within the process.
+// These show the system calls of a thread, seen from within the process.
 
 namespace proof {
 

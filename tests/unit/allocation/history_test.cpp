@@ -16,7 +16,7 @@ struct Client final : Device {
   Required<ArmLike> arm{*this, "Arm"};
 };
 
-/// One cycle of the provider, and every way to read its past.
+/// Runs one cycle of the provider, and every way to read its past.
 void cycle(DrivenArm& arm, Client& client, reference::PoseStamped& pose,
            reference::JointState& joints) {
   arm.cycle();

@@ -1,4 +1,4 @@
-// The contract of a simulated arm, called directly: each command does what its name says.
+// These call the contract of a simulated arm directly: each command does what its name says.
 #include <gtest/gtest.h>
 
 #include "unit/arm/crtk_arm_fixture.h"

@@ -1,4 +1,4 @@
-// Goals that come more slowly than the arm's cycles: the set-point goes to each in a line.
+// These goals come more slowly than the arm's cycles: the set-point goes to each in a line.
 #include <gtest/gtest.h>
 
 #include "unit/arm/crtk_arm_fixture.h"

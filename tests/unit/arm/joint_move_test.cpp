@@ -1,4 +1,4 @@
-// A planned motion, sampled densely from random starts.
+// These sample planned motions densely, from random starts.
 
 #include "arm_control/motion/joint_move.h"
 

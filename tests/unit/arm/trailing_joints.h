@@ -20,7 +20,7 @@ class TrailingJoints {
   TrailingJoints(const ArmModel<N>& model, const Joints& parked)
       : dynamics_(0.01, model.rate_limit, model.chain.lower(), model.chain.upper(), parked) {}
 
-  /// One cycle of the arm at time `now`; its set-point acts on the joints from then on.
+  /// Runs one cycle of the arm at time `now`; its set-point acts on the joints from then on.
   void step(ArmController<N>& arm, suture::Time now) {
     if (last_ != suture::Time{} && !blocked_) dynamics_.advance(secondsBetween(last_, now));
     last_ = now;
@@ -39,9 +39,9 @@ class TrailingJoints {
   const Joints& position() const { return dynamics_.measured(); }
   /// Makes the drives say so from now on, whatever the arm wants.
   void force(std::optional<DrivePower> power) { forced_ = power; }
-  /// Its encoder is off by so much from now on.
+  /// Puts its encoder off by so much from now on.
   void displace(int joint, double by) { displaced_[joint] = by; }
-  /// Its motor gives so much, N.m.
+  /// Makes its motor give so much, N.m.
   void draw(int joint, double effort) { drawn_[joint] = effort; }
   void draw(const Joints& efforts) { drawn_ = efforts; }
   /// Leaves out from now on what the motors give.

@@ -1,4 +1,4 @@
-// Rules on declarations: names, enums, numbers, recursion.
+// These test the rules on declarations: names, enums, numbers, recursion.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Rules on contracts: bounds, queues, reads.
+// These test the rules on contracts: bounds, queues, reads.
 
 #include <gtest/gtest.h>
 

@@ -30,7 +30,7 @@ struct Reader final : Task {
   void run() override { work(); }
 };
 
-/// A reader and two arms, all driven by the test.
+/// Has a reader and two arms, all driven by the test.
 class Contract : public testing::Test {
  protected:
   Contract() {

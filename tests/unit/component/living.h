@@ -1,5 +1,5 @@
 #pragma once
-// Components that keep a diary of their lives, for the tests of the life cycle.
+// These components keep a diary of their lives, for the tests of the life cycle.
 
 #include <suture/component/lifecycle.h>
 #include <suture/component/task/periodic_task.h>

@@ -1,4 +1,4 @@
-// Components that are parked while one of their hooks runs: by the contract of a connection that
+// These components are parked while one of their hooks runs: by the contract of a connection that
 // the hook reads, or by a call of a client of a device.
 
 #include <gtest/gtest.h>

@@ -38,7 +38,7 @@ struct FarChannel : testing::Test {
     near->commands.commit();
     arrive();
   }
-  /// The provider answers call 1 of reset() with so many bytes.
+  /// Has the provider answer call 1 of reset() with so many bytes.
   Errc answer(std::uint32_t size) {
     send(kReset, 1);
     far->provider.reply(1, {.size = size, .command = kReset}, [size](std::byte* result) {

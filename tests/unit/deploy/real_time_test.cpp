@@ -23,7 +23,7 @@ const std::array kOffered{
                      return std::make_unique<Cupboard>();
                    }}};
 
-/// A process with one component: `processKeys` stand on line 2, `componentKeys` on line 4.
+/// Deploys a process with one component: `processKeys` stand on line 2, `componentKeys` on line 4.
 Deployment deploymentWith(const std::string& processKeys, const std::string& componentKeys,
                           const std::string& className = "SimulatedArm") {
   return Deployment(JsonDocument::parse("{\"processes\": [{\"name\": \"all\",\n" + processKeys +

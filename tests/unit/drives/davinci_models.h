@@ -1,5 +1,5 @@
 #pragma once
-// The da Vinci arms as the drives simulate them with mass, for tests.
+// These are the da Vinci arms as the drives simulate them with mass, for tests.
 
 #include "drives/davinci_joints.h"
 #include "kinematics/davinci.h"

@@ -1,4 +1,5 @@
-// The Drives contract on joints that have mass: it holds there as it does on those that only lag.
+// These run the Drives contract on joints that have mass: it holds there as it does on those that
+// only lag.
 
 #include <gtest/gtest.h>
 

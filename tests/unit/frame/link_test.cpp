@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::uint16_t kHold = 2, kStopped = 2, kMoved = 3;
 
-/// Both ends of a connection, whose tasks are played by the test.
+/// Has both ends of a connection, whose tasks the test plays.
 struct Pair {
   explicit Pair(std::uint32_t number)
       : client(makeSide<ClientSide>(near, number)), provider(makeSide<ProviderSide>(far, number)) {}
@@ -209,7 +209,7 @@ TEST_F(LinkTest, ANumberIsOneConnections) {
   EXPECT_EQ(one.held(), 1);
 }
 
-// One that floods its link: the window and the turns leave the others theirs.
+// One connection floods its link: the window and the turns leave the others theirs.
 TEST_F(LinkTest, NoConnectionTakesAllTheRoom) {
   Pair& loud = add(1);
   Pair& quiet = add(2);

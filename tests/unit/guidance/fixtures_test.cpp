@@ -35,7 +35,7 @@ class Fixtures : public testing::Test {
   void carry(const Vector3d& wish, int cycles) {
     for (int i = 0; i < cycles; ++i) knot_ += move({wish, wish}).mean();
   }
-  /// One cycle; the knot stays.
+  /// Runs one cycle; the knot stays.
   TipPair move(const TipPair& desired) {
     const TipPair step = fixtures_.constrain(tips_, knot_, desired, kCycle);
     tips_.left += step.left;

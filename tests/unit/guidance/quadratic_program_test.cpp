@@ -33,7 +33,7 @@ Program::Vector withActive(const Problem& problem, unsigned chosen) {
   return system.completeOrthogonalDecomposition().solve(right).head(kUnknowns);
 }
 
-/// The least cost of any feasible point that one set of active rows leads to.
+/// Returns the least cost of any feasible point that one set of active rows leads to.
 double leastCost(const Problem& problem) {
   double least = std::numeric_limits<double>::infinity();
   for (unsigned chosen = 0; chosen < 1u << kRows; ++chosen) {

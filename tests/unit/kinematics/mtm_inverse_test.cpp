@@ -1,4 +1,4 @@
-// The closed form of the MTMs: exact everywhere, near its start, with the platform as its
+// The closed form of the MTMs is exact everywhere, near its start, with the platform as its
 // parameter.
 
 #include "kinematics/mtm_inverse.h"

@@ -1,4 +1,5 @@
-// The closed form of the PSM: exact everywhere, near its start, and calm where the arm is singular.
+// The closed form of the PSM is exact everywhere, near its start, and calm where the arm is
+// singular.
 
 #include "kinematics/psm_inverse.h"
 

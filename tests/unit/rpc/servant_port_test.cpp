@@ -16,7 +16,7 @@
 namespace suture::rpc {
 namespace {
 
-/// The provider's end of a connection, whose task is played by the test.
+/// Is the provider's end of a connection, whose task the test plays.
 struct Provider {
   explicit Provider(ControlThread& control)
       : channel(reference::armChannel(
@@ -28,7 +28,7 @@ struct Provider {
 
   /// Calls reset(), which answers.
   kj::Promise<void> call() { return arm.resetRequest().send().ignoreResult(); }
-  /// The number of the call that the provider is executing from now on.
+  /// Returns the number of the call that the provider is executing from now on.
   std::uint32_t begin() {
     channel->commands.fixCut();
     return channel->commands.next()->call;

@@ -1,5 +1,6 @@
 #pragma once
-// Two connected sockets: one for a stream under test, one played by the test byte by byte.
+// These are two connected sockets: one for a stream under test, one played by the test byte by
+// byte.
 
 #include <capnp/message.h>
 #include <fcntl.h>

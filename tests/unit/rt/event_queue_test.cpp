@@ -87,7 +87,8 @@ class LargeEvents : public testing::TestWithParam<Producers> {
     const std::vector<std::byte> payload(kWithLarge[event].payloadSize, std::byte{value});
     return queue.push(event, now(), payload);
   }
-  /// The event that comes next, as its number and the value that all of it has; -1: none comes.
+  /// Returns the event that comes next, as its number and the value that all of it has; -1 if none
+  /// comes.
   std::pair<std::uint16_t, int> next() {
     const EventRecord* const record = queue.next();
     if (record == nullptr) return {0, -1};

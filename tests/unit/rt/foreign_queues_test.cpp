@@ -105,7 +105,7 @@ TEST(ForeignMailbox, SurvivesAnything) {
       std::span<const CommandLimits>{kCommands});
 }
 
-// A producer that says it has sent without end, and sends while it is drained.
+// This producer says that it has sent without end, and sends while it is drained.
 TEST(ForeignMailbox, ADrainEndsThoughTheProducerDoesNot) {
   Shared<Mailbox> mailbox(std::span<const CommandLimits>{kCommands});
   send(*mailbox.producer, 0, 0);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// The calling thread works until it has had so much processor time.
+/// Makes the calling thread work until it has had so much processor time.
 void workFor(Duration share) {
   timespec time{};
   do clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

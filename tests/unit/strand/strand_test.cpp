@@ -21,7 +21,8 @@ StrandModel weightless() {
   return model;
 }
 
-/// A knot that something holds, and a pull at either end, which grows for a second and then stays.
+/// Returns a strand whose knot is held, with a pull at each end, which grows for a second and then
+/// stays.
 Strand pulled(double left, double right) {
   Strand strand(weightless(), kLeft, kRight);
   strand.hold(Place::Knot, Vector3d::Zero());

@@ -1,4 +1,4 @@
-// Both ends of each lane in one process, on one stepped clock.
+// Both ends of each lane are in one process, on one stepped clock.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

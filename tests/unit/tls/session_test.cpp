@@ -1,4 +1,4 @@
-// Both ends on a pair of sockets: our session against ours, and against strangers.
+// Both ends are on a pair of sockets: our session against ours, and against strangers.
 
 #include <gtest/gtest.h>
 #include <poll.h>

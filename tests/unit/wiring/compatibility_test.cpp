@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 using Lines = std::vector<std::string>;
 using Numbers = std::vector<std::uint16_t>;
 
-/// A contract with a write, a read and an event, as suturec describes it.
+/// Returns a contract with a write, a read and an event, as suturec describes it.
 Json contract() {
   return Json::parse(R"json({
     "name": "robots::Arm",

@@ -101,7 +101,7 @@ TEST(Differences, EndlessNestingEnds) {
   EXPECT_TRUE(lines[1].ends_with(": missing here, too deep there")) << lines[1];
 }
 
-/// The contract's info with less to say of it than suturec writes.
+/// Returns the contract's info with less to say of it than suturec writes.
 InterfaceInfo described(const char* hash, const char* description) {
   InterfaceInfo info = interfaceInfo<reference::ArmLike>();
   info.hash = hash;

@@ -15,7 +15,7 @@
 
 namespace bench {
 
-/// The cycle of both ends.
+/// Is the cycle of both ends.
 inline constexpr suture::PeriodicOptions kCycle{.period = std::chrono::milliseconds(1)};
 
 /// Counts allocations of a task's thread and of the lane threads of its process in steady state:
@@ -36,7 +36,7 @@ class AllocationCount {
     cycles_.store(cycles, std::memory_order_release);
   }
 
-  /// Any thread.
+  /// Any thread: returns how many cycles were counted.
   std::uint64_t cycles() const {
     const std::uint64_t cycles = cycles_.load(std::memory_order_acquire);
     return cycles < kWarmUp ? 0 : cycles - kWarmUp;

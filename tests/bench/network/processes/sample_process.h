@@ -24,7 +24,7 @@ class SampleProcess {
   suture::Manager& manager() { return manager_; }
   const Names& names() const { return names_; }
   pid_t pid() const { return process_.pid(); }
-  /// It has been killed or stopped: nothing is expected of it any more.
+  /// Says that it has been killed or stopped: nothing is expected of it any more.
   void abandon() { abandoned_ = true; }
 
  private:

@@ -34,7 +34,7 @@ class StreamClient final : public suture::EventTask {
 
   /// Returns, once, what will have the millions of poses a second of each block.
   std::future<std::vector<double>> rates() { return finished_.get_future(); }
-  /// Any thread, once there are the rates.
+  /// Any thread, once there are the rates: returns how many poses were sent.
   std::uint64_t sent() const { return pose_.sequence; }
 
   suture::Required<SampleServer> server{*this, "Server"};

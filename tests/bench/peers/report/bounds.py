@@ -1,4 +1,4 @@
-"""The bounds of bounds.txt: figures of one peer against those of another in the same run."""
+"""Compares with bounds.txt: figures of one peer against those of another in the same run."""
 
 import dataclasses
 import operator

@@ -33,7 +33,7 @@ def colour(peer):
 
 
 def bars(panel, measurement, rows):
-    """Peers and figures, the best first, and the names of peers without a figure that counts."""
+    """Returns peers and figures, the best first, and the names of peers without a figure that counts."""
     found, without = [], []
     for peer in measurement.peers:
         own = results.in_group(results.of(rows, measurement.name, peer.name), measurement.group, panel.key)

@@ -18,7 +18,7 @@ PROJECT = pathlib.Path(__file__).resolve().parents[1]
 
 
 def measured(runs, measurement, peer, servers, repetition):
-    """The rows of one run, also of one that failed."""
+    """Returns the rows of one run, also of one that failed."""
     about = {"measurement": measurement.name, "peer": peer.name, "repetition": repetition, "servers": servers}
     begin = time.monotonic()
     try:

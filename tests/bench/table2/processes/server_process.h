@@ -11,8 +11,8 @@
 
 namespace bench {
 
-/// The hidden subcommand that is the server process: serves "server:Server/Loop" until its standard
-/// input ends, then writes its samples.
+/// Adds the hidden subcommand that is the server process: it serves "server:Server/Loop" until its
+/// standard input ends, then writes its samples.
 void addServerProcess(CLI::App& program);
 
 /// Says how this program is called to be that process; `apart` puts it in a network namespace of

@@ -85,7 +85,7 @@ constexpr const char* kBreaks[] = {%(breaks)s};
 
 
 def rows(edits, version):
-    """Each edit and what it has in that version; most have nothing on the way."""
+    """Returns each edit and what it has in that version; most have nothing on the way."""
     return [(edit, getattr(edit, version) or edit.old) for edit in edits]
 
 

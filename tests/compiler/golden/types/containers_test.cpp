@@ -1,4 +1,4 @@
-// Sequences, sets, maps and enums through generated code.
+// These send sequences, sets, maps and enums through generated code.
 
 #include "round_trip.h"
 #include "shapes/containers.capnp.h"
