@@ -93,7 +93,7 @@ TEST_P(Endings, AProviderThatEndsIsLost) {
   }));
 }
 
-TEST_P(EndingsOfTasks, ACallThatWaitsWhenTheProviderEndsIsNotExecuted) {
+TEST_P(EndingsOfTasks, AWaitingCallIsNotExecutedAfterTheEnd) {
   stall();
   using Distance = decltype(std::declval<Arm&>().distance.start(poseAt(1)));
   std::optional<Distance> behind;

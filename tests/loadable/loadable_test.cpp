@@ -94,7 +94,7 @@ TEST(Loadable, NoSuchFile) {
                 "absolute or from the deployment's folder");
 }
 
-TEST(Loadable, NotALibrary) {
+TEST(Loadable, AFileThatIsNoLibraryIsAnError) {
   const std::string problem = problemOf("Platter", "CTestTestfile.cmake");
   EXPECT_TRUE(problem.starts_with(kError + "loading components from '")) << problem;
   EXPECT_NE(problem.find("invalid ELF header. Build it for this machine"), std::string::npos)

@@ -122,7 +122,7 @@ TEST_P(ManagersTest, AFailedSearchNamesAllManagers) {
   EXPECT_TRUE(contains(error, second_->address)) << error;
 }
 
-TEST_P(ManagersTest, AConnectionIsMadeWhenAManagerComesBackInTime) {
+TEST_P(ManagersTest, AConnectionWaitsForAManager) {
   const auto child = provider();
   Asker old("old", all_);
   const std::string firstAddress = first_->address;
@@ -134,7 +134,7 @@ TEST_P(ManagersTest, AConnectionIsMadeWhenAManagerComesBackInTime) {
   EXPECT_TRUE(reaches(old.console, 1));
 }
 
-TEST_P(ManagersTest, ASilentProcessIsNotHandedOutBeforeItIsBack) {
+TEST_P(ManagersTest, ASilentProcessIsNotHandedOut) {
   const auto child = provider();
   Asker asker("asker", all_);
   child->signal(SIGSTOP);

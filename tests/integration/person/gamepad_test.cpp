@@ -179,7 +179,7 @@ TEST_F(GamepadTest, ComesAwayFromALimitAtOnce) {
   EXPECT_GT(seat_.position().z(), 0.002) << "its goal ran away behind the limit";
 }
 
-TEST_F(GamepadTest, MovesWhileItsSlaveFollowsAndWhileTheClutchIsPressed) {
+TEST_F(GamepadTest, MovesWhileFollowedOrClutched) {
   startWithTeleoperation();
   pushRight();
   for (const TeleopState other :

@@ -78,7 +78,7 @@ TEST_F(PlantedFault, AnEncoderThatJumps) {
   EXPECT_TRUE(becomes(ArmState::Enabled));
 }
 
-TEST_F(PlantedFault, AnEncoderThatIsWrongForAMomentMovesNoJoint) {
+TEST_F(PlantedFault, AMomentarilyWrongEncoderMovesNoJoint) {
   const double before = joint();
   drives_.jump = 0.1;
   pass(2ms);

@@ -133,7 +133,7 @@ TEST_F(TurnedGuide, SlavesTurnInThePictureAsTheHandsDo) {
                   .isApprox(expected.toRotationMatrix() * before, 1e-9));
 }
 
-TEST_F(TurnedGuide, FollowsInThePictureOfACameraThatWasMovedMeanwhile) {
+TEST_F(TurnedGuide, FollowsInThePictureOfAMovedCamera) {
   expectThatBothGoAsTheHands({0.01, 0, 0});
   turn(frames_.camera, {0, 0, -0.05}, 0.8, {0, 0.2, 1});
   const Vector3d leftHeld = left(), rightHeld = right();

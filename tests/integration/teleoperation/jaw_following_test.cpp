@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, JawFollowing,
                                          suture::Lane::Rpc),
                          [](const auto& one) { return toString(one.param); });
 
-TEST_P(JawFollowing, IsWhatTheGripperAsksForAndSlowAfterAnEntry) {
+TEST_P(JawFollowing, FollowsTheGripperAndIsSlowAfterAnEntry) {
   ASSERT_TRUE(reaches(TeleopState::Following));
   ASSERT_TRUE(surgeon_.hand.squeeze(0.5));
   pass(3s);

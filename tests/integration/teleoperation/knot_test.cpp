@@ -189,7 +189,7 @@ TEST_P(UnguidedKnot, IsCarriedOnAfterAnInterruption) {
   EXPECT_NEAR(leftMaster_.arm.setpoint_cp().pose.translation().z() - start, -0.07, 1e-6);
 }
 
-TEST_P(Knot, IsNotRecordedAsGuidedByAGuideThatIsGone) {
+TEST_P(Knot, AGoneGuideIsNotRecordedAsGuiding) {
   begin(guided());
   ASSERT_TRUE(becomes(GuidanceState::Guiding));
   suture::pass(100ms);

@@ -238,7 +238,7 @@ TEST_F(TeleopStates, SilentPedalsClutchToo) {
   expectClutchedUntil([&] { console_.stuck = false; });
 }
 
-TEST_F(TeleopStates, AMasterThatWasTurnedWithTheClutchIsAlignedAnew) {
+TEST_F(TeleopStates, AMasterTurnedWithTheClutchIsAlignedAnew) {
   startFollowing();
   console_.clutch = true;
   ASSERT_TRUE(reaches(TeleopState::Clutched));
@@ -261,7 +261,7 @@ TEST_F(TeleopStates, AnotherScaleDoesNotMoveTheSlave) {
   EXPECT_EQ(operator_.state(), TeleopState::Following);
 }
 
-TEST_F(TeleopStates, AScaleOutOfRangeIsRefusedWhereItIsSent) {
+TEST_F(TeleopStates, AScaleOutOfRangeIsRefused) {
   startFollowing();
   EXPECT_EQ(operator_.teleop.set_scale(0).error(), suture::Errc::Invalid);
 }

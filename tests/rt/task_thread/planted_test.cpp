@@ -98,7 +98,7 @@ TEST(Watch, ReportsASystemCall) {
 
 // A task may sleep once in a cycle, and ring a sleeping peer once; the watch reports what is
 // beyond.
-TEST(Watch, ReportsASecondSleepAndASecondRingOfOneCycle) {
+TEST(Watch, ReportsASecondSleepOfACycle) {
   suture::rt::Doorbell bell;
   Watch watch("PSM", 2, 1, {.sleeps = 1, .wakes = 1});
   std::thread([&] {

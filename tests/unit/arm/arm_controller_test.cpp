@@ -130,7 +130,7 @@ TEST_F(ArmControllerTest, HomesAndReportsTheGoal) {
   EXPECT_TRUE(measured().isApprox(psmModel().home, 1e-9));
 }
 
-TEST_F(ArmControllerTest, ServoCpLagsByTheTimeConstantAndCarriesTheStamp) {
+TEST_F(ArmControllerTest, ServoCpLagsByTheTimeConstant) {
   makeReady();
   const PoseStamped start = arm_.measured_cp();
   const PoseStamped goal = goalAt({0.001, 0, 0});

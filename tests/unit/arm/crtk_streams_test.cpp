@@ -123,7 +123,7 @@ TEST_F(CrtkStreamsTest, AStreamThatBeginsAnewBeginsFromRest) {
   EXPECT_NEAR(travel(goal, 10), 0.55e-3, 1e-9);
 }
 
-TEST_F(CrtkStreamsTest, TheAxesOfTheNextStreamDoNotTurnTheSpeed) {
+TEST_F(CrtkStreamsTest, ANewStreamsAxesDoNotTurnTheSpeed) {
   TransformStamped base;
   base.transform.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   base.valid = true;

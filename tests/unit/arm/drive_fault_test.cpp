@@ -41,7 +41,7 @@ class DriveFaultTest : public CrtkArmTest {
   double truePitch() const { return joints_.position()[kPitch]; }
 };
 
-TEST_F(DriveFaultTest, AnEncoderThatJumpsPutsItInFaultAndIsNamed) {
+TEST_F(DriveFaultTest, AJumpingEncoderIsAFaultAndIsNamed) {
   joints_.displace(kPitch, 0.05);
   cycles(3);
   expectFault(ArmWarning::EncoderJump, "b: its encoder jumped");
@@ -49,7 +49,7 @@ TEST_F(DriveFaultTest, AnEncoderThatJumpsPutsItInFaultAndIsNamed) {
       << "without power its set-point is where it is measured";
 }
 
-TEST_F(DriveFaultTest, AJointDoesNotMoveByWhatItsEncoderSaidWrongly) {
+TEST_F(DriveFaultTest, AWrongEncoderMovesNoJoint) {
   const double before = truePitch();
   glitch();
   cycles(300);

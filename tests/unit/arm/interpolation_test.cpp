@@ -56,7 +56,7 @@ TEST_F(InterpolationTest, RelativeGoalsAddUpThoughTheyComeInOneCycle) {
   expectMoved(pose, {0, 0.001, 0.001});
 }
 
-TEST_F(InterpolationTest, ASecondGoalOfOneCycleKeepsTheRateOfTheStream) {
+TEST_F(InterpolationTest, ASecondGoalInACycleKeepsTheRate) {
   for (int i = 0; i < 3; ++i) {
     crtk_.interpolate_jr(yaw(0.01));
     cycles(50);

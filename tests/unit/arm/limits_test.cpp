@@ -130,7 +130,7 @@ TEST_F(LimitsTest, SlidingEndsWithWhateverTheArmDoesInstead) {
 }
 
 // The rates of this arm are 4 rad/s and 4 m/s, its horizon is 0.1 s.
-TEST_F(LimitsTest, AGoalThatIsTooFarForOneStepIsRefused) {
+TEST_F(LimitsTest, AGoalBeyondOneStepIsRefused) {
   Joints far = at(0.235), near = far;
   far[0] += 0.41;
   near[0] += 0.3;

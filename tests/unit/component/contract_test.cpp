@@ -134,7 +134,7 @@ TEST_F(Contract, AfterALossCommandsFailAndReadsFallBack) {
   EXPECT_EQ(watch_->losses, 1u);
 }
 
-TEST_F(Contract, AfterALossSeveralReadsOfOneRowFallBackToo) {
+TEST_F(Contract, ReadsOfOneRowFallBackAfterALoss) {
   connect({.onLoss = Fallback::Zero});
   arm_.stop();
   const auto row = readTogether(reader_.slave.measured_cp);

@@ -37,7 +37,7 @@ TEST(Lifecycle, EachTransitionIsLegalInItsStatesAndNoOther) {
   EXPECT_EQ(from(Transition::Stop), "running>stopped suspended>stopped ");
 }
 
-TEST(Lifecycle, ATaskGoesThroughItWithItsHooksInItsOwnThread) {
+TEST(Lifecycle, ATasksHooksRunInItsOwnThread) {
   Living<PeriodicTask> task(kQuick);
   EXPECT_EQ(task.state(), State::Constructed);
   task.configure();

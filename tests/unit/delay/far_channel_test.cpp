@@ -117,7 +117,7 @@ TEST_F(FarChannel, ACommandWithoutRoomIsAnswered) {
   EXPECT_EQ(near->counts->told.load().refused, 0u) << "the provider has not seen it";
 }
 
-TEST_F(FarChannel, ACreditComesBackWhenTheProviderHasTakenTheCommand) {
+TEST_F(FarChannel, ATakenCommandGivesItsCreditBack) {
   send(kHold, 0);
   EXPECT_EQ(near->commands.waiting(kHold), 1u);
   far->commands.fixCut();

@@ -342,7 +342,7 @@ TEST(Host, ABlackBoxWithoutAFolder) {
             "folder; create it, or name another one");
 }
 
-TEST(Host, ABlackBoxKeepsWhatTheFileSaysAndTellsSo) {
+TEST(Host, ABlackBoxKeepsWhatTheFileSays) {
   const suture::TemporaryDirectory directory;
   const Deployment deployment = boxed(directory.file(""), R"(, "rows": 1024, "components": ["T"])");
   Host host(deployment, "all", kClasses);

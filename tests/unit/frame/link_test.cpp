@@ -85,7 +85,7 @@ TEST_F(LinkTest, CarriesEachConnectionsOwn) {
 
 /// The message of what has become of the commands is larger than anything else that such a contract
 /// has.
-TEST_F(LinkTest, TellsWhatHasBecomeOfTheCommandsOfATinyContract) {
+TEST_F(LinkTest, TellsTheOutcomesOfATinyContract) {
   const std::vector<CommandInfo> commands{{.name = "press", .kind = CommandKind::Void, .depth = 4}};
   InterfaceInfo contract{};
   contract.name = "Button";

@@ -62,7 +62,7 @@ TEST_F(Fixtures, APermittedWishIsObeyedExactly) {
   EXPECT_TRUE(step.right.isApprox(wish.right, 1e-12));
 }
 
-TEST_F(Fixtures, TheKnotComesToItsTargetFromAnywhereInTheCorridor) {
+TEST_F(Fixtures, TheCorridorLeadsToTheTarget) {
   for (const Vector3d& aside :
        {Vector3d(0.003, 0, 0), Vector3d(0, -0.003, 0), Vector3d(-0.002, 0.002, 0)}) {
     place(0.02, aside);

@@ -86,7 +86,7 @@ double distance(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to) {
 }
 
 // One joint would have to leave its limits for these goals.
-TEST(Inverse, LeavesThePsmNearestToAGoalThatALimitForbids) {
+TEST(Inverse, LeavesThePsmNearestToAForbiddenGoal) {
   constexpr int N = 6;
   const auto chain = psm();
   std::mt19937 random(3);

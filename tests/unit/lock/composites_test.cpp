@@ -69,7 +69,7 @@ TEST_F(CompositesTest, NamesSayWhatTheyAreMadeOf) {
             "RobotsArmEitherOfDuration1Per1000Int64OrSteadyTime");
 }
 
-TEST_F(CompositesTest, ANameBeginsWithALetterAlsoBelowANumberedFolder) {
+TEST_F(CompositesTest, ANumberedFolderGivesNamesALetter) {
   sample::armHeader(model_).path = "03_own_type/arm.h";
   EXPECT_EQ(name(of(Shape::Optional, {sample::number()})), "Header03OwnTypeArmOptionalFloat64");
 }

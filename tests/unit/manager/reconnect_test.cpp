@@ -188,7 +188,7 @@ TEST(Reconnect, TenThousandTimesKeepsNothingOfATask) { reconnectOften<ArmTask>()
 
 TEST(Reconnect, TenThousandTimesKeepsNothingOfADevice) { reconnectOften<ArmDevice>(); }
 
-TEST(Reconnect, OverRpcShowsTheNewChannelAndKeepsNoOldOne) {
+TEST(Reconnect, OverRpcKeepsOnlyTheNewChannel) {
   ArmTask arm;
   Client client;
   TwoProcesses processes;

@@ -161,7 +161,7 @@ TEST(Registry, ALinksNamesAndBytesAreBounded) {
   EXPECT_TRUE(registry.add(recordOfSize("fifth", 1'000'000), large));
 }
 
-TEST(Registry, ASilentProcessKeepsItsNameIfItsSuccessorIsRefused) {
+TEST(Registry, ARefusedSuccessorTakesNoName) {
   Registry registry;
   const auto generation = registry.add(recordOf("left", 4711), link());
   ageBeyondLeases(registry);

@@ -43,7 +43,7 @@ TEST_F(GamepadDecoderTest, TakesTheEventsOfOneReportTogether) {
   EXPECT_EQ(after({report()}).push, Vector3d(1, 0, 1));
 }
 
-TEST_F(GamepadDecoderTest, MovesFromTheEdgeOfTheDeadZoneWithoutALeap) {
+TEST_F(GamepadDecoderTest, TheDeadZoneEndsWithoutALeap) {
   const auto pushOf = [this](double share) {
     return after({axis(ABS_X, static_cast<std::int32_t>(share * 32767)), report()}).push.x();
   };

@@ -23,7 +23,7 @@ TEST(HandGoal, MovesAndTurnsInTheDirectionsOfTheReferenceFrame) {
   EXPECT_TRUE(goal.linear().isApprox(AngleAxisd(0.5, Vector3d::UnitZ()) * start.linear(), 1e-9));
 }
 
-TEST(HandGoal, DoesNotRunAwayFromAnArmThatDoesNotCome) {
+TEST(HandGoal, WaitsForAnArmThatDoesNotCome) {
   Isometry3d goal = Isometry3d::Identity();
   const HandInput input{.velocity = {0, 0, 0.25}, .angular_velocity = {2, 0, 0}, .opening = {}};
   for (int i = 0; i < 10000; ++i) goal = movedGoal(goal, Isometry3d::Identity(), input, 0.001);

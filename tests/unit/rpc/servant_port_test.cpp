@@ -147,7 +147,7 @@ kj::Promise<void> emitTo(ControlThread& control, Provider& provider, int* heard)
   return restOf(control);
 }
 
-TEST(ServantPort, SubscribersThatAreGoneTakeNoPlacesOfALaterOne) {
+TEST(ServantPort, GoneSubscribersTakeNoPlaces) {
   ControlThread control;
   int heard = 0;
   control.run(kPatience, [&] {
@@ -207,7 +207,7 @@ TEST(ServantPort, ASubscriberThatGoesLateEndsNoLaterSubscription) {
 }
 
 // A command that a fault has rejected still waits in the mailbox.
-TEST(ServantPort, ACommandBeforeAFaultGivesNoLaterOneItsCredit) {
+TEST(ServantPort, AFaultGivesNoLaterCommandACredit) {
   ControlThread control;
   bool second = false, early = false;
   control.run(kPatience, [&] {
@@ -263,7 +263,7 @@ class Kept final : public Interface::Server {
 };
 
 // The client's capabilities hold its end, and that holds the provider's.
-TEST(ServantPort, KeepsNothingOfAClientThatComesWhenItIsClosed) {
+TEST(ServantPort, KeepsNothingOfALateClient) {
   ControlThread control;
   bool counts = false, events = false;
   control.run(kPatience, [&] {

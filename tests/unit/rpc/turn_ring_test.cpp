@@ -8,7 +8,7 @@
 namespace suture::rpc {
 namespace {
 
-TEST(TurnRing, RingsForTheFirstThenForManyAndBehindTheLast) {
+TEST(TurnRing, RingsForTheFirstAndAfterMany) {
   ControlThread control;
   control.run(kPatience, [&control] {
     struct Counted {

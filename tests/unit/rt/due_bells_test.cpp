@@ -48,7 +48,7 @@ TEST(DueBells, RingsEachOnceAndOnlyWhenTold) {
 
 // A thread that has woken up and lies down again before the end of the cycle is not rung twice for
 // what was added twice.
-TEST(DueBells, OneThatIsAddedTwiceIsRungOnce) {
+TEST(DueBells, ABellThatIsAddedTwiceIsRungOnce) {
   Sleeper sleeper, other;
   DueBells due;
   due.add(sleeper.bell);
@@ -60,7 +60,7 @@ TEST(DueBells, OneThatIsAddedTwiceIsRungOnce) {
   EXPECT_EQ(sleeper.rings(), 0u);
 }
 
-TEST(DueBells, OneThatIsAddedForTwoThingsIsRungForBoth) {
+TEST(DueBells, ABellIsRungForBothReasons) {
   Doorbell one, other;
   DueBells due;
   due.add(one, RungFor::Arrival);

@@ -154,7 +154,7 @@ TEST(StateTable, StoresAheadOfAnUnseenRow) {
   }
 }
 
-TEST(StateTable, ARowThatIsBeingStoredIsNotReadAnyMore) {
+TEST(StateTable, ARowBeingStoredIsNotRead) {
   StateTable table(kSizes, 2);
   for (int i = 0; i < 2; ++i) table.publish(now(), {.valid = 1});
   std::array<std::byte, 120> value{}, slot;

@@ -58,7 +58,7 @@ class LaneChoice : public RemoteArm {
   }
 };
 
-TEST_F(LaneChoice, TheNextSlowerLaneCarriesWhatTheOneAskedForCannot) {
+TEST_F(LaneChoice, TheNextSlowerLaneIsTaken) {
   begin(kTcp);
   EXPECT_EQ(refusalOf({.lane = Lane::Shm}), "");
   EXPECT_EQ(channel()->lane, "frame");

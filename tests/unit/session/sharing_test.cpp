@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Lanes, Sharing,
                                          Way{"RpcTls", "tls://127.0.0.1:0", Lane::Rpc}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(Sharing, EachEndKeepsTheAgesOfWhatItsOwnComponentSees) {
+TEST_P(Sharing, EachEndKeepsItsOwnAges) {
   beginAtAddress();
   connect(GetParam().lane);
   ASSERT_TRUE(eventually([&] { return teleop.seen.load(); }));

@@ -147,7 +147,7 @@ class Theatre {
 
 EndoscopeParameters steady() { return {.dropout = 0}; }
 
-TEST(Endoscope, TakesFifteenPairsASecondAndSixtyWhereItIsTold) {
+TEST(Endoscope, TakesAsManyPairsASecondAsItIsTold) {
   for (const auto& [period, pairs] : {std::pair(66'667us, 15.0), std::pair(16'667us, 60.0)}) {
     EndoscopeParameters parameters = steady();
     parameters.period = period;

@@ -142,7 +142,7 @@ TEST(Compatibility, AnotherContract) {
               {"contract: robots::Camera here, robots::Arm there"});
 }
 
-TEST(Compatibility, OfWhatAPeerWrote) {
+TEST(Compatibility, APeersNonsenseIsABreak) {
   const Lines nothing = {"description: it says nothing of the wire"};
   for (const std::string text :
        {"", "{", "[]", "7", "null", R"({"wire": 7})", R"({"wire": []})", R"({"wire": {"a": 1}})"}) {
