@@ -90,7 +90,7 @@ TEST(FullDisk, IsToldAndHurtsNoOther) {
   std::size_t kept = 0;
   for (int round = 0; round < kRounds; ++round) {
     std::string file = fileIn(provider->line(), root);
-    for (int late = 0; file.empty(); ++late) {  // told before it had room again
+    for (int late = 0; file.empty(); ++late) {  // the disk had no room yet
       ASSERT_TRUE(late < 10 * kMost && !HasFailure()) << "there is room, and nothing is kept";
       file = fileIn(provider->line(), root);
     }

@@ -36,7 +36,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   try {
     receive(chosen(data[0]), std::as_bytes(std::span(data, size)).subspan(1));
-  } catch (const kj::Exception&) {  // capnp's word for a message that is none
+  } catch (const kj::Exception&) {  // so capnp refuses what is no message
   }
   return 0;
 }

@@ -55,7 +55,7 @@ class Child {
   void signal(int number) const {
     kill(pid_, number);
     if (number != SIGSTOP) return;
-    siginfo_t stopped;  // for a while after it was told so it still runs
+    siginfo_t stopped;  // it still runs for a while after the signal
     waitid(P_PID, static_cast<id_t>(pid_), &stopped, WSTOPPED | WEXITED | WNOWAIT);
   }
   pid_t pid() const { return pid_; }

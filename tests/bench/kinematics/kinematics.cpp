@@ -20,7 +20,7 @@ using namespace robots::kinematics;
 
 // Puts the wrist in the remote centre, or its yaw axis through that.
 void makePsmSingular(Chain<6>::Joints& q, int which) {
-  q[4] *= 0.6;  // beyond that the yaw axis leads through it beyond the limits only
+  q[4] *= 0.6;  // beyond that only joints outside the limits are singular
   q[2] = kPsmCarriage - kPsmShaft - (which == 0 ? 0 : kPsmWrist / std::cos(q[4]));
 }
 

@@ -96,7 +96,7 @@ Idle idle(suture::Lane lane, std::size_t connections, const NetworkOptions& opti
   const suture::Time first = suture::now();
   await(manager, connections);
   const double making = std::chrono::duration<double, std::milli>(suture::now() - first).count();
-  std::this_thread::sleep_for(options.idleWindow() / 4);  // what making them has set going ends
+  std::this_thread::sleep_for(options.idleWindow() / 4);  // work that making them began has ended
 
   const Usage before = usageOf(client.pid());
   const suture::Time begin = suture::now();

@@ -52,7 +52,7 @@ Sleeping sleeping(std::size_t components, const NetworkOptions& options) {
   std::set<fs::path> own = threads();
   for (const fs::path& other : others) own.erase(other);
 
-  std::this_thread::sleep_for(options.idleWindow() / 4);  // what starting them has set going ends
+  std::this_thread::sleep_for(options.idleWindow() / 4);  // work that starting them began has ended
   const double begin = wakeUpsOf(own);
   std::this_thread::sleep_for(options.idleWindow());
   const double wakeUps = wakeUpsOf(own) - begin;

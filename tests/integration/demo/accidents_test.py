@@ -147,7 +147,7 @@ class Workstation(unittest.TestCase):
     def two_processes(self):
         topology = json.loads((TOPOLOGIES / "fig3c.json").read_text())
         topology["manager"] = f"unix:{self.folder}/manager.sock"
-        for process in topology["processes"]:  # who may have none of it would be told so
+        for process in topology["processes"]:  # a user without the right would be told so
             for one in (process, *process["components"]):
                 one.pop("scheduling", None)
         file = self.folder / "d.json"

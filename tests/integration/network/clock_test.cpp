@@ -72,7 +72,7 @@ TEST_P(ClockTest, AgesAreRightWithinTheErrorThatIsShown) {
   }));
   const Time before = now();
   const auto read = console.arm.measured_cp();
-  const Duration changed = read->stamp - pose.stamp;  // where the clocks were compared meanwhile
+  const Duration changed = read->stamp - pose.stamp;  // if the clocks were compared meanwhile
   EXPECT_LE(std::max(changed, -changed), error);
   EXPECT_GE(read.age(), Duration{0});
   EXPECT_LE(read.age(), now() - pose.stamp + error) << "asked at " << toNanoseconds(before);
@@ -101,7 +101,7 @@ TEST_P(DriftTest, IsFollowed) {
   ASSERT_TRUE(eventually([&] {
     const Duration error = channel->clockError(), shift = channel->clockShift();
     const Duration wrong = shift + ahead - (now() - begin) / 10'000;
-    if (shift == channel->clockShift()) {  // so that it was known all the while
+    if (shift == channel->clockShift()) {  // the shift has not changed meanwhile
       EXPECT_LE(std::max(wrong, -wrong), std::max(error, channel->clockError()) + 1us);
     }
     return shift - first > 300us;

@@ -69,7 +69,7 @@ class Namespaces : public testing::TestWithParam<Case> {
 
   TemporaryDirectory directory_;
   std::optional<Cable> cable_;
-  std::unique_ptr<rpc::ControlThread> control_;  // of the namespace, so not before it
+  std::unique_ptr<rpc::ControlThread> control_;  // made in the namespace, so after it
   std::unique_ptr<GlobalManager> names_;
 };
 

@@ -63,7 +63,7 @@ TEST_F(Guide, SeesNothingInPicturesFromBeforeTheRegistration) {
   EXPECT_NEAR(guide_.progress().knot.x(), 0, 1e-9);
   pass(50ms);
   EXPECT_GT(guide_.progress().knot.x(), 0.005) << "now it was";
-  manager_.stop();  // before what it runs is gone
+  manager_.stop();  // before its components are gone
 }
 
 /// Turns what stands there about `centre`, m.

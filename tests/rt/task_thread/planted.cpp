@@ -56,7 +56,7 @@ void BusyLock::lockAndUnlock() {
 FreshMemory::FreshMemory(std::size_t pages) : size_(pages * kPage) {
   void* memory = mmap(nullptr, size_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw std::runtime_error("no memory to touch");
-  madvise(memory, size_, MADV_NOHUGEPAGE);  // else the first touch brings 512 pages
+  madvise(memory, size_, MADV_NOHUGEPAGE);  // or the first touch brings 512 pages
   memory_ = static_cast<volatile char*>(memory);
 }
 
