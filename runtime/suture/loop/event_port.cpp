@@ -82,9 +82,9 @@ bool EventPort::poll() {
 }
 
 bool EventPort::sleep() {
-  if (bell_ != nullptr && !bell_->lieDown()) return UnixEventPort::poll();
+  if (bell_ != nullptr && !bell_->prepareToSleep()) return UnixEventPort::poll();
   const bool woken = UnixEventPort::wait();
-  if (bell_ != nullptr) bell_->standUp();
+  if (bell_ != nullptr) bell_->endSleep();
   return woken;
 }
 

@@ -99,13 +99,13 @@ VirtualTime::Sleeper Doorbell::sleeper() const {
   return {.place = place, .word = word_, .asleep = kAsleep};
 }
 
-bool Doorbell::lieDown() {
+bool Doorbell::prepareToSleep() {
   std::uint32_t expected = kAwake;
   if (word_.compare_exchange_strong(expected, kAsleep, std::memory_order_seq_cst)) return true;
   return expected == kAsleep;
 }
 
-void Doorbell::standUp() {
+void Doorbell::endSleep() {
   std::uint32_t expected = kAsleep;
   word_.compare_exchange_strong(expected, kAwake, std::memory_order_seq_cst);
 }
@@ -119,7 +119,7 @@ RungFor Doorbell::takeRing() {
 RungFor Doorbell::waitUntil(Time deadline) {
   if (shared_.load(std::memory_order_seq_cst)) deadline = std::min(deadline, now() + kLookAgain);
   const timespec until = toTimespec(deadline);
-  while (lieDown()) {
+  while (prepareToSleep()) {
     if (VirtualTime* const time = virtualTime(); time != nullptr) {
       time->sleep(sleeper(), deadline);
     } else {
@@ -139,8 +139,8 @@ void Doorbell::wait() {
 }
 
 void Doorbell::sleepAt(VirtualTime::Sockets& sockets, Time deadline) {
-  if (lieDown()) virtualTime()->sleepAt(sockets, sleeper(), deadline);
-  standUp();
+  if (prepareToSleep()) virtualTime()->sleepAt(sockets, sleeper(), deadline);
+  endSleep();
 }
 
 }  // namespace suture::rt

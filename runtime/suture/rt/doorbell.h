@@ -22,7 +22,7 @@ enum class RungFor : std::uint32_t {
 };
 
 /// A doorbell belongs to one sleeper; any thread may ring. A ring of this process is never lost:
-/// ringing before the sleeper lies down makes its next wait return at once. Lock-free, no
+/// ringing before the sleeper goes to sleep makes its next wait return at once. Lock-free, no
 /// allocation.
 class Doorbell {
  public:
@@ -51,9 +51,9 @@ class Doorbell {
 
   /// For an owner that sleeps in epoll: true if it may go to sleep, false if there is a ring to
   /// take. After true, the next ring writes the eventfd.
-  bool lieDown();
+  bool prepareToSleep();
   /// For an owner that sleeps in epoll, when it is back: a ring costs no system call from here on.
-  void standUp();
+  void endSleep();
   /// For an owner that sleeps in epoll, instead of that while time is virtual: sleeps until rung,
   /// until `sockets` have something or until `deadline`.
   void sleepAt(VirtualTime::Sockets& sockets, Time deadline);

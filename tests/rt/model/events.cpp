@@ -178,7 +178,7 @@ Run eventQueueLargeOfOne() {
 
 namespace {
 
-/// Has a sleeper that lies down only if there is nothing to do, and a thread that brings work and
+/// Is a sleeper that sleeps only if there is nothing to do, beside a thread that brings work and
 /// rings.
 struct Sleeper {
   Sleeper() : descriptor(eventfd(0, EFD_NONBLOCK)), bell(descriptor) {}
@@ -211,7 +211,7 @@ Run doorbellForTwo() {
                       [it] { it->bell.ring(rt::RungFor::Work); },
                       [it, listen] {
                         for (int i = 0; i < 3; ++i) {
-                          it->bell.lieDown();
+                          it->bell.prepareToSleep();
                           listen();
                         }
                       }},
@@ -232,7 +232,7 @@ Run doorbell() {
                       [it] {
                         for (int i = 0; i < 5 && !it->asleep; ++i) {
                           it->done += it->work.exchange(0);
-                          it->asleep = it->bell.lieDown();
+                          it->asleep = it->bell.prepareToSleep();
                           if (!it->asleep) it->bell.takeRing();
                         }
                       }},

@@ -80,7 +80,7 @@ Run mailboxCredits() {
           }};
 }
 
-// A producer that has found no room lies down until it is rung, and the consumer until something is
+// A producer that has found no room sleeps until it is rung, and the consumer until something is
 // sent.
 Run mailboxRoom() {
   struct Awaited : Connection {

@@ -106,7 +106,7 @@ TEST(Watch, ReportsASecondSleepOfACycle) {
       watch.cycle();
       for (int i = 0; i < 2; ++i) bell.waitUntil(suture::now() + std::chrono::milliseconds(1));
       for (int i = 0; i < 2; ++i) {
-        bell.lieDown();
+        bell.prepareToSleep();
         bell.ring();
         bell.takeRing();
       }

@@ -12,7 +12,7 @@ namespace {
 /// Is a bell whose owner sleeps, so that each ring that counts can be seen.
 class Sleeper {
  public:
-  Sleeper() { bell.lieDown(); }
+  Sleeper() { bell.prepareToSleep(); }
   ~Sleeper() { close(descriptor_); }
 
   /// Returns how often it has been rung since the last call; it sleeps again.
@@ -20,7 +20,7 @@ class Sleeper {
     std::uint64_t count = 0;
     if (read(descriptor_, &count, sizeof(count)) != sizeof(count)) return 0;
     bell.takeRing();
-    bell.lieDown();
+    bell.prepareToSleep();
     return count;
   }
 
@@ -46,8 +46,8 @@ TEST(DueBells, RingsEachOnceAndOnlyWhenTold) {
   }
 }
 
-// A thread that has woken up and lies down again before the end of the cycle is not rung twice for
-// what was added twice.
+// A sleeper that wakes up and sleeps again before the end of the cycle is not rung twice for what
+// was added twice.
 TEST(DueBells, ABellThatIsAddedTwiceIsRungOnce) {
   Sleeper sleeper, other;
   DueBells due;

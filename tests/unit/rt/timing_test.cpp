@@ -29,7 +29,7 @@ TEST(Doorbell, TellsArrivalsFromWork) {
   bell.ring(RungFor::Work);
   bell.ring(RungFor::Arrival);
   EXPECT_EQ(bell.takeRing(), RungFor::Work);
-  ASSERT_TRUE(bell.lieDown());
+  ASSERT_TRUE(bell.prepareToSleep());
   bell.ring(RungFor::Arrival);
   bell.ring(RungFor::Work);
   EXPECT_EQ(bell.waitUntil(now() + kPatience), RungFor::Work);
@@ -51,19 +51,19 @@ TEST(Doorbell, WritesItsEventDescriptorOnlyForASleeper) {
   std::uint64_t count = 0;
   bell.ring();
   EXPECT_EQ(read(descriptor, &count, sizeof(count)), -1);
-  EXPECT_FALSE(bell.lieDown());
+  EXPECT_FALSE(bell.prepareToSleep());
   EXPECT_EQ(bell.takeRing(), RungFor::Work);
   EXPECT_EQ(bell.takeRing(), RungFor::Nothing);
-  ASSERT_TRUE(bell.lieDown());
+  ASSERT_TRUE(bell.prepareToSleep());
   bell.ring();
   bell.ring();
   EXPECT_EQ(read(descriptor, &count, sizeof(count)), 8);
   EXPECT_EQ(count, 1u);
-  bell.standUp();
+  bell.endSleep();
   EXPECT_EQ(bell.takeRing(), RungFor::Work) << "what was rung for during sleep is still to be done";
 
-  ASSERT_TRUE(bell.lieDown());
-  bell.standUp();
+  ASSERT_TRUE(bell.prepareToSleep());
+  bell.endSleep();
   bell.ring();
   EXPECT_EQ(read(descriptor, &count, sizeof(count)), -1);
   close(descriptor);

@@ -113,8 +113,8 @@ void LaneThread::sleep() {
     takeArrivals(0);
     return;
   }
-  const bool lies = bell_->doorbell.lieDown();
-  takeArrivals(lies ? -1 : 0);
+  const bool maySleep = bell_->doorbell.prepareToSleep();
+  takeArrivals(maySleep ? -1 : 0);
 }
 
 bool LaneThread::look() { return takeArrivals(0) > 0; }
@@ -127,7 +127,7 @@ bool LaneThread::mayFind() {
 int LaneThread::takeArrivals(int timeout) {
   epoll_event events[kArrivals];
   const int count = epoll_wait(poll_, events, kArrivals, timeout);
-  bell_->doorbell.standUp();
+  bell_->doorbell.endSleep();
   for (int i = 0; i < count; ++i) {
     auto* const link = static_cast<Link*>(events[i].data.ptr);
     if (link != nullptr && (events[i].events & ~std::uint32_t{EPOLLOUT}) != 0) link->arrived();
