@@ -34,8 +34,8 @@ suture_planted(cells_unordered_reuse PART queue/mpsc_ring SCENARIO MpscRing FIND
 suture_planted(cells_unordered_reuse_of_one PART queue/mpsc_ring SCENARIO EventQueueOfOne FINDS "a race on plain memory"
   TEXT "head_ + mask_ + 1, std::memory_order_release" REPLACEMENT "head_ + mask_ + 1, std::memory_order_relaxed")
 suture_planted(cells_early_front PART queue/mpsc_ring SCENARIO MpscRing FINDS "a "
-  TEXT "turnAt(head_).load(std::memory_order_acquire) == head_ + 1"
-  REPLACEMENT "turnAt(head_).load(std::memory_order_acquire) <= head_ + 1")
+  TEXT "sequenceAt(head_).load(std::memory_order_acquire) == head_ + 1"
+  REPLACEMENT "sequenceAt(head_).load(std::memory_order_acquire) <= head_ + 1")
 suture_planted(latest_shared_buffer PART queue/latest_cell SCENARIO LatestCell FINDS "a "
   TEXT "shared_->exchange(reading_, std::memory_order_acq_rel)"
   REPLACEMENT "shared_->exchange(shared_->load() & ~kFresh)")
@@ -76,8 +76,8 @@ suture_planted(events_large_early PART queue/event_ring SCENARIO EventQueueLarge
   TEXT "    memory = cells->at(" REPLACEMENT "    cells->release(reference.place);
     memory = cells->at(")
 suture_planted(cells_unordered_release PART queue/mpsc_ring SCENARIO EventQueueLargeOfOne FINDS "a race on plain memory"
-  TEXT "turn.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_release"
-  REPLACEMENT "turn.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_relaxed")
+  TEXT "sequence.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_release"
+  REPLACEMENT "sequence.load(std::memory_order_relaxed) + mask_ + 1, std::memory_order_relaxed")
 suture_planted(bell_lost_ring PART doorbell SCENARIO Doorbell FINDS "it sleeps, there is work"
   TEXT "if (word_.compare_exchange_strong(expected, kAsleep, std::memory_order_seq_cst)) return true;"
   REPLACEMENT "word_.store(kAsleep); return true;")

@@ -63,9 +63,9 @@ class MpscRing {
  private:
   const std::byte* oldest() const { return pending() ? cellAt(head_) : nullptr; }
   std::byte* cellAt(std::uint64_t position) const {
-    return reinterpret_cast<std::byte*>(&turnAt(position)) + sizeof(std::uint64_t);
+    return reinterpret_cast<std::byte*>(&sequenceAt(position)) + sizeof(std::uint64_t);
   }
-  std::atomic<std::uint64_t>& turnAt(std::uint64_t position) const {
+  std::atomic<std::uint64_t>& sequenceAt(std::uint64_t position) const {
     return *reinterpret_cast<std::atomic<std::uint64_t>*>(data_.get() +
                                                           (position & mask_) * stride_);
   }
@@ -105,12 +105,12 @@ const std::byte* MpscRing::front(const Copy& copy) {
 inline std::byte* MpscRing::claim() {
   std::uint64_t position = tail_.load(std::memory_order_relaxed);
   while (true) {
-    const std::uint64_t turn = turnAt(position).load(std::memory_order_acquire);
-    if (turn == position) {
+    const std::uint64_t sequence = sequenceAt(position).load(std::memory_order_acquire);
+    if (sequence == position) {
       if (tail_.compare_exchange_weak(position, position + 1, std::memory_order_relaxed)) {
         return cellAt(position);
       }
-    } else if (turn < position) {
+    } else if (sequence < position) {
       return nullptr;
     } else {
       const std::uint64_t next = tail_.load(std::memory_order_relaxed);
@@ -123,15 +123,15 @@ inline std::byte* MpscRing::claim() {
 
 inline std::byte* MpscRing::claimAlone() {
   const std::uint64_t position = tail_.load(std::memory_order_relaxed);
-  auto& turn = turnAt(position);
-  if (turn.load(std::memory_order_acquire) != position) return nullptr;
+  auto& sequence = sequenceAt(position);
+  if (sequence.load(std::memory_order_acquire) != position) return nullptr;
   tail_.store(position + 1, std::memory_order_relaxed);
-  return reinterpret_cast<std::byte*>(&turn) + sizeof(std::uint64_t);
+  return reinterpret_cast<std::byte*>(&sequence) + sizeof(std::uint64_t);
 }
 
 inline void MpscRing::commit(std::byte* cell) {
-  auto& turn = *reinterpret_cast<std::atomic<std::uint64_t>*>(cell - sizeof(std::uint64_t));
-  turn.store(turn.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  auto& sequence = *reinterpret_cast<std::atomic<std::uint64_t>*>(cell - sizeof(std::uint64_t));
+  sequence.store(sequence.load(std::memory_order_relaxed) + 1, std::memory_order_release);
 }
 
 }  // namespace suture::rt
