@@ -36,7 +36,7 @@ Address at(const Address& address, const addrinfo& place) {
 
 /// Takes from the calling thread what it has of the control thread: no signal interrupts it, and it
 /// goes before nobody, whatever a library does to find a name.
-void standBack() {
+void becomeOrdinaryThread() {
   sigset_t all;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
@@ -128,7 +128,7 @@ kj::Promise<void> HostLookup::ask() {
   auto answered = observer->whenBecomesReadable();
   try {
     std::thread([question] {
-      standBack();
+      becomeOrdinaryThread();
       question->ask();
     }).detach();
   } catch (const std::system_error& error) {

@@ -25,7 +25,8 @@ ContextPtr Keys::makeContext() {
   SSL_CTX* const raw = context.get();
   setUp(SSL_CTX_set_min_proto_version(raw, TLS1_3_VERSION) == 1, "version 1.3");
   setUp(SSL_CTX_set1_groups_list(raw, "X25519:P-256") == 1, "groups");
-  SSL_CTX_set_verify(raw, SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT, Session::judged);
+  SSL_CTX_set_verify(raw, SSL_VERIFY_PEER | SSL_VERIFY_FAIL_IF_NO_PEER_CERT,
+                     Session::checkCertificate);
   SSL_CTX_set_mode(raw, SSL_MODE_ENABLE_PARTIAL_WRITE | SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
   SSL_CTX_set_read_ahead(raw, 1);
   SSL_CTX_set_default_read_buffer_len(raw, kReadAhead);

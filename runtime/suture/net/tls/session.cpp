@@ -81,12 +81,12 @@ Session::Progress Session::awaitAcceptance() {
 }
 
 // Keeps what is wrong with a certificate, which OpenSSL throws away.
-int Session::judged(int sound, X509_STORE_CTX* check) {
+int Session::checkCertificate(int sound, X509_STORE_CTX* check) {
   if (sound == 1) return 1;
   void* const ssl = X509_STORE_CTX_get_ex_data(check, SSL_get_ex_data_X509_STORE_CTX_idx());
   auto* const session = static_cast<Session*>(SSL_get_app_data(static_cast<SSL*>(ssl)));
-  session->unsound_ = "its certificate " + whyNot(X509_STORE_CTX_get_current_cert(check),
-                                                  X509_STORE_CTX_get_error(check));
+  session->certificateFault_ = "its certificate " + whyNot(X509_STORE_CTX_get_current_cert(check),
+                                                           X509_STORE_CTX_get_error(check));
   return 0;
 }
 
@@ -108,12 +108,12 @@ Session::Progress Session::paused(int result) {
     default: break;
   }
   const unsigned long error = ERR_peek_error();
-  if (isNoTls(error)) tellThatThisIsTls();
+  if (isNoTls(error)) sendTlsAlert();
   throw HandshakeError(isEnd(error) ? Cause::Broken : Cause::Refused, explain(error));
 }
 
 // OpenSSL answers nothing to what is no TLS. A plain end of ours knows an alert when it sees one.
-void Session::tellThatThisIsTls() const {
+void Session::sendTlsAlert() const {
   const unsigned char alert[] = {0x15, 0x03, 0x03, 0, 2, 2, SSL_AD_PROTOCOL_VERSION};
   (void)BIO_write(SSL_get_wbio(ssl_.get()), alert, sizeof(alert));
 }
@@ -163,7 +163,7 @@ ssize_t Session::stopped(int result) {
 std::string Session::explain(unsigned long error) const {
   const int reason = ERR_GET_LIB(error) == ERR_LIB_SSL ? ERR_GET_REASON(error) : 0;
   const std::string said = lastComplaint();
-  if (!unsound_.empty()) return unsound_;
+  if (!certificateFault_.empty()) return certificateFault_;
   if (reason == SSL_R_PEER_DID_NOT_RETURN_A_CERTIFICATE) {
     return "it shows no certificate. Give it keys that suture keys made.";
   }

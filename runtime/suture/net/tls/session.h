@@ -53,11 +53,11 @@ class Session {
  private:
   friend class Keys;
 
-  static int judged(int sound, X509_STORE_CTX* check);
+  static int checkCertificate(int sound, X509_STORE_CTX* check);
   static int ticketArrived(SSL* ssl, SSL_SESSION* ticket);
   Progress awaitAcceptance();
   Progress paused(int result);
-  void tellThatThisIsTls() const;
+  void sendTlsAlert() const;
   void requireName();
   ssize_t stopped(int result);
   std::string explain(unsigned long error) const;
@@ -66,7 +66,7 @@ class Session {
   const Side side_;
   SslPtr ssl_;
   bool named_ = false, accepted_ = false;
-  std::string peer_, unsound_, failure_;
+  std::string peer_, certificateFault_, failure_;
 };
 
 }  // namespace suture::tls
