@@ -48,7 +48,7 @@ inline kj::Promise<CallsSocket> openCallsSocket(suture::rpc::EventPort& port,
     std::memcpy(token.data(), results.getToken().begin(), token.size());
     return suture::rpc::dial(port, provider, std::chrono::seconds(5))
         .then([&port, token](kj::AutoCloseFd socket) {
-          return suture::rpc::showToken(port, suture::rpc::ByteStream(kj::mv(socket)), token);
+          return suture::rpc::exchangeToken(port, suture::rpc::ByteStream(kj::mv(socket)), token);
         })
         .then([number = results.getNumber()](suture::rpc::ByteStream bytes) {
           return CallsSocket{number, kj::mv(bytes)};

@@ -78,13 +78,13 @@ kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const Stream
 }
 
 // It leaves in one go, since a connection has room for so little at first.
-bool sayToken(ByteStream& bytes, const Token& token) {
+bool sendToken(ByteStream& bytes, const Token& token) {
   const auto preamble = preambleOf(token);
   return bytes.send(preamble, {}) == static_cast<ssize_t>(preamble.size());
 }
 
-kj::Promise<ByteStream> showToken(EventPort& port, ByteStream bytes, const Token& token) {
-  if (!sayToken(bytes, token)) {
+kj::Promise<ByteStream> exchangeToken(EventPort& port, ByteStream bytes, const Token& token) {
+  if (!sendToken(bytes, token)) {
     return failure(kj::Exception::Type::FAILED, "the second connection takes nothing");
   }
   return readPreamble(port, kj::mv(bytes), {})

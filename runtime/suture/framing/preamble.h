@@ -34,9 +34,9 @@ struct Opened {
 kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const StreamLimits& limits);
 
 /// Says what the connection is for, which must be the first on it; false if it takes nothing.
-bool sayToken(ByteStream& bytes, const Token& token);
+bool sendToken(ByteStream& bytes, const Token& token);
 /// Control thread: says it, and waits until the peer says the same. Rejects if that does not await
 /// it.
-kj::Promise<ByteStream> showToken(EventPort& port, ByteStream bytes, const Token& token);
+kj::Promise<ByteStream> exchangeToken(EventPort& port, ByteStream bytes, const Token& token);
 
 }  // namespace suture::rpc

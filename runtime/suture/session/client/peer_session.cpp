@@ -110,7 +110,7 @@ kj::Promise<LaneSocket> PeerSession::openSocket(const char* lane) {
     std::memcpy(token.data(), told.begin(), token.size());
     return manager_.reach(process_, kDialLimit)
         .then([this, token](rpc::ByteStream bytes) {
-          return rpc::showToken(control_.port(), kj::mv(bytes), token);
+          return rpc::exchangeToken(control_.port(), kj::mv(bytes), token);
         })
         .then([number = results.getNumber()](rpc::ByteStream bytes) {
           return LaneSocket{number, kj::mv(bytes)};

@@ -32,7 +32,7 @@ void AwaitedSockets::arrived(const rpc::Token& token, rpc::ByteStream bytes) {
   const auto found = all_.find(token);
   if (found == all_.end() || !isSame(found->second.who, bytes.peer())) return;
   auto awaited = all_.extract(found);
-  if (rpc::sayToken(bytes, token)) awaited.mapped().take(kj::mv(bytes));
+  if (rpc::sendToken(bytes, token)) awaited.mapped().take(kj::mv(bytes));
 }
 
 }  // namespace suture
