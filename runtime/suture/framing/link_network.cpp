@@ -26,9 +26,10 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
     }
     // The caller's last word on a call that has returned only frees memory at the peer.
     const bool finish = message_.getRoot<capnp::rpc::Message>().isFinish();
-    stream_.write(message_.getSegmentsForOutput(),
-                  finish ? MessageStream::Leaves::WithTheNext : MessageStream::Leaves::WithTheTurn,
-                  descriptors_);
+    stream_.write(
+        message_.getSegmentsForOutput(),
+        finish ? MessageStream::Leaves::WithNextMessage : MessageStream::Leaves::AtEndOfTurn,
+        descriptors_);
   }
 
   void setFds(kj::Array<int> descriptors) override { descriptors_ = kj::mv(descriptors); }

@@ -192,24 +192,24 @@ void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int>
     fail(disconnected("the peer does not take what is sent"));
   } else if (unsent >= kSendAtOnce) {
     flush();
-  } else if (when == Leaves::WithTheNext) {
-    scheduleRide();
+  } else if (when == Leaves::WithNextMessage) {
+    scheduleDelayedSend();
   } else {
     port_.flushBeforeSleep(*this);
   }
 }
 
 // Never cancels the timer: in steady traffic it covers many messages, and finds them gone.
-void MessageStream::scheduleRide() {
-  if (rideScheduled_) return;
-  rideScheduled_ = true;
-  rideTask_ = port_.getTimer()
-                  .afterDelay(kLongestRideMilliseconds * kj::MILLISECONDS)
-                  .then([this] {
-                    rideScheduled_ = false;
-                    if (!outgoing_.empty()) port_.flushBeforeSleep(*this);
-                  })
-                  .eagerlyEvaluate(nullptr);
+void MessageStream::scheduleDelayedSend() {
+  if (delayedSendScheduled_) return;
+  delayedSendScheduled_ = true;
+  delayedSendTask_ = port_.getTimer()
+                         .afterDelay(kLongestDelayMilliseconds * kj::MILLISECONDS)
+                         .then([this] {
+                           delayedSendScheduled_ = false;
+                           if (!outgoing_.empty()) port_.flushBeforeSleep(*this);
+                         })
+                         .eagerlyEvaluate(nullptr);
 }
 
 void MessageStream::flush() {

@@ -59,18 +59,18 @@ class MessageStream final : private EventPort::Output {
 
   /// When a message leaves.
   enum class Leaves {
-    WithTheTurn,  ///< when the event loop has nothing else to do
-    WithTheNext,  ///< with the next message, or after kLongestRide: not worth a system call and a
-                  ///< wake-up of the peer of its own
+    AtEndOfTurn,      ///< when the event loop has nothing else to do
+    WithNextMessage,  ///< with the next message, or after kLongestDelayMilliseconds: not worth a
+                      ///< system call and a wake-up of the peer of its own
   };
-  static constexpr int kLongestRideMilliseconds = 5;
+  static constexpr int kLongestDelayMilliseconds = 5;
 
   /// Tells why a read has rejected, if the peer broke a limit; else "".
   const std::string& refusal() const { return refusal_; }
 
   /// Copies the message, and duplicates `descriptors` (Unix sockets only). If the connection is
   /// lost, nothing happens: the reader hears of it.
-  void write(Segments message, Leaves when = Leaves::WithTheTurn,
+  void write(Segments message, Leaves when = Leaves::AtEndOfTurn,
              kj::ArrayPtr<const int> descriptors = nullptr);
   /// Sends what has been written, then closes this direction. Rejects if the connection is lost.
   kj::Promise<void> end();
@@ -91,7 +91,7 @@ class MessageStream final : private EventPort::Output {
   void noteWhetherKnown();
   [[noreturn]] void refuse(std::string why);
 
-  void scheduleRide();
+  void scheduleDelayedSend();
   void flush() override;
   ssize_t sendSome();
   void awaitRoom();
@@ -118,11 +118,11 @@ class MessageStream final : private EventPort::Output {
   std::size_t outgoingBegin_ = 0;
   AttachedDescriptors outgoingDescriptors_;
   bool awaitingRoom_ = false;  // the socket is full
-  bool rideScheduled_ = false;
+  bool delayedSendScheduled_ = false;
   kj::Maybe<kj::Exception> writeFailure_;
   kj::Maybe<kj::Own<kj::PromiseFulfiller<void>>> ending_;
   kj::Maybe<kj::Own<WriteObserver>> writeObserver_;  // made the first time the socket is full
-  kj::Promise<void> rideTask_ = kj::READY_NOW;
+  kj::Promise<void> delayedSendTask_ = kj::READY_NOW;
   kj::Promise<void> roomTask_ = kj::READY_NOW;  // the tasks last: cancelled first
 };
 

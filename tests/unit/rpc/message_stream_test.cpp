@@ -284,14 +284,14 @@ TEST_F(MessageStreamTest, ADelayableMessageLeavesSoon) {
   const auto pass = [this](int milliseconds) {
     port_.getTimer().afterDelay(milliseconds * kj::MILLISECONDS).wait(port_.scope());
   };
-  stream_->write(waits.getSegmentsForOutput(), MessageStream::Leaves::WithTheNext);
+  stream_->write(waits.getSegmentsForOutput(), MessageStream::Leaves::WithNextMessage);
   kj::evalLast([] {}).wait(port_.scope());
   EXPECT_EQ(arrived(), -1);
   stream_->write(doesNot.getSegmentsForOutput());
   kj::evalLast([] {}).wait(port_.scope());
   pass(0);
   EXPECT_EQ(arrived(), static_cast<ssize_t>(blobFrame(8).size() + blobFrame(16).size()));
-  stream_->write(waits.getSegmentsForOutput(), MessageStream::Leaves::WithTheNext);
+  stream_->write(waits.getSegmentsForOutput(), MessageStream::Leaves::WithNextMessage);
   kj::evalLast([] {}).wait(port_.scope());
   ssize_t alone = -1;
   for (const Time deadline = now() + kPatience; alone == -1 && now() < deadline;) {
