@@ -20,8 +20,8 @@ timespec toTimespec(Time time) {
   return {static_cast<time_t>(count / 1'000'000'000), static_cast<long>(count % 1'000'000'000)};
 }
 
-// Tells the word by its file, since the two ends of the shm lane may be in one process, which then
-// maps it twice.
+// Identifies the word by its file, because the two ends of the shm lane may be in one process,
+// which then maps it twice.
 std::uint64_t placeOf(const MemoryBlock& memory) {
   struct stat status {};
   fstat(memory.descriptor(), &status);
@@ -29,8 +29,8 @@ std::uint64_t placeOf(const MemoryBlock& memory) {
 }
 
 #ifdef SUTURE_THREAD_SANITIZER
-// ThreadSanitizer knows memory by its address, and a word that is mapped twice has two: this gives
-// one place for both.
+// ThreadSanitizer identifies memory by its address, and a word that is mapped twice has two
+// addresses. This returns one address for both.
 void* addressOf(const std::shared_ptr<MemoryBlock>& memory) {
   static char places[4096];
   return &places[placeOf(*memory) % sizeof(places)];
@@ -56,8 +56,8 @@ Doorbell::Doorbell(std::shared_ptr<MemoryBlock> memory, Sleeper sleeper)
       shared_(sleeper == Sleeper::Elsewhere),
       word_(*reinterpret_cast<Word*>(memory_->data())) {}
 
-// Wakes a sleeper that waits on the private futex, since later rings look for it on the shared one.
-// A sleeper that is only about to wait there finds this ring in the word.
+// Wakes a sleeper that waits on the private futex, because later rings look for it on the shared
+// one. A sleeper that is only about to wait there finds this ring in the word.
 const std::shared_ptr<MemoryBlock>& Doorbell::share() {
   if (!shared_.exchange(true, std::memory_order_seq_cst)) {
     ring();
@@ -89,7 +89,7 @@ void Doorbell::ring(RungFor what) {
 
 void Doorbell::writeEvent() {
   const std::uint64_t one = 1;
-  // A full eventfd counter is as good as a write: the sleeper is due to wake.
+  // If the counter of the eventfd is full, the write fails, but then the sleeper is woken anyway.
   [[maybe_unused]] const auto written = write(eventDescriptor_, &one, sizeof(one));
 }
 

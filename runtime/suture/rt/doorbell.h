@@ -1,5 +1,5 @@
 #pragma once
-// How a sleeping thread is woken: one word, one system call, and none if it is awake.
+// This wakes a sleeping thread: it costs one word and one system call, and no call if it is awake.
 
 #include <suture/base/memory_block.h>
 #include <suture/base/time.h>
@@ -11,57 +11,59 @@
 
 namespace suture::rt {
 
-/// What a doorbell is rung for.
+/// Says what a doorbell is rung for.
 enum class RungFor : std::uint32_t {
   Nothing = 0,
-  /// The answer to a call, or an event. Whoever rings has put it where the sleeper finds it; the
-  /// ring may come when it has been taken.
+  /// The answer to a call, or an event. The thread that rings has put it where the sleeper finds
+  /// it, so the sleeper may have taken it before the ring comes.
   Arrival = 1,
   /// Anything else, or both.
   Work = 2,
 };
 
-/// A doorbell belongs to one sleeper; any thread may ring. A ring of this process is never lost:
-/// ringing before the sleeper goes to sleep makes its next wait return at once. Lock-free, no
-/// allocation.
+/// Belongs to one sleeper, its owner; any thread may ring it. A ring of this process is never lost:
+/// if it comes before the sleeper goes to sleep, the next wait returns at once. Lock-free; never
+/// allocates.
 class Doorbell {
  public:
-  /// `eventDescriptor`: an eventfd to write instead of waking a futex, for a sleeper that sits in
-  /// epoll.
+  /// `eventDescriptor` is an eventfd to write instead of waking a futex, for a sleeper that waits
+  /// in epoll.
   explicit Doorbell(int eventDescriptor = -1);
   enum class Sleeper : std::uint8_t { Here, Elsewhere };
-  /// Lies in memory that other processes map: its sleeper's own, which share() hands to them, or
-  /// that of one of theirs, in order to ring it. What they write there can wake it for nothing, or
-  /// make it sleep for kLookAgain.
+  /// Makes a doorbell in memory that other processes map. With Sleeper::Here the sleeper is in this
+  /// process, and share() returns what others need to ring it; with Sleeper::Elsewhere it is in
+  /// another process, and this one only rings it. Other processes may write anything there: that
+  /// can wake the sleeper for nothing, or make it sleep for kLookAgain, but no more.
   Doorbell(std::shared_ptr<MemoryBlock> memory, Sleeper sleeper);
   Doorbell(const Doorbell&) = delete;
   Doorbell& operator=(const Doorbell&) = delete;
 
-  /// Any thread. At most one system call, none while the owner is awake.
+  /// Any thread. Makes at most one system call, and none while the owner is awake.
   void ring(RungFor what = RungFor::Work);
 
-  /// How long the owner sleeps at most while another process may ring, which could lose a ring.
+  /// Limits the sleep of the owner while another process may ring, because such a ring can be lost.
   static constexpr Duration kLookAgain = std::chrono::seconds(1);
 
-  /// The owner only: sleeps until rung or until `deadline`, or until it is to look again. Returns
-  /// what it was rung for since it last asked.
+  /// The owner only. Sleeps until it is rung, until `deadline`, or until it must look again
+  /// (kLookAgain). Returns what it has been rung for since it last asked.
   RungFor waitUntil(Time deadline);
-  /// The owner only: sleeps until rung, which whoever rings must be certain to do.
+  /// The owner only. Sleeps until it is rung, for a ring that is certain to come.
   void wait();
 
-  /// For an owner that sleeps in epoll: true if it may go to sleep, false if there is a ring to
-  /// take. After true, the next ring writes the eventfd.
+  /// The owner only, before it sleeps in epoll. Returns true if it may go to sleep: the next ring
+  /// then writes the eventfd. Returns false if there is a ring to take.
   bool prepareToSleep();
-  /// For an owner that sleeps in epoll, when it is back: a ring costs no system call from here on.
+  /// The owner only, after it has slept in epoll. From here on a ring costs no system call.
   void endSleep();
-  /// For an owner that sleeps in epoll, instead of that while time is virtual: sleeps until rung,
-  /// until `sockets` have something or until `deadline`.
+  /// The owner only, in place of epoll while time is virtual. Sleeps until it is rung, until
+  /// `sockets` have something, or until `deadline`.
   void sleepAt(VirtualTime::Sockets& sockets, Time deadline);
-  /// For an owner that sleeps in epoll: what it has been rung for since it last asked.
+  /// The owner only, if it sleeps in epoll. Returns what it has been rung for since it last asked.
   RungFor takeRing();
 
-  /// Any thread: returns what another process needs to ring it, before that does. Until then the
-  /// kernel is told that no other process waits there or rings, which costs half as much.
+  /// Any thread. Returns the memory that another process needs to ring it; call this before that
+  /// process does. Until then the kernel is told that no other process waits or rings there, which
+  /// costs half as much.
   const std::shared_ptr<MemoryBlock>& share();
 
  private:

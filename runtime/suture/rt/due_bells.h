@@ -1,5 +1,5 @@
 #pragma once
-// The doorbells that a thread is going to ring.
+// This collects the doorbells that a thread is going to ring.
 
 #include <suture/rt/doorbell.h>
 #include <suture/rt/shared_flag.h>
@@ -11,15 +11,16 @@
 
 namespace suture::rt {
 
-/// One thread. Rings each bell once, for all that it was added for since. No allocation; the cost
-/// of add() does not grow with the number of bells.
+/// One thread. Rings each bell once, for everything that it was added for since the last time.
+/// Never allocates, and the cost of add() does not grow with the number of bells.
 class DueBells {
  public:
   static constexpr std::size_t kCapacity = 256;
 
-  /// If kCapacity others are due, rings at once.
-  /// `untaken`: if that is down by then, nobody is rung, since the sleeper has come upon it
-  /// himself; null, or two different ones for a bell: it is rung in any case.
+  /// Adds a bell; if kCapacity others are due, rings it at once. `untaken` is a flag that the
+  /// sleeper lowers when it takes what the bell was added for: if it is down by then, the bell is
+  /// not rung. If it is null, or a bell was added with two different flags, the bell is rung in any
+  /// case.
   void add(Doorbell& bell, RungFor what = RungFor::Work, SharedFlag* untaken = nullptr);
   void ringAll();
 
@@ -39,8 +40,8 @@ class DueBells {
 
   std::size_t count_ = 0;
   std::array<Due, kCapacity> due_{};
-  // The index in due_ of a bell, by its hash. It holds only if that entry points back, so nothing
-  // needs to be erased.
+  // Holds the index in due_ of a bell, by its hash. An entry counts only if due_ points back to it,
+  // so that nothing needs to be erased.
   std::array<std::uint16_t, kSlots> slots_{};
 };
 

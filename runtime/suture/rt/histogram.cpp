@@ -23,7 +23,7 @@ std::uint64_t Histogram::upperEdge(unsigned bucket) {
 void Histogram::record(Duration duration) {
   const std::int64_t nanoseconds = std::max<std::int64_t>(duration.count(), 0);
   auto& bucket = buckets_[bucketOf(static_cast<std::uint64_t>(nanoseconds))];
-  // Single writer: plain load and store suffice.
+  // A plain load and store suffice, because only one thread writes.
   if (bucket.load(std::memory_order_relaxed) == mostInBucket_) halve();
   bucket.store(bucket.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   count_.store(count_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);

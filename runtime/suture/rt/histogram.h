@@ -1,5 +1,5 @@
 #pragma once
-// How a duration is distributed, in fixed memory.
+// This says how a duration is distributed, in fixed memory.
 
 #include <suture/base/time.h>
 
@@ -9,26 +9,26 @@
 
 namespace suture::rt {
 
-/// Durations from 1 ns to about 18 s in buckets of at most 6 % width. One thread records; any
-/// thread may read while it does. No allocation, no locks.
+/// One thread records; any thread may read meanwhile. Counts durations from 1 ns to about 18 s in
+/// buckets of at most 6 % width. Never allocates or locks.
 class Histogram {
  public:
-  /// `mostInBucket`: a bucket of 32 bits is full some day. Then all are halved, which leaves the
-  /// shares as they are.
+  /// `mostInBucket` is the most that a bucket may hold: one of 32 bits is full some day. All
+  /// buckets are halved then, which leaves the shares as they are.
   explicit Histogram(std::uint32_t mostInBucket = ~std::uint32_t{0})
       : mostInBucket_(mostInBucket) {}
 
   void record(Duration duration);
-  /// The recording thread, where no other reads: forgets everything.
+  /// The recording thread, while no other reads. Forgets everything.
   void clear();
 
   std::uint64_t count() const { return count_.load(std::memory_order_relaxed); }
   Duration max() const { return Duration(max_.load(std::memory_order_relaxed)); }
-  /// Upper edge of the bucket below which the share `quantile` (0..1) lies; 0 if nothing was
-  /// recorded.
+  /// Returns the upper edge of the bucket below which the share `quantile` (0..1) lies; 0 if
+  /// nothing was recorded.
   Duration quantile(double quantile) const;
-  /// The share (0..1) of what was recorded that is at most `limit`, counting the bucket of `limit`
-  /// in; 0 if nothing was recorded.
+  /// Returns the share (0..1) of what was recorded that is at most `limit`, including the whole
+  /// bucket of `limit`; 0 if nothing was recorded.
   double shareUpTo(Duration limit) const;
 
  private:
@@ -37,7 +37,7 @@ class Histogram {
 
   static unsigned bucketOf(std::uint64_t nanoseconds);
   void halve();
-  /// How many the first `buckets` have.
+  /// Returns how many durations the first `buckets` buckets hold.
   std::uint64_t inFirst(unsigned buckets) const;
   static std::uint64_t upperEdge(unsigned bucket);
 

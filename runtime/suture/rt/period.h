@@ -1,5 +1,5 @@
 #pragma once
-// Absolute deadlines of a periodic task.
+// This computes the absolute deadlines of a periodic task.
 
 #include <suture/base/time.h>
 
@@ -7,16 +7,16 @@
 
 namespace suture::rt {
 
-/// The grid of due times of one periodic task. Its own thread only. A due time that has passed is
-/// skipped and counted, so executed + skipped = elapsed / period, within one.
+/// The task's own thread only. Keeps the grid of due times of one periodic task. A due time that
+/// has passed is skipped and counted, so executed + skipped = elapsed / period, within one.
 class Period {
  public:
   explicit Period(Duration length) : length_(length) {}
 
-  /// Fixes the grid: the first due time is one period after `start`.
+  /// Fixes the grid. The first due time is one period after `start`.
   void begin(Time start) { due_ = start; }
 
-  /// The next due time after `time`.
+  /// Returns the next due time after `time`.
   Time advance(Time time) {
     due_ += length_;
     if (due_ <= time) {

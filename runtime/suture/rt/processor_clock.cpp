@@ -6,7 +6,7 @@
 namespace suture::rt {
 namespace {
 
-/// Zero if the clock's thread has ended.
+/// Returns zero if the clock's thread has ended.
 Duration readingOf(clockid_t clock) {
   timespec time{};
   if (clock_gettime(clock, &time) != 0) return Duration{0};
@@ -29,7 +29,7 @@ void ProcessorClock::end() {
   clock_.store(std::nullopt, std::memory_order_release);
 }
 
-// A thread that ends meanwhile may be counted twice or not at all by this one answer.
+// A thread that ends during the call may be counted twice, or not at all, in this one answer.
 Duration ProcessorClock::used() const {
   const auto clock = clock_.load(std::memory_order_acquire);
   const Duration before(before_.load(std::memory_order_relaxed));

@@ -1,5 +1,5 @@
 #pragma once
-// How much time of the processors a thread has had.
+// This measures how much processor time a thread has used.
 
 #include <suture/base/time.h>
 
@@ -9,19 +9,19 @@
 
 namespace suture::rt {
 
-/// That of all threads of this process. Any thread.
+/// Any thread. Returns the processor time of all threads of this process together.
 Duration processorTimeOfProcess();
 
-/// Counts for one thread at a time, and for those that come after it, too. It is the kernel's
-/// count, also on a stepped clock. No allocation, no locks.
+/// Counts for one thread at a time, and adds up over the threads that begin one after the other. It
+/// is the kernel's count, even if the clock is stepped. Never allocates or locks.
 class ProcessorClock {
  public:
-  /// The thread's first and last words here.
+  /// The thread that is measured calls begin() first and end() last.
   void begin();
   void end();
 
-  /// Any thread, at any time. A system call of the caller; the thread that is asked about does not
-  /// notice.
+  /// Any thread, at any time. Makes a system call in the caller's thread; the measured thread is
+  /// not disturbed.
   Duration used() const;
 
  private:

@@ -37,7 +37,7 @@ void prioritize(const std::string& name, const Scheduling& scheduling) {
                    "Grant real-time priorities (ulimit -r, CAP_SYS_NICE) or leave it out");
 }
 
-/// The kernel's struct sched_attr; glibc 2.36 has none.
+/// Is the kernel's struct sched_attr, which glibc 2.36 does not declare.
 struct SchedulingAttributes {
   std::uint32_t size = sizeof(SchedulingAttributes);
   std::uint32_t policy = SCHED_OTHER;
@@ -47,7 +47,7 @@ struct SchedulingAttributes {
   std::uint64_t runtime = 0, deadline = 0, period = 0;
 };
 
-/// Tries one part of a wish. False if it is refused.
+/// Tries one part of a wish. Returns false if it is refused.
 bool isGranted(const std::string& name, const Scheduling& part,
                std::vector<std::string>& refusals) {
   try {
@@ -91,11 +91,12 @@ void configureThisThread(const std::string& name, const Scheduling& scheduling) 
   askForSlice(kTaskSlice);
 }
 
-// Each part is a question of its own: a processor may be there for one without real-time rights.
+// Each part is asked for separately, because the kernel may grant a processor without granting
+// real-time priorities.
 Granted grantedOf(const std::string& name, const Scheduling& wanted) {
   Granted granted;
-  Thread asks;
-  asks.start(name, [&] {
+  Thread thread;
+  thread.start(name, [&] {
     if (isGranted(name, {.processor = wanted.processor}, granted.refusals)) {
       granted.scheduling.processor = wanted.processor;
     }
@@ -104,7 +105,7 @@ Granted grantedOf(const std::string& name, const Scheduling& wanted) {
       granted.scheduling.priority = wanted.priority;
     }
   });
-  asks.join();
+  thread.join();
   return granted;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// How the kernel schedules a thread, and what of a wish it grants.
+// This tells the kernel how to schedule a thread, and finds out which part of that it grants.
 
 #include <suture/base/time.h>
 
@@ -10,7 +10,7 @@
 
 namespace suture::rt {
 
-/// Which of the kernel's rules decides when a thread has a processor.
+/// Says by which of the kernel's rules a thread gets a processor.
 enum class Policy : std::uint8_t {
   Default,     ///< that of the thread which starts it, as a rule SCHED_OTHER
   Fifo,        ///< SCHED_FIFO: until it sleeps, before all of a lower priority
@@ -19,20 +19,20 @@ enum class Policy : std::uint8_t {
 
 struct Scheduling {
   Policy policy = Policy::Default;
-  /// 1 to 99, the most urgent; without meaning under the default policy.
+  /// Is 1 to 99, of which 99 is the most urgent; it has no meaning under the default policy.
   int priority = 0;
-  /// The processor that the thread is pinned to, counted from 0; without, the kernel chooses.
+  /// Is the processor that the thread is pinned to, counted from 0; without it the kernel chooses.
   std::optional<int> processor = std::nullopt;
 
   bool operator==(const Scheduling&) const = default;
 };
 
-/// "fifo 80 on processor 1", "default".
+/// Returns for example "fifo 80 on processor 1", or "default".
 std::string toString(const Scheduling& scheduling);
 
-/// The slice of a task under the default policy, and that of a thread that serves tasks. A thread
-/// that wakes up takes the processor from one of a longer slice: so a task runs as soon as there is
-/// something to do, and has answered before the thread that woke it goes to sleep.
+/// These are the slices, under the default policy, of a task and of a thread that serves tasks. A
+/// thread that wakes up takes the processor from one of a longer slice: so a task runs as soon as
+/// there is something to do, and has answered before the thread that woke it goes to sleep.
 inline constexpr Duration kTaskSlice = std::chrono::microseconds(100);
 inline constexpr Duration kServiceSlice = std::chrono::milliseconds(1);
 
@@ -40,22 +40,22 @@ inline constexpr Duration kServiceSlice = std::chrono::milliseconds(1);
 /// policy. Linux before 6.12 does not know such a wish; then nothing changes.
 void askForSlice(Duration slice);
 
-/// Schedules the calling thread so, and the threads that it starts. `name`: whose thread it is, for
-/// the error. Throws SetupError if the kernel refuses, e.g. without the right to real-time
-/// priorities.
+/// Schedules the calling thread, and the threads that it starts from then on. `name` says in the
+/// error which thread it is. Throws SetupError if the kernel refuses, e.g. without the right to
+/// real-time priorities.
 void schedule(const std::string& name, const Scheduling& scheduling);
 
 /// Applies the name (at most 15 characters are kept) and the scheduling to the calling thread, and
-/// has its timed sleeps end when they are due. Throws as schedule() does.
+/// makes its timed sleeps end when they are due. Throws as schedule() does.
 void configureThisThread(const std::string& name, const Scheduling& scheduling);
 
-/// It tells what the kernel grants of a wish, and why not the rest.
+/// Says which part of a wish the kernel grants, and why it refuses the rest.
 struct Granted {
   Scheduling scheduling;
   std::vector<std::string> refusals;  ///< what was asked, what was found, what to do; one each
 };
 
-/// Tries what schedule() would do, in a thread that ends with it.
+/// Any thread. Tries what schedule() would do, in a thread of its own that ends with this call.
 Granted grantedOf(const std::string& name, const Scheduling& wanted);
 
 }  // namespace suture::rt

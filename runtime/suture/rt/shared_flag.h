@@ -1,21 +1,21 @@
 #pragma once
-// A flag in memory that another process may write, whatever it writes there.
+// This is a flag in memory where another process may write any byte.
 
 #include <atomic>
 #include <cstdint>
 
 namespace suture::rt {
 
-/// Any thread of any process that maps it; wait-free. Unlike a std::atomic<bool>, in which only 0
-/// and 1 may stand, it is up with any byte but 0.
+/// Any thread of any process that maps it; wait-free. Unlike a std::atomic<bool>, which must hold 0
+/// or 1, it is up with any byte other than 0.
 class SharedFlag {
  public:
   bool isUp(std::memory_order order) const { return byte_.load(order) != 0; }
   void raise(std::memory_order order = std::memory_order_seq_cst) { byte_.store(1, order); }
-  /// Raises it, and sees from here on what was done before it was lowered last, even if it was
-  /// down.
+  /// Raises it. The caller then also sees everything that was done before the flag was last
+  /// lowered, even if it was down.
   void raiseBehindTake() { byte_.exchange(1, std::memory_order_acq_rel); }
-  /// Lowers it. True if it was up.
+  /// Lowers it. Returns true if it was up.
   bool take(std::memory_order order) { return byte_.exchange(0, order) != 0; }
 
  private:

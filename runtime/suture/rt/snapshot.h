@@ -1,5 +1,5 @@
 #pragma once
-// One small value that one thread writes now and then and any thread may read.
+// This is one small value that one thread writes now and then and any thread may read.
 
 #include <array>
 #include <atomic>
@@ -10,15 +10,15 @@
 
 namespace suture::rt {
 
-/// One writer thread, any number of readers. Neither ever waits for the other: a reader that was
-/// overtaken reads again. No allocation, no locks. Every word is an atomic: correct under the C++
-/// memory model.
+/// One writer thread, any number of reader threads. Neither ever waits for the other: a reader that
+/// was overtaken by the writer reads again. Never allocates or locks. Every word is an atomic, so
+/// that this is correct under the C++ memory model.
 template <class T>
 class Snapshot {
   static_assert(std::is_trivially_copyable_v<T>);
 
  public:
-  /// The writer.
+  /// The writer only.
   void write(const T& value) {
     std::array<std::uint64_t, kWords> copy{};
     std::memcpy(copy.data(), &value, sizeof(T));
@@ -28,7 +28,7 @@ class Snapshot {
     version_.store(version + 2, std::memory_order_release);
   }
 
-  /// Any thread: the last value written; T{} before the first.
+  /// Any thread. Returns the last value written; T{} before the first.
   T read() const {
     T value{};
     std::array<std::uint64_t, kWords> copy;

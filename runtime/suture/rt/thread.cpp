@@ -52,7 +52,8 @@ void Thread::start(const std::string& name, std::function<void()> body, Signals 
   thread_ = time == nullptr ? std::thread(std::move(whole)) : startUnder(*time, name, whole);
 }
 
-// The kernel lets nobody wait for a thread on a stepped clock, so its end is rung first.
+// The thread rings before it ends, because the kernel's way to wait for a thread does not work with
+// a stepped clock.
 void Thread::join() {
   ended_.wait();
   thread_.join();

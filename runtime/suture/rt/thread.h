@@ -1,5 +1,5 @@
 #pragma once
-// The threads of the runtime.
+// This starts the threads of the runtime.
 
 #include <suture/rt/doorbell.h>
 
@@ -10,10 +10,10 @@
 
 namespace suture::rt {
 
-/// A thread that a stepped clock knows from its beginning to its end. Whoever starts it joins it.
+/// Is a thread that a stepped clock knows from its beginning to its end. Its starter must join it.
 class Thread {
  public:
-  /// Which signals may interrupt it.
+  /// Says which signals may interrupt it.
   enum class Signals : std::uint8_t { AsTheStarter, None };
 
   Thread() = default;
@@ -22,14 +22,14 @@ class Thread {
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
 
-  /// Runs `body`, which throws nothing. `name` is for a stepped clock alone. Throws
+  /// Runs `body`, which must not throw. `name` is used only by a stepped clock. Throws
   /// std::system_error if the kernel refuses.
   void start(const std::string& name, std::function<void()> body,
              Signals signals = Signals::AsTheStarter);
   bool joinable() const { return thread_.joinable(); }
-  /// Waits for its end, in any other thread.
+  /// Any other thread. Waits until it has ended.
   void join();
-  /// True in the thread itself.
+  /// Returns true in the thread itself.
   bool isCurrent() const { return std::this_thread::get_id() == thread_.get_id(); }
 
  private:

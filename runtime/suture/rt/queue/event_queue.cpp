@@ -21,7 +21,7 @@ EventQueue::EventQueue(std::span<const EventLimits> events, Producers producers,
   }
 }
 
-// Releases what is left; in foreign memory, no payload owns memory.
+// Releases what is left, except in foreign memory, where no payload owns memory.
 EventQueue::~EventQueue() {
   if (foreign_) return;
   while (next() != nullptr) pop();
@@ -32,7 +32,7 @@ EventQueue::~EventQueue() {
   }
 }
 
-// Two threads that emit it at the same moment have no order: one of them gives way.
+// If two threads emit the event at the same moment, neither comes first, so one of them gives way.
 bool EventQueue::pushLatest(Cell& cell, const EventRecord& record,
                             std::span<const std::byte> payload) {
   const bool alone = producers_ == Producers::One;
@@ -59,7 +59,7 @@ bool EventQueue::pushSpecial(const EventRecord& record, std::span<const std::byt
   return pushed;
 }
 
-// While the cell has a value that was not taken, a later one may not go ahead of it through the
+// While the cell has a value that was not taken, a later event may not overtake it through the
 // ring.
 bool EventQueue::enter(const EventRecord& record, std::span<const std::byte> payload) {
   Cell* const cell = cells_[record.event].get();
@@ -75,8 +75,8 @@ bool EventQueue::push(std::uint16_t event, Time stamp, std::span<const std::byte
   return false;
 }
 
-// Looks into the ring once more when it sees a queued event in a cell: what had room was put into
-// the ring before that, perhaps since the last look.
+// Looks into the ring once more when it sees a queued event in a cell: events that came before that
+// one had room in the ring, perhaps after the last look.
 EventRecord* EventQueue::takeKept() {
   const auto copy = [this](std::byte* to, const std::byte* from, std::size_t) {
     forms_.copyForeign(to, from, static_cast<std::uint16_t>(cell_));
@@ -99,7 +99,8 @@ EventRecord* EventQueue::oldest() {
   return fromRing_ ? record : takeKept();
 }
 
-// True if the provider could have written it.
+// Bounds the stamp of a record from foreign memory. Returns true if the provider could have written
+// the rest.
 bool EventQueue::makePossible(EventRecord& record) const {
   record.stamp = std::clamp(record.stamp, Time{}, now());
   if (!fromRing_) return true;
@@ -110,7 +111,8 @@ bool EventQueue::makePossible(EventRecord& record) const {
 
 const EventRecord* EventQueue::next() {
   next_ = oldest();
-  // Skip no more than the ring has room for: the provider may write faster than this reads.
+  // Skip no more records than the ring has room for, because the provider may write faster than
+  // this thread reads.
   for (std::size_t left = ring_.records(); next_ != nullptr && foreign_; --left) {
     if (makePossible(*next_)) break;
     if (fromRing_) ring_.pop();

@@ -1,5 +1,5 @@
 #pragma once
-// The events on their way from a provider to one subscriber.
+// These are the events on their way from a provider to one subscriber.
 
 #include <suture/base/time.h>
 #include <suture/rt/queue/event_ring.h>
@@ -14,15 +14,16 @@
 
 namespace suture::rt {
 
-/// Counts of one connection; any thread may read.
+/// Counts the events of one connection; any thread may read.
 struct EventCounters {
   std::atomic<std::uint64_t> delivered{0};  // consumer
-  std::atomic<std::uint64_t> dropped{0};    // those who emit, or pass on
+  std::atomic<std::uint64_t> dropped{0};    // the threads that emit or pass events on
 };
 
-/// One consumer thread. No allocation after construction, no locks. A full queue drops the new
-/// event and counts it, so a slow subscriber delays nobody. Of a latched event it keeps the last
-/// value all the same, since who hears nothing after it takes an older one for what holds.
+/// One consumer thread; `producers` says which threads push. Never locks, and never allocates after
+/// construction. A full queue drops the new event and counts it, so a slow subscriber delays
+/// nobody. Of a latched event it keeps the last value all the same, because a subscriber that
+/// misses it would believe that an older value still holds.
 ///
 /// In foreign memory each process has an object of its own and uses one end. The consumer skips
 /// what cannot be an event.
@@ -35,21 +36,22 @@ class EventQueue {
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
 
-  /// False if the event was dropped. A counted pointer in `payload` is copied, and counted.
+  /// A producer. Returns false if the event was dropped. A counted pointer in `payload` is copied,
+  /// and its count goes up.
   bool push(std::uint16_t event, Time stamp, std::span<const std::byte> payload);
 
-  /// Consumer: the oldest queued event, then the newest of each latest() event, and of each latched
-  /// one that found the queue full; nullptr: none left.
-  /// Must be followed by pop().
+  /// The consumer. Returns the oldest queued event, then the newest of each latest() event and of
+  /// each latched one that found the queue full; nullptr if none is left. Each event that it
+  /// returns must be followed by pop().
   const EventRecord* next();
   void pop();
-  /// Consumer: true if next() would return something.
+  /// The consumer. Returns true if next() would return something.
   bool pending() const;
 
-  /// How many may wait.
+  /// Returns how many events may wait.
   std::size_t capacity() const { return ring_.records() + cells_.size(); }
 
-  /// Any thread: one more event has been lost, behind this queue.
+  /// Any thread. Counts one more event that was lost behind this queue.
   void countDropped() { counters_->dropped.fetch_add(1, std::memory_order_relaxed); }
 
   std::uint64_t delivered() const { return counters_->delivered.load(std::memory_order_relaxed); }
@@ -57,7 +59,7 @@ class EventQueue {
   std::shared_ptr<const EventCounters> sharedCounters() const { return counters_; }
 
  private:
-  // A newest-wins event, or what of a latched one has found the queue full.
+  // Holds the newest value of a newest-wins event, or of a latched one that found the queue full.
   struct Cell {
     Cell(const EventLimits& event, Arena& arena)
         : values(sizeof(EventRecord) + event.payloadSize, arena),
@@ -65,7 +67,7 @@ class EventQueue {
           queued(!event.latest) {}
     LatestCell values;
     const bool shared;
-    const bool queued;  // as long as there is room
+    const bool queued;  // it goes through the ring as long as there is room
     std::atomic_flag writing = ATOMIC_FLAG_INIT;
   };
 
@@ -82,9 +84,9 @@ class EventQueue {
   const EventForms forms_;
   const Producers producers_;
   std::vector<std::unique_ptr<Cell>> cells_;  // by event; null: only queued
-  // A bit an event: at most 64 in a contract.
+  // These have one bit for each event: a contract has at most 64.
   std::uint64_t shared_ = 0;
-  std::uint64_t plain_ = 0;  // not special in any way: all that a sender has to look at
+  std::uint64_t plain_ = 0;  // neither shared nor with a cell; the sender tests only this bit
   const bool foreign_;
   EventRing ring_;
   EventRecord* next_ = nullptr;  // what the last next() returned

@@ -1,5 +1,5 @@
 #pragma once
-// An event lies in memory so, on its way to one subscriber.
+// This is how an event lies in memory on its way to one subscriber.
 
 #include <suture/base/slots/bounded_level.h>
 #include <suture/base/time.h>
@@ -29,13 +29,13 @@ struct EventRecord {
 
   std::byte* payload() { return reinterpret_cast<std::byte*>(this + 1); }
   const std::byte* payload() const { return reinterpret_cast<const std::byte*>(this + 1); }
-  /// The record that `payload` belongs to.
+  /// Returns the record that `payload` belongs to.
   static const EventRecord& of(const std::byte* payload) {
     return *(reinterpret_cast<const EventRecord*>(payload) - 1);
   }
 };
 
-/// Copies the events of a contract. Any thread.
+/// Any thread. Copies the events of a contract.
 class EventForms {
  public:
   explicit EventForms(std::span<const EventLimits> events)
@@ -49,7 +49,7 @@ class EventForms {
   void write(std::byte* memory, const EventRecord& record,
              std::span<const std::byte> payload) const;
 
-  /// Copies the record of that event out of foreign memory, where it may be anything.
+  /// Copies the record of `event` out of foreign memory, where it may be anything.
   void copyForeign(std::byte* to, const std::byte* from, std::uint16_t event) const;
 
  private:

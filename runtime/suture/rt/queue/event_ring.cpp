@@ -68,8 +68,8 @@ bool EventRing::pushLarge(MpscRing& cells, const EventRecord& record,
   return true;
 }
 
-// Reads the number of the event once, since it may change. What is no record of the ring, such as
-// that of a newest-wins event, is not copied whole.
+// Reads the number of the event once, because it may change. A record that does not belong in the
+// ring, such as that of a newest-wins event, is not copied whole.
 void EventRing::copyForeign(std::byte* to, const std::byte* from, std::size_t size) const {
   const std::uint16_t event = eventIn(from);
   const bool whole =

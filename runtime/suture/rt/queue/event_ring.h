@@ -1,6 +1,6 @@
 #pragma once
-// The queued events on their way from a provider to one subscriber, in the order in which they were
-// sent.
+// These are the queued events on their way from a provider to one subscriber, in the order in which
+// they were sent.
 
 #include <suture/rt/queue/event_record.h>
 #include <suture/rt/queue/mpsc_ring.h>
@@ -19,37 +19,38 @@ enum class Producers : std::uint8_t {
   Any,  ///< any thread, also several at once: a device's
 };
 
-/// One consumer thread. No allocation after construction, no locks. Each event takes up what itself
-/// may need: a large one lies in a cell of its event's own, of which there are as many as its
-/// depth, and the ring that all share has only its place.
+/// One consumer thread; `producers` says which threads push. Never locks, and never allocates after
+/// construction. Each event takes up only what it may need itself: a large event lies in a cell
+/// that only events of its kind use, of which there are as many as its depth, and the ring that all
+/// events share holds only the place of that cell.
 ///
 /// In foreign memory each process has an object of its own and uses one end. What front() returns
-/// is a copy then, of which any part may be wrong.
+/// then is a copy, and any part of it may be wrong.
 class EventRing {
  public:
-  /// A larger payload has cells of its own.
+  /// Is the largest payload that lies in the shared ring; a larger one has cells of its own.
   static constexpr std::uint32_t kMostShared = 512;
 
-  /// `forms` are of the same events, and outlive this.
+  /// `forms` must be of the same events and must outlive this.
   EventRing(std::span<const EventLimits> events, const EventForms& forms, Producers producers,
             Arena& arena);
 
   /// Returns how many may wait.
   std::size_t records() const { return order_.cells(); }
 
-  /// Producer: false if there is no room.
+  /// The producer. Returns false if there is no room.
   bool push(const EventRecord& record, std::span<const std::byte> payload);
 
-  /// Consumer: the oldest record, or nullptr. Stays valid until pop(). In foreign memory its event
-  /// may be none.
+  /// The consumer. Returns the oldest record, or nullptr. It stays valid until pop(). In foreign
+  /// memory its event may be a number that does not exist.
   EventRecord* front();
   void pop();
   bool pending() const { return order_.pending(); }
 
  private:
-  // Stands in the shared ring for a record in a cell of its event's own.
+  // Stands in the shared ring for a record that lies in a cell of its event's own.
   struct Reference {
-    EventRecord record;  // of which the number of the event counts
+    EventRecord record;  // only its number of the event is used
     std::uint64_t place;
   };
 

@@ -1,5 +1,5 @@
 #pragma once
-// One value of which only the newest counts, between one producer and one consumer.
+// This passes a value, of which only the newest counts, from one producer to one consumer.
 
 #include <suture/base/arena.h>
 #include <suture/rt/queue/record_copy.h>
@@ -13,33 +13,36 @@
 
 namespace suture::rt {
 
-/// Three buffers: the producer owns one, the consumer one, the third holds the newest published
-/// value. Wait-free on both sides; the consumer's buffer is stable until its next take().
+/// One producer thread, one consumer thread. Has three buffers: the producer owns one, the consumer
+/// owns one, and the third holds the newest published value. Wait-free on both sides; the
+/// consumer's buffer does not change until its next take().
 ///
-/// In foreign memory each process has an object of its own; front() then is a copy, of which any
-/// part may be wrong.
+/// In foreign memory each process has an object of its own; front() then is a copy, and any part of
+/// it may be wrong.
 class LatestCell {
  public:
   LatestCell(std::size_t size, Arena& arena);
   explicit LatestCell(std::size_t size, Arena&& arena = {}) : LatestCell(size, arena) {}
 
-  /// Producer: the buffer to fill. It still has what it was filled with before; at first, zeros.
+  /// The producer. Returns the buffer to fill. It still holds what it was filled with before; at
+  /// first, zeros.
   std::byte* claim() { return bufferAt(writing_); }
-  /// Producer: makes the filled buffer the newest. Returns true if it replaced a value not yet
-  /// taken.
+  /// The producer. Makes the filled buffer the newest. Returns true if it replaced a value that was
+  /// not taken yet.
   bool commit();
 
-  /// Consumer: true if something newer than the last take() has been published; it is now front().
-  /// In foreign memory, `copy(to, from, size)` copies what is wanted of it.
+  /// The consumer. Returns true if something newer than the last take() has been published; it is
+  /// front() from then on. In foreign memory, `copy(to, from, size)` copies the wanted part of it.
   template <class Copy>
   bool take(const Copy& copy);
   bool take() { return take(copyAll); }
-  /// Either: true if take() would succeed. Then what the producer did before is seen.
+  /// Either thread. Returns true if take() would succeed; the caller then sees what the producer
+  /// did before.
   bool fresh() const { return (shared_->load(std::memory_order_acquire) & kFresh) != 0; }
-  /// Consumer: what the last successful take() got.
+  /// The consumer. Returns what the last successful take() got.
   const std::byte* front() const { return copy_.empty() ? bufferAt(reading_) : copy_.data(); }
 
-  /// When both sides have ended: each buffer, whatever lies in it.
+  /// Once both sides have ended. Calls `visit` with each buffer, whatever lies in it.
   template <class Visit>
   void forEachBuffer(const Visit& visit) const {
     for (std::uint32_t i = 0; i < kBuffers; ++i) visit(bufferAt(i));
@@ -49,7 +52,7 @@ class LatestCell {
   static constexpr std::uint32_t kFresh = 4;  // marks the shared index: published and not yet taken
   static constexpr std::uint32_t kBuffers = 3;
 
-  // Names one of the three, whatever the other side has written.
+  // Returns the index of one of the three buffers, whatever the other side has written.
   static std::uint32_t indexIn(std::uint32_t word) { return std::min(word & 3, kBuffers - 1); }
 
   bool takeNewest();

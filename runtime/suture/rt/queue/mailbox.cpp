@@ -11,7 +11,7 @@
 namespace suture::rt {
 namespace {
 
-/// A record is the consumer's own, to be changed, until it has popped it.
+/// Returns a record that the consumer may change until it has popped it.
 CommandRecord* ownRecord(const std::byte* memory) {
   return reinterpret_cast<CommandRecord*>(const_cast<std::byte*>(memory));
 }
@@ -54,7 +54,7 @@ Mailbox::Mailbox(std::span<const CommandLimits> commands, Arena& arena)
   }
 }
 
-// Releases what is left; in foreign memory, no argument owns memory.
+// Releases what is left, except in foreign memory, where no argument owns memory.
 Mailbox::~Mailbox() {
   if (foreign_) return;
   while (const std::byte* memory = ring_.front()) {
@@ -84,8 +84,8 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
   } else {
     claimedCell_ = nullptr;
     const std::uint32_t waiting = this->waiting(command);
-    // The ring holds every credit's record; a provider that gives back more than it took cannot
-    // overrun it.
+    // The ring has room for the record of every credit. It still checks, because a provider may
+    // give back more credits than were taken.
     memory = waiting < limits.depth ? ring_.claim(recordBytes(limits)) : nullptr;
     if (memory == nullptr) {
       increment(counters.full);
@@ -97,8 +97,8 @@ Result<std::byte*> Mailbox::claim(std::uint16_t command, Time stamp, std::uint32
   return claimed_->arguments();
 }
 
-// Looks once more when the flag is up: what came back before it was lowered is there by then, and
-// for what comes later the consumer finds it up.
+// Looks once more after it has raised the flag: credits that were returned before the flag was
+// lowered are seen by then, and for later ones the consumer finds the flag up.
 std::uint32_t Mailbox::room(std::uint16_t command) {
   const CommandLimits& limits = limits_[command];
   if (limits.latest) return kUnlimited;
@@ -122,7 +122,7 @@ std::size_t Mailbox::commit() {
   return SpscRing::recordSize(recordBytes(limits_[claimedCommand_]));
 }
 
-// Looks at its copy of the record only, since the original may change.
+// Looks only at its copy of the record, because the original may change.
 void Mailbox::copyForeign(std::byte* to, const std::byte* from, std::size_t size) const {
   const auto record = copyHead<CommandRecord>(to, from, size);
   if (record.command >= limits_.size()) return;
@@ -132,14 +132,14 @@ void Mailbox::copyForeign(std::byte* to, const std::byte* from, std::size_t size
 }
 
 void Mailbox::fixCut() {
-  // Take the cut before the cells: a cell then holds its command up to the cut, or something
+  // Take the cut before the cells, so that a cell holds its command up to the cut, or something
   // newer.
   cut_ = published_->load(std::memory_order_acquire);
   left_ = mostWaiting_;
   for (const auto& cell : cells_) cell->held = cell->values.take(copier()) || cell->held;
 }
 
-// The command that was sent first, of those at the front of the ring and of the cells.
+// Returns the command that was sent first among the front of the ring and the cells.
 CommandRecord* Mailbox::earliest() {
   CommandRecord* earliest = ownRecord(ring_.front(copier()));
   nextCell_ = nullptr;
@@ -154,7 +154,7 @@ CommandRecord* Mailbox::earliest() {
   return earliest;
 }
 
-// True if the producer could have written it: a foreign one may write anything.
+// Returns true if the producer could have written it, because a foreign one may write anything.
 bool Mailbox::isPossible(const CommandRecord& record) const {
   if (record.command >= limits_.size()) return false;
   if (nextCell_ == nullptr) return ring_.frontSize() == recordBytes(limits_[record.command]);

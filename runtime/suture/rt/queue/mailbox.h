@@ -1,6 +1,6 @@
 #pragma once
-// The commands on their way from a client to its provider, in the order in which they were sent: a
-// ring for queued commands, a newest-wins cell for each latest() command.
+// These are the commands on their way from a client to its provider, in the order in which they
+// were sent: a ring for queued commands, and a newest-wins cell for each latest() command.
 
 #include <suture/base/errors.h>
 #include <suture/base/slots/bounded_level.h>
@@ -18,7 +18,7 @@
 
 namespace suture::rt {
 
-/// What the mailbox must know of each command of a contract.
+/// Tells the mailbox what it must know of each command of a contract.
 struct CommandLimits {
   std::uint32_t argumentsSize;  ///< bytes of its arguments' slot
   std::uint32_t depth;  ///< how many may wait; for latest(): how many calls with an answer may
@@ -39,21 +39,22 @@ struct CommandRecord {
   const std::byte* arguments() const { return reinterpret_cast<const std::byte*>(this + 1); }
 };
 
-/// Counts of one connection; each is written by one side and may be read by any thread.
+/// Counts the commands of one connection. Each counter is written by one side and may be read by
+/// any thread.
 struct MailboxCounters {
   std::atomic<std::uint64_t> sent{0}, full{0}, tooLarge{0}, invalid{0}, replaced{0};  // producer
   std::atomic<std::uint64_t> executed{0}, late{0}, superseded{0}, failed{0};          // consumer
   std::atomic<std::uint64_t> refused{0}, cancelled{0};  // consumer: has not begun them
 };
 
-/// One producer thread, one consumer thread. No allocation after construction, no locks.
+/// One producer thread, one consumer thread. Never locks, and never allocates after construction.
 ///
-/// A drain first fixes a cut, the last sequence published so far, and then executes what is at or
-/// before the cut in sequence order; what comes later waits for the next drain. So an old servo_cp
-/// never runs after a newer hold(), whichever of ring and cell they travelled in.
+/// A drain first fixes a cut, which is the last sequence published so far. It then executes what is
+/// at or before the cut in the order of sequence; what comes later waits for the next drain. So an
+/// old servo_cp never runs after a newer hold(), whether they travelled in the ring or in a cell.
 ///
-/// In foreign memory each process has an object of its own and uses one end. The consumer takes
-/// nothing any more after a record that the producer cannot have written.
+/// In foreign memory each process has an object of its own and uses one end. After a record that
+/// the producer cannot have written, the consumer takes nothing any more.
 class Mailbox {
   const std::shared_ptr<MailboxCounters> counters_;
 
@@ -67,43 +68,45 @@ class Mailbox {
 
   // --- producer ---
 
-  /// Memory for the arguments of `command`, to be filled before commit(). `call` other than 0 asks
-  /// for an answer. Errc::Full if as many of this command wait as its depth allows.
+  /// Returns memory for the arguments of `command`, to be filled before commit(). A `call` other
+  /// than 0 asks for an answer. Returns Errc::Full if as many of this command wait as its depth
+  /// allows.
   Result<std::byte*> claim(std::uint16_t command, Time stamp, std::uint32_t call);
-  /// Publishes the command of the last successful claim(), and tells what it takes up; or gives it
-  /// up.
+  /// After a successful claim() one of these is called: commit() publishes the command and returns
+  /// how many bytes it takes up; abandon() gives it up.
   std::size_t commit();
   void abandon();
-  /// The next command that is committed gets this one.
+  /// Returns the sequence that the next committed command gets.
   std::uint64_t nextSequence() const { return nextSequence_; }
-  /// How many of `command` use a credit that the consumer has not returned yet.
+  /// Returns how many of `command` use a credit that the consumer has not returned yet.
   std::uint32_t waiting(std::uint16_t command) const {
     return taken_[command] - returned(command).load(std::memory_order_acquire);
   }
 
-  /// Returns how many more of `command` may wait now; kUnlimited of a newest-wins one, of which one
-  /// without an answer always may. If none may, roomAwaited() is up.
+  /// Returns how many more of `command` may wait now. For a newest-wins command it is kUnlimited,
+  /// because one without an answer may always wait. If it is 0, roomAwaited() has been raised.
   std::uint32_t room(std::uint16_t command);
   static constexpr std::uint32_t kUnlimited = ~std::uint32_t{0};
 
   // --- consumer ---
 
-  /// Starts a drain: what was published before now is in, what comes later is not.
+  /// Starts a drain of all that was published before now; what comes later waits for the next one.
   void fixCut();
-  /// The next command up to the cut, in sequence order, or nullptr. Must be followed by pop().
+  /// Returns the next command up to the cut, in the order of sequence, or nullptr. It must be
+  /// followed by pop().
   const CommandRecord* next();
   /// Lets go of the command that next() returned.
   void pop();
-  /// Tells the producer that one more of `command` may wait. After pop(), at once or when a far end
-  /// has taken the command.
+  /// Tells the producer that one more of `command` may wait. Call it after pop(), either at once or
+  /// when a far end has taken the command.
   void returnCredit(std::uint16_t command);
-  /// It is up if the producer has found no room. Whoever lowers it behind its returnCredit() rings
-  /// the producer then.
+  /// Returns the flag that is up if the producer has found no room. A thread that lowers it, after
+  /// its returnCredit(), must then ring the producer.
   SharedFlag& roomAwaited() { return *roomAwaited_; }
-  /// Any thread: true if something is waiting that next() has not returned.
+  /// Any thread. Returns true if a command is waiting that next() has not returned.
   bool pending() const;
 
-  /// Do not believe these in foreign memory, where both processes write them.
+  /// Do not rely on these in foreign memory, because both processes can write them.
   MailboxCounters& counters = *counters_;
   std::shared_ptr<const MailboxCounters> sharedCounters() const { return counters_; }
 
@@ -119,7 +122,8 @@ class Mailbox {
 
   static std::size_t ringBytes(std::span<const CommandLimits> commands);
   Credits& returned(std::uint16_t command) const { return returned_.get()[command]; }
-  /// Copies a record out of foreign memory, unless it cannot be: isPossible() finds that out.
+  /// Copies a record out of foreign memory. Copies less of an impossible one, which isPossible()
+  /// then finds out.
   void copyForeign(std::byte* to, const std::byte* from, std::size_t size) const;
   auto copier() const {
     return [this](std::byte* to, const std::byte* from, std::size_t size) {
@@ -143,7 +147,7 @@ class Mailbox {
   CommandRecord* claimed_ = nullptr;
   Cell* claimedCell_ = nullptr;
 
-  // The producer writes the first, the consumer the second; both read both.
+  // The producer writes published_, the consumer returned_; both read both.
   const std::shared_ptr<std::atomic<std::uint64_t>> published_;
   const std::shared_ptr<Credits> returned_;  // given back so far, by command
   const std::shared_ptr<SharedFlag> roomAwaited_;
@@ -151,8 +155,9 @@ class Mailbox {
   // Consumer's side.
   const bool foreign_;
   std::size_t mostWaiting_ = 0;  // as the credits allow
-  std::size_t left_ = 0;  // of them, in this drain: it ends, whatever a foreign producer does
-  bool broken_ = false;   // there has been a record that cannot be
+  std::size_t left_ =
+      0;  // how many this drain may still return: so it ends, whatever a foreign producer does
+  bool broken_ = false;  // a record was found that the producer cannot have written
   std::uint64_t cut_ = 0;
   std::atomic<std::uint64_t> lastReturned_{0};  // written by the consumer only
   CommandRecord* next_ = nullptr;               // what the last next() returned

@@ -1,5 +1,5 @@
 #pragma once
-// A bounded queue of equal cells with any number of producers and one consumer.
+// This is a bounded queue of equal cells with any number of producers and one consumer.
 
 #include <suture/base/arena.h>
 #include <suture/rt/queue/record_copy.h>
@@ -12,52 +12,53 @@
 
 namespace suture::rt {
 
-/// Any thread may claim() and commit() (in pairs, one pair at a time a thread); one consumer thread
-/// calls front() and pop(). Lock-free, no allocation after construction. A producer that is stopped
-/// between claim and commit holds up the consumer at its cell, never the other producers.
+/// Any thread may call claim() and commit() (in pairs, one pair at a time in each thread); one
+/// consumer thread calls front() and pop(). Lock-free; never allocates after construction. A
+/// producer that is stopped between claim() and commit() holds up the consumer at its cell, but
+/// never the other producers.
 ///
-/// A ring may also lend its cells instead of publishing them: what claim() returned is then found
-/// by its place, and given back by release(), in any order.
+/// A ring may also lend its cells instead of publishing them: a claimed cell is then found by its
+/// place, and given back by release(), in any order.
 ///
-/// In foreign memory the producers are of one process and the consumer of another, each process
-/// with an object of its own; front() then is a copy, and whatever the other side writes harms
-/// itself alone.
+/// In foreign memory the producers are in one process and the consumer in another, each process
+/// with an object of its own. front() then is a copy, and whatever the other side writes harms only
+/// itself.
 class MpscRing {
  public:
-  /// At least `cells` cells of `cellSize` bytes each.
+  /// Makes at least `cells` cells of `cellSize` bytes each.
   MpscRing(std::size_t cells, std::size_t cellSize, Arena& arena);
   MpscRing(std::size_t cells, std::size_t cellSize, Arena&& arena = {})
       : MpscRing(cells, cellSize, arena) {}
 
   std::size_t cells() const { return mask_ + 1; }
 
-  /// Producer: a cell to fill, or nullptr if all are taken.
+  /// A producer. Returns a cell to fill, or nullptr if all are taken.
   std::byte* claim();
-  /// The same for a thread that is the only producer: without an instruction that makes it wait for
-  /// its earlier stores.
+  /// The only producer. Does the same as claim(), without an instruction that makes the thread wait
+  /// for its earlier stores.
   std::byte* claimAlone();
-  /// Producer: publishes what claim() returned.
+  /// A producer. Publishes what claim() returned.
   void commit(std::byte* cell);
 
-  /// Producer: the place of a cell that claim() returned.
+  /// A producer. Returns the place of a cell that claim() returned.
   std::uint64_t placeOf(const std::byte* cell) const {
     return static_cast<std::uint64_t>(cell - data_.get()) / stride_;
   }
-  /// Consumer: the cell lent at a place, which may be any number. In foreign memory it is copied as
-  /// by front().
+  /// The consumer. Returns the cell that was lent at `place`, which may be any number. In foreign
+  /// memory it is copied as by front().
   template <class Copy>
   const std::byte* at(std::uint64_t place, const Copy& copy);
-  /// Whoever has a lent cell gives it back.
+  /// The thread that has a lent cell gives it back.
   void release(std::uint64_t place);
 
-  /// Consumer: true if front() has a cell to return.
+  /// The consumer. Returns true if front() has a cell to return.
   bool pending() const;
-  /// Consumer: the oldest published cell, or nullptr. Stays valid until pop(). In foreign memory,
-  /// `copy(to, from, size)` copies what is wanted of it.
+  /// The consumer. Returns the oldest published cell, or nullptr. It stays valid until pop(). In
+  /// foreign memory, `copy(to, from, size)` copies the wanted part of it.
   template <class Copy>
   const std::byte* front(const Copy& copy);
   const std::byte* front() { return front(copyAll); }
-  /// Consumer: releases the cell that front() returned.
+  /// The consumer. Releases the cell that front() returned.
   void pop();
 
  private:
@@ -97,10 +98,12 @@ const std::byte* MpscRing::front(const Copy& copy) {
   return copy_.data();
 }
 
-// Each cell carries the position at which it may be used next: equal to a producer's position it is
-// free, one more it is published. A cell comes round again one lap (mask_ + 1) later.
+// Each cell holds a number that says at which position it may be used next: if it equals a
+// producer's position, the cell is free; if it is one more, the cell is published. A cell is used
+// again one lap (mask_ + 1 positions) later.
 //
-// Inline, since most of what an event costs its sender is this, once for each subscriber.
+// These functions are inline because they, once for each subscriber, are most of what an event
+// costs its sender.
 
 inline std::byte* MpscRing::claim() {
   std::uint64_t position = tail_.load(std::memory_order_relaxed);
@@ -114,7 +117,8 @@ inline std::byte* MpscRing::claim() {
       return nullptr;
     } else {
       const std::uint64_t next = tail_.load(std::memory_order_relaxed);
-      // Nobody else has claimed it, so the consumer's process has written what cannot be.
+      // No other producer has claimed it, so the consumer's process has written an impossible
+      // number.
       if (next == position) return nullptr;
       position = next;
     }

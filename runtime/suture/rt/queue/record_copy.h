@@ -1,5 +1,5 @@
 #pragma once
-// Consumers copy records out of memory that another process may change.
+// With these, consumers copy records out of memory that another process may change.
 
 #include <algorithm>
 #include <cstddef>
@@ -7,13 +7,13 @@
 
 namespace suture::rt {
 
-/// A consumer that knows nothing of a record copies all of it.
+/// Copies all of a record, for a consumer that knows nothing of it.
 inline void copyAll(std::byte* to, const std::byte* from, std::size_t size) {
   std::memcpy(to, from, size);
 }
 
-/// Copies the head of a record of `size` bytes, and returns it as it was copied: what lies behind
-/// it is copied by what this says, since the original may change.
+/// Copies the head of a record of `size` bytes, and returns the copy. The original may change, so
+/// the caller uses only the returned head to decide how much to copy of what lies behind it.
 template <class Head>
 Head copyHead(std::byte* to, const std::byte* from, std::size_t size) {
   Head head{};

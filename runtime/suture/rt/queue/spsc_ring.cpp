@@ -6,8 +6,8 @@
 
 namespace suture::rt {
 
-// A record that does not fit before the end starts at the beginning, so up to one record's length
-// is lost there.
+// A record that does not fit before the end starts at the beginning, so that up to the length of
+// one record is lost there.
 SpscRing::SpscRing(std::size_t bytes, std::size_t largest, Arena& arena)
     : mask_(std::bit_ceil(bytes + recordSize(largest)) - 1),
       shared_(arena.make<Shared>()),
@@ -42,7 +42,7 @@ const std::byte* SpscRing::oldest() {
   return data_.get() + (head_ & mask_) + sizeof(std::uint64_t);
 }
 
-// Reads each number once, since it may change, and believes it only within the ring.
+// Reads each number once, because it may change, and accepts it only if it lies within the ring.
 const std::byte* SpscRing::oldestForeign() {
   const std::uint64_t published = knownTail_ - head_;
   std::uint64_t position = head_, size;

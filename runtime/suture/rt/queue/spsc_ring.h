@@ -1,6 +1,6 @@
 #pragma once
-// A bounded queue of variable-length records between exactly one producer and one consumer, written
-// and read in place.
+// This is a bounded queue of variable-length records between exactly one producer and one consumer,
+// written and read in place.
 
 #include <suture/base/arena.h>
 #include <suture/base/words.h>
@@ -15,49 +15,50 @@
 namespace suture::rt {
 
 /// One producer thread calls claim() and commit(), one consumer thread calls front() and pop().
-/// Wait-free, no allocation after construction. Records are 8-byte aligned and never wrap around
-/// the end.
+/// Wait-free; never allocates after construction. Records are aligned to 8 bytes and never wrap
+/// around the end.
 ///
-/// In foreign memory each process has an object of its own and uses one end. It reads once what the
-/// other may have written, and checks it: front() then is a copy. A ring whose numbers cannot be
-/// right is empty for ever.
+/// In foreign memory each process has an object of its own and uses one end. It reads each number
+/// that the other may have written once, and checks it; front() then is a copy. A ring whose
+/// numbers cannot be right stays empty for ever.
 class SpscRing {
  public:
-  /// Room for at least `bytes` of records, each counted as recordSize(its size). `largest`: the
-  /// size of the largest, which claim() gives.
+  /// Makes room for at least `bytes` of records, each counted as recordSize(its size). `largest` is
+  /// the size of the largest record that claim() is asked for.
   SpscRing(std::size_t bytes, std::size_t largest, Arena& arena);
   SpscRing(std::size_t bytes, std::size_t largest, Arena&& arena = {})
       : SpscRing(bytes, largest, arena) {}
 
-  /// What a record of `size` bytes takes up in the ring.
+  /// Returns how many bytes a record of `size` bytes takes up in the ring.
   static constexpr std::size_t recordSize(std::size_t size) {
     return sizeof(std::uint64_t) + wordBytes(size);
   }
 
-  /// Producer: memory for a record, or nullptr if there is no room. Invisible until commit().
+  /// The producer. Returns memory for a record, or nullptr if there is no room. The record is
+  /// invisible until commit().
   std::byte* claim(std::size_t size);
-  /// Producer: publishes the record of the last claim().
+  /// The producer. Publishes the record of the last claim().
   void commit() {
     tail_ = claimedTail_;
     shared_->tail.store(tail_, std::memory_order_release);
   }
 
-  /// Consumer: the oldest record, or nullptr. Stays valid until pop(). In foreign memory,
-  /// `copy(to, from, size)` copies what is wanted of it.
+  /// The consumer. Returns the oldest record, or nullptr. It stays valid until pop(). In foreign
+  /// memory, `copy(to, from, size)` copies the wanted part of it.
   template <class Copy>
   const std::byte* front(const Copy& copy);
   const std::byte* front() { return front(copyAll); }
-  /// Consumer: size of the record that front() returned.
+  /// The consumer. Returns the size of the record that front() returned.
   std::size_t frontSize() const;
-  /// Consumer: releases the record that front() returned.
+  /// The consumer. Releases the record that front() returned.
   void pop();
 
  private:
-  // A header word tells the size of the record behind it; this value tells that the rest of the lap
+  // A header word holds the size of the record behind it; this value says that the rest of the lap
   // is unused.
   static constexpr std::uint64_t kSkip = ~std::uint64_t{0};
 
-  // Positions count bytes for ever; the index is the position modulo the size.
+  // Positions count bytes and never wrap; the index is the position modulo the size.
   struct Shared {
     alignas(64) std::atomic<std::uint64_t> tail{0};
     alignas(64) std::atomic<std::uint64_t> head{0};
@@ -80,7 +81,7 @@ class SpscRing {
   std::uint64_t knownHead_ = 0;
   alignas(64) std::uint64_t head_ = 0;
   std::uint64_t knownTail_ = 0;
-  // The front record, copied out of foreign memory by its consumer.
+  // Holds the front record, which the consumer has copied out of foreign memory.
   std::vector<std::byte> copy_;
   std::size_t copySize_ = 0;
   bool copied_ = false;

@@ -1,5 +1,5 @@
 #pragma once
-// What a row of a state table says of its columns.
+// This is what a row of a state table says of its columns.
 
 #include <suture/base/errors.h>
 
@@ -7,11 +7,11 @@
 
 namespace suture::rt {
 
-/// A set of columns, one bit each: at most 64 reads in a contract.
+/// Is a set of columns, with one bit for each: a contract has at most 64 reads.
 using ColumnSet = std::uint64_t;
 
-/// Each column is in one set at most; in none of them, it has not been produced yet. Processes send
-/// it to each other as it lies in memory.
+/// Each column is in one set at most; if it is in none, it has not been produced yet. Processes
+/// send this to each other as it lies in memory.
 struct RowColumns {
   ColumnSet valid = 0;     ///< they have a value
   ColumnSet tooLarge = 0;  ///< their value did not fit its declared capacity
@@ -20,13 +20,13 @@ struct RowColumns {
   bool hasValue(unsigned column) const { return (valid >> column & 1) != 0; }
   bool any() const { return (valid | tooLarge | invalid) != 0; }
 
-  /// Enters how producing or reading the value of `column` ended: 0 for success.
+  /// Enters how producing or reading the value of `column` ended; Errc{} means success.
   void enter(unsigned column, Errc outcome) {
     const ColumnSet bit = ColumnSet{1} << column;
     valid &= ~bit;
     (outcome == Errc{} ? valid : outcome == Errc::TooLarge ? tooLarge : invalid) |= bit;
   }
-  /// Leaves out all that are not in `columns`.
+  /// Removes all columns that are not in `columns`.
   void keep(ColumnSet columns) {
     valid &= columns;
     tooLarge &= columns;

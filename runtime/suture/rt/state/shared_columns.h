@@ -1,5 +1,5 @@
 #pragma once
-// The columns of a state table that hold counted pointers.
+// These are the columns of a state table that hold counted pointers.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,8 +12,8 @@ class SharedSlot;
 
 namespace suture::rt {
 
-/// The newest value of each column in `which` (base/slots/shared_slot.h). Only tables of devices
-/// have such: everything here is used under its lock.
+/// Holds the newest value of each column in `which` (base/slots/shared_slot.h). Only tables of
+/// devices have such columns. Everything here is used under lock().
 class SharedColumns {
  public:
   SharedColumns(std::uint64_t which, std::size_t columns);
@@ -23,14 +23,14 @@ class SharedColumns {
 
   std::uint64_t which() const { return which_; }
   bool contains(unsigned column) const { return (which_ >> column & 1) != 0; }
-  /// Holds nothing where there are no such columns.
+  /// Takes the lock; returns a lock of nothing if there are no such columns.
   std::unique_lock<std::mutex> lock() const {
     return which_ == 0 ? std::unique_lock<std::mutex>() : std::unique_lock(mutex_);
   }
 
-  /// Moves what `draft` holds into the column; keeps what is there if it holds nothing.
+  /// Moves what `draft` holds into the column; if it holds nothing, the column keeps its value.
   void take(unsigned column, std::byte* draft);
-  /// Puts one more pointer to the column's value into `slot`, and releases what that held.
+  /// Puts one more pointer to the column's value into `slot`, and releases what the slot held.
   void copy(unsigned column, std::byte* slot) const;
 
  private:

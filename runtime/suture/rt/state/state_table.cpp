@@ -40,8 +40,8 @@ void loadWords(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_
   std::memcpy(to + 8 * whole, &word, rest);
 }
 
-// Stores what is used of a value behind `place`, in whole words: of what is unused, nothing is
-// read.
+// Stores the used parts of a value behind `place`, in whole words. It reads nothing of the unused
+// parts.
 void storeUsed(std::atomic<std::uint64_t>* to, const std::byte* from, std::size_t place,
                std::size_t size, BoundedLevels levels) {
   while (place < size) {
@@ -51,8 +51,8 @@ void storeUsed(std::atomic<std::uint64_t>* to, const std::byte* from, std::size_
   }
 }
 
-// Loads the same. Each size is read from the copy, since the original may change: the row then does
-// not count.
+// Loads the used parts of a value. Each size is read from the copy, because the original may
+// change; if it does, the caller discards the row.
 void loadUsed(std::byte* to, const std::atomic<std::uint64_t>* from, std::size_t size,
               BoundedLevels levels) {
   for (std::size_t place = 0; place < size;) {
@@ -68,7 +68,8 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
   return bytes;
 }
 
-// Bounds a stamp so that its age can be computed: another process may have written anything.
+// Bounds a stamp so that its age can be computed, because another process may have written
+// anything.
 Time possible(std::uint64_t stamp) {
   return fromNanoseconds(std::max<std::int64_t>(0, static_cast<std::int64_t>(stamp)));
 }
@@ -238,7 +239,7 @@ Errc StateTable::Row::missing(unsigned column) const {
   return tooOld ? Errc::TooOld : Errc::NotYet;
 }
 
-// Runs `copy(header, row)` on row number `row.sequence` and tells whether the row stayed whole
+// Runs `copy(header, row)` on row number `row.sequence`, and returns true if the row stayed whole
 // meanwhile.
 template <class Copy>
 bool StateTable::tryRead(Row& row, const Copy& copy) const {
@@ -257,13 +258,13 @@ bool StateTable::tryRead(Row& row, const Copy& copy) const {
   return header.sequence.load(std::memory_order_relaxed) == sequence;
 }
 
-// A reader fails only if the writer went nearly a whole lap while it copied; each retry starts
-// afresh.
+// A reader fails only if the writer went nearly a whole lap while it copied; each attempt starts
+// from the beginning.
 constexpr int kAttempts = 100;
 
 template <class Copy>
 StateTable::Row StateTable::readNewest(const Copy& copy) const {
-  Row row;  // the only one: a copy of what has just been written costs as much as all the rest
+  Row row;  // returned without a copy, which would cost as much as all the rest
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
     row.tooOld = false;
     row.sequence = rows();
@@ -273,8 +274,8 @@ StateTable::Row StateTable::readNewest(const Copy& copy) const {
   return row;
 }
 
-// The oldest row that the ring holds whole. It lies in the slot that is written next, so the writer
-// may be about to overwrite it.
+// Returns the number of the oldest row that the ring holds whole. It lies in the slot that is
+// written next, so the writer may be about to overwrite it.
 std::uint64_t StateTable::oldest(std::uint64_t newest) const {
   return newest > rowMask_ ? newest - rowMask_ : 1;
 }
@@ -287,7 +288,8 @@ bool StateTable::stampOf(std::uint64_t sequence, Time& stamp) const {
   return whole;
 }
 
-// Halves the rows, since stamps ascend with the numbers and the oldest rows are overwritten first.
+// Searches by halving, because stamps ascend with the numbers of the rows. The oldest rows are
+// overwritten first, so a row that is not whole counts as too early.
 StateTable::Row StateTable::findAt(Time at) const {
   std::uint64_t last = rows();  // so that no number beyond it overflows
   std::uint64_t first = oldest(last);
