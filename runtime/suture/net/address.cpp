@@ -31,7 +31,8 @@ bool isNumber(const std::string& host) {
          inet_pton(AF_INET6, host.c_str(), &any) == 1;
 }
 
-// Refuses what inet_aton() takes for a number, as 127.1 or 0x7f.1: a name service takes it too.
+// Returns false for what inet_aton() takes for a number, such as 127.1 or 0x7f.1, because a name
+// service takes it for one too.
 bool isName(const std::string& host) {
   constexpr std::size_t kLongest = 253;
   const auto mayBe = [](unsigned char c) {

@@ -1,5 +1,5 @@
 #pragma once
-// Where a process can be reached: "unix:/path", "tls://host:port" or "tcp://host:port".
+// This says where a process can be reached: "unix:/path", "tls://host:port" or "tcp://host:port".
 
 #include <suture/base/errors.h>
 #include <sys/socket.h>
@@ -11,18 +11,18 @@
 
 namespace suture::rpc {
 
-/// A parsed address. A value.
+/// Is a parsed address, a value.
 struct Address {
   enum class Kind : std::uint8_t { Unix, Tcp, Tls };
 
-  /// Throws SetupError: of no such form, a path longer than a socket can have or with a comma, a
-  /// host that can be neither a number nor a name, or plain TCP to what may lie beyond this
-  /// machine, unless that is asked for: "tcp://192.168.1.5:7700?insecure".
+  /// Throws SetupError if the text is of no such form, if the path is longer than a socket allows
+  /// or contains a comma, if the host can be neither a number nor a name, or if it is plain TCP to
+  /// what may lie beyond this machine, unless that is asked for: "tcp://192.168.1.5:7700?insecure".
   static Address parse(const std::string& text);
 
-  /// The form that parse() takes.
+  /// Returns the form that parse() takes.
   std::string text() const;
-  /// True if it needs no name service.
+  /// Returns true if it needs no name service.
   bool isNumeric() const;
 
   Kind kind = Kind::Unix;
@@ -32,16 +32,16 @@ struct Address {
   bool insecure = false;  ///< Tcp: may lead beyond this machine
 };
 
-/// One or several, separated by commas: "tls://10.0.0.1:7700,tls://10.0.0.2:7700". Throws
-/// SetupError as Address::parse() does, or if they are not of one kind: whoever keeps us from the
-/// first must not lead us to one that is less safe.
+/// Parses one address or several, separated by commas: "tls://10.0.0.1:7700,tls://10.0.0.2:7700".
+/// Throws SetupError as Address::parse() does, or if they are not of one kind: an attacker who
+/// keeps us from the first must not lead us to one that is less safe.
 std::vector<Address> parseAddresses(const std::string& text);
 
-/// Where this end of `socket`, which leads to `far`, is: of the same kind, with port 0. Unix:
-/// `far`.
+/// Returns the address of this end of `socket`, which leads to `far`: of the same kind, with port
+/// 0. For Unix sockets it is `far`.
 Address localAddress(const Address& far, int socket);
 
-/// The kernel's form of an Address. Throws SetupError if that is not numeric.
+/// Is the kernel's form of an Address. Throws SetupError if that is not numeric.
 struct SocketAddress {
   explicit SocketAddress(const Address& address);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A connected socket with what protects it.
+// This is a connected socket with what protects it.
 
 #include <kj/exception.h>
 #include <kj/io.h>
@@ -17,34 +17,35 @@ class Session;
 
 namespace suture::rpc {
 
-/// Bytes over a non-blocking stream socket: as they are or, with a session, inside TLS. One thread.
+/// One thread. Sends and receives bytes over a non-blocking stream socket: as they are or, with a
+/// session, inside TLS.
 class ByteStream {
  public:
-  /// Plain; or with a session on this socket, whose handshake is done.
+  /// `session` is null for a plain socket; else it is on this socket and its handshake is done.
   ByteStream(kj::AutoCloseFd socket, std::unique_ptr<tls::Session> session);
   ByteStream(kj::AutoCloseFd socket);  // NOLINT(google-explicit-constructor): it is one
   ByteStream(ByteStream&& other) noexcept;
   ~ByteStream();
 
-  /// For event ports.
+  /// Returns the socket for event ports to wait on.
   int socket() const { return socket_; }
   PeerIdentity peer() const;
 
-  /// As recv(2) and send(2), with descriptors where carriesDescriptors(); elsewhere they are left
-  /// out.
+  /// Do what recv(2) and send(2) do. Descriptors travel too if carriesDescriptors(); otherwise they
+  /// are left out.
   ssize_t receive(std::span<std::byte> into, Descriptors& descriptors);
   ssize_t send(std::span<const std::byte> bytes, const Descriptors& descriptors);
-  /// True of a plain Unix socket: both ends are on one machine.
+  /// Returns true for a plain Unix socket, where both ends are on one machine.
   bool carriesDescriptors() const;
-  /// True if a receive that fills less than it could has emptied the socket.
+  /// Returns true if a receive that fills less than it could has emptied the socket.
   bool shortMeansEmpty() const { return session_ == nullptr; }
 
   /// Tells the peer that no more will be sent.
   void end();
-  /// Neither direction is used any more.
+  /// Closes both directions.
   void cut();
 
-  /// What the errno of a receive or send means.
+  /// Returns an exception that says what the errno of a receive or send means.
   kj::Exception lost(int error) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// File descriptors that travel with the bytes of a Unix socket.
+// This sends file descriptors along with the bytes of a Unix socket.
 
 #include <kj/array.h>
 #include <kj/io.h>
@@ -15,21 +15,22 @@ namespace suture::rpc {
 
 using Descriptors = std::vector<kj::AutoCloseFd>;
 
-/// More than these in one message are closed unseen.
+/// Limits the descriptors of one message; any more are closed unseen.
 inline constexpr std::size_t kMostDescriptors = 8;
 
-/// As send(), without SIGPIPE; `descriptors` go with the first byte.
+/// Does what send() does, without SIGPIPE; `descriptors` go with the first byte.
 ssize_t sendWith(int socket, std::span<const std::byte> bytes, const Descriptors& descriptors);
-/// As recv(); adds those that have come to `descriptors`. The kernel gives those of one send, with
-/// its first bytes, which are then the last that are received.
+/// Does what recv() does, and adds the descriptors that have come to `descriptors`. The kernel
+/// delivers the descriptors of one send, with its first bytes, and then nothing behind them in the
+/// same receive.
 ssize_t receiveWith(int socket, std::span<std::byte> space, Descriptors& descriptors);
 
-/// Those that have been sent or received and still belong to a place in the stream: the number of
-/// bytes before it.
+/// Keeps descriptors that belong to a place in the stream, which is the number of bytes before it:
+/// either they are still to be sent, or they have been received and not been taken.
 class AttachedDescriptors {
  public:
   struct Attached {
-    std::uint64_t begin, end;  ///< of the bytes that they belong to
+    std::uint64_t begin, end;  ///< the range of the bytes that they belong to
     Descriptors descriptors;
   };
 
@@ -37,7 +38,7 @@ class AttachedDescriptors {
   std::size_t size() const { return waiting_.size(); }
   const Attached& front() const { return waiting_.front(); }
   void pop() { waiting_.pop_front(); }
-  /// Adds it behind the others.
+  /// Adds one behind the others.
   void add(Attached attached) { waiting_.push_back(kj::mv(attached)); }
   /// Takes all that belong to bytes before `end`.
   kj::Array<kj::AutoCloseFd> takeUntil(std::uint64_t end);
@@ -46,7 +47,7 @@ class AttachedDescriptors {
   std::deque<Attached> waiting_;
 };
 
-/// Own handles of `descriptors`. Those that cannot be had are left out.
+/// Duplicates `descriptors`. Those that cannot be duplicated are left out.
 Descriptors duplicate(kj::ArrayPtr<const int> descriptors);
 
 }  // namespace suture::rpc

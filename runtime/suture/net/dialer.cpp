@@ -23,7 +23,7 @@ int pendingError(int socket) {
   return getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &length) == 0 ? error : errno;
 }
 
-/// The connection has been started; waits until it stands.
+/// Waits until a connection that was started is made.
 kj::Promise<kj::AutoCloseFd> finish(EventPort& port, kj::AutoCloseFd socket,
                                     const Address& address) {
   auto observer = kj::heap<WriteObserver>(port, socket);
@@ -35,7 +35,8 @@ kj::Promise<kj::AutoCloseFd> finish(EventPort& port, kj::AutoCloseFd socket,
       });
 }
 
-/// A Unix socket whose listener is busy refuses for the moment.
+/// Tries to connect. A Unix socket whose listener is busy refuses only for the moment, so it tries
+/// again.
 kj::Promise<kj::AutoCloseFd> tryConnect(EventPort& port, const Address& address) {
   kj::AutoCloseFd socket = openSocket(address);
   if (address.kind != Address::Kind::Unix) sendWithoutDelay(socket);

@@ -1,5 +1,5 @@
 #pragma once
-// Makes connections.
+// This makes connections.
 
 #include <kj/io.h>
 #include <suture/base/time.h>
@@ -8,8 +8,8 @@
 
 namespace suture::rpc {
 
-/// Control thread: a connected, non-blocking socket (TCP without delay), or a rejection that says
-/// what was asked, what was found and what to do. Gives up at `deadline` from now.
+/// The control thread. Returns a connected, non-blocking socket (TCP without delay), or rejects
+/// with what was asked, what was found and what to do. Gives up at `deadline` from now.
 kj::Promise<kj::AutoCloseFd> dial(EventPort& port, const Address& address, Duration deadline);
 
 }  // namespace suture::rpc

@@ -14,7 +14,8 @@
 namespace suture::rpc {
 namespace {
 
-// If we know where the host was, we do not wait long to hear whether it has moved.
+// Bounds the wait when we know where the host was: it need not take long to hear whether it has
+// moved.
 constexpr Duration kToHearAgain = std::chrono::milliseconds(250);
 
 std::string asked(const Address& address) { return "look up the host '" + address.host + "'"; }
@@ -34,8 +35,8 @@ Address at(const Address& address, const addrinfo& place) {
   return found;
 }
 
-/// Takes from the calling thread what it has of the control thread: no signal interrupts it, and it
-/// goes before nobody, whatever a library does to find a name.
+/// Makes the calling thread an ordinary one, whatever it has inherited from the control thread: no
+/// signal interrupts it, and it has no real-time priority, whatever a library does to find a name.
 void becomeOrdinaryThread() {
   sigset_t all;
   sigfillset(&all);
@@ -59,13 +60,13 @@ std::vector<Address> lookUp(const Address& address) {
   for (const addrinfo* one = all; one != nullptr; one = one->ai_next) {
     places.push_back(at(address, *one));
   }
-  // fe80::1%eth0 is a place for this machine alone, and not one that an Address can name.
+  // fe80::1%eth0 means something only on this machine, and an Address cannot hold it.
   std::erase_if(places, [](const Address& place) { return !place.isNumeric(); });
   if (places.empty()) throw SetupError(asked(address), "it has link-local numbers only", kRemedy);
   return places;
 }
 
-/// A question to the name service; it outlives whoever asked.
+/// Is a question to the name service. It may outlive the HostLookup that asked.
 struct HostLookup::Question {
   explicit Question(const Address& of) : address(of) {}
 
@@ -78,7 +79,7 @@ struct HostLookup::Question {
     const std::uint64_t one = 1;
     [[maybe_unused]] const auto written = write(answered, &one, sizeof one);
   }
-  /// To be called once `answered` can be read.
+  /// Call this once `answered` can be read.
   void take() const {
     std::uint64_t count;
     [[maybe_unused]] const auto taken = read(answered, &count, sizeof count);

@@ -1,5 +1,5 @@
 #pragma once
-// Hosts that are known by name.
+// This finds hosts by their names.
 
 #include <suture/base/time.h>
 #include <suture/loop/event_port.h>
@@ -11,18 +11,20 @@
 
 namespace suture::rpc {
 
-/// The address with a number for its host: itself if it has one, else what the system's name
-/// service says, the best first. Blocks for as long as that takes. Throws SetupError.
+/// Returns the address with a number in place of its host's name. If it has a number already,
+/// returns it as it is; else returns what the system's name service says, the best first, and
+/// blocks until it answers. Throws SetupError.
 std::vector<Address> lookUp(const Address& address);
 
-/// Belongs to the thread of `port`. The same for those who must not block: asks in a thread of its
-/// own, at most one for each object, which ends when the name service answers.
+/// Belongs to the thread of `port`. Does what lookUp() does for threads that must not block: it
+/// asks in a thread of its own, at most one for each object, which ends when the name service
+/// answers.
 class HostLookup {
  public:
   HostLookup(EventPort& port, const Address& address);
 
-  /// Where the host is now, or where it was last if the name service does not say. Rejects, as
-  /// DISCONNECTED, if it never did, with what was found and what to do; at the latest after
+  /// Returns where the host is now, or where it was last if the name service does not say. If it
+  /// never did, rejects as DISCONNECTED, with what was found and what to do. Takes no longer than
   /// `limit`.
   kj::Promise<std::vector<Address>> places(Duration limit);
 
@@ -35,7 +37,7 @@ class HostLookup {
   EventPort& port_;
   const Address address_;
   std::vector<Address> known_;
-  std::string why_;  // of the latest answer, if it was none
+  std::string why_;  // why the latest question had no answer
   bool asking_ = false;
   kj::ForkedPromise<void> answer_ = kj::Promise<void>(kj::READY_NOW).fork();
 };

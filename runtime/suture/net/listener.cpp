@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kBacklog = 128;
 constexpr mode_t kEverybodys = S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH;
-// A caller that says nothing for so long is gone: it has a shorter bound of its own, and is back.
+// Breaks the connection of a caller that answers nothing for this long: a caller that still runs
+// has a shorter bound of its own, and has connected again by then.
 constexpr Duration kForgotten = std::chrono::seconds(60);
 
 bool isOtherThanASocket(const Address& address) {
@@ -74,7 +75,7 @@ ino_t inodeOf(const std::string& path) {
 
 }  // namespace
 
-// Leaves errno as it was.
+// This leaves errno as it was.
 bool Listener::isStale(const Address& address) {
   struct stat status {};
   if (address.kind != Address::Kind::Unix || stat(address.path.c_str(), &status) != 0) return false;

@@ -1,5 +1,5 @@
 #pragma once
-// Waits for connections at an address.
+// This waits for connections at an address.
 
 #include <kj/function.h>
 #include <kj/io.h>
@@ -10,31 +10,33 @@
 
 namespace suture::rpc {
 
-/// A listening socket. Belongs to the control thread.
+/// Belongs to the control thread. Is a listening socket.
 ///
-/// Unix: the socket file is readable and writable by its owner only, unless it opens to others; one
-/// that a dead process left behind is replaced, one that somebody answers at is an error. It is
-/// removed at the end. TCP: port 0 picks a free port.
+/// Unix: only the owner of the socket file can read and write it, unless it opens to others. A file
+/// that a dead process left behind is replaced; one at which somebody answers is an error. The file
+/// is removed at the end. TCP: port 0 picks a free port.
 class Listener {
  public:
-  /// Unix: whose processes can connect. Whoever accepts others asks who they are.
+  /// Says, for Unix sockets, the processes of which users can connect. A caller that opens to
+  /// others must ask who they are.
   enum class Opens { ToOwner, ToOthers };
 
-  /// Throws SetupError: in use, no such directory, no permission.
+  /// Throws SetupError if the address is in use, there is no such directory, or there is no
+  /// permission.
   Listener(EventPort& port, const Address& address, Opens opens = Opens::ToOwner);
   ~Listener() noexcept(false);
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
-  /// True for the address of a socket file that nobody answers at. Any thread.
+  /// Any thread. Returns true for the address of a socket file at which nobody answers.
   static bool isStale(const Address& address);
 
-  /// Where it really listens.
+  /// Returns where it really listens, with the port that was picked.
   const Address& address() const { return address_; }
 
   /// Hands every connection (non-blocking, TCP without delay) to `accept`. The promise never
-  /// resolves; dropping it stops. Running out of descriptors or memory delays acceptance, it
-  /// does not end it; `starved` hears of each such attempt.
+  /// resolves; dropping it stops this. If the process runs out of descriptors or memory, acceptance
+  /// is delayed but does not end, and `starved` is called with the errno of each such attempt.
   kj::Promise<void> listen(
       kj::Function<void(kj::AutoCloseFd)> accept, kj::Function<void(int)> starved = [](int) {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// The identity of the peer at the other end of a link, as far as it can be proved.
+// This is the identity of the peer at the other end of a link, as far as it can be proved.
 
 #include <sys/types.h>
 
@@ -9,7 +9,7 @@
 
 namespace suture::rpc {
 
-/// What is known of a peer before it has said anything. A value.
+/// Is a value. Holds what is known of a peer before it has said anything.
 struct PeerIdentity {
   enum class Proof : std::uint8_t {
     None,         ///< plain TCP: it may be anybody who reaches the address
@@ -21,20 +21,21 @@ struct PeerIdentity {
   uid_t user = 0;       ///< User
   std::string process;  ///< Certificate
 
-  /// "process 'console'", "user 1000", "a peer without proof of who it is (plain TCP)"
+  /// Returns for example "process 'console'", "user 1000", or "a peer without proof of who it is
+  /// (plain TCP)".
   std::string text() const;
 
-  /// True unless a certificate says that the peer is not the process `name`.
+  /// Returns true unless a certificate says that the peer is not the process `name`.
   bool mayBe(const std::string& name) const {
     return proof != Proof::Certificate || process == name;
   }
 };
 
-/// The identity that the kernel knows of the far end of a connected socket: the user on a Unix
-/// socket; none on others.
+/// Returns what the kernel knows of the far end of a connected socket: the user of a Unix socket,
+/// and nothing of others.
 PeerIdentity identityOf(int socket);
 
-/// True if `user` is this process's, root, or among `others`.
+/// Returns true if `user` is this process's user, root, or one of `others`.
 bool isTrusted(uid_t user, const std::vector<uid_t>& others);
 
 }  // namespace suture::rpc

@@ -10,8 +10,8 @@ constexpr Duration kPause = std::chrono::minutes(1);
 constexpr std::size_t kMostLines = 20;
 constexpr std::size_t kLongest = 4096;
 
-// What a peer calls itself must neither steer a terminal, nor look like a line of another process,
-// nor fill a log.
+// Returns `text` as it may be printed: the name that a peer gives itself must not control a
+// terminal, look like a line of another process, or fill a log.
 std::string fitToShow(const std::string& text) {
   std::string shown;
   for (const char one : plain(text.substr(0, kLongest))) {

@@ -1,5 +1,5 @@
 #pragma once
-// Tells and counts what a process turns away at its address.
+// This reports and counts what a process refuses at its address.
 
 #include <suture/base/time.h>
 
@@ -10,23 +10,23 @@
 
 namespace suture::rpc {
 
-/// Tells of each refusal, on standard error, whoever runs the process that refuses, as its answer
-/// tells the peer; the process's reports have the count.
+/// Reports each refusal on standard error, for the person who runs the process that refuses; the
+/// peer is told by its answer. The process's reports have the count.
 class Refusals {
  public:
-  /// `owner` is who refuses; its lines begin so.
+  /// `owner` is the process that refuses; each line begins with it.
   explicit Refusals(std::string owner) : owner_(std::move(owner)) {}
 
-  /// The control thread adds one. It tells the same line once a minute, and at most 20 lines a
-  /// minute, so that a peer that comes again and again fills no log. `peer`: who it is, as far as
-  /// is known.
+  /// The control thread. Adds a refusal. The same line is printed once a minute, and at most 20
+  /// lines a minute, so that a peer that comes again and again fills no log. `peer` says who it is,
+  /// as far as is known.
   void add(const std::string& peer, const std::string& text);
 
   struct Summary {
     std::uint64_t count = 0;
     std::string latest;  ///< "user 1000: use 'left:PSM/Arm': ..."; "" if there was none
   };
-  /// Any thread may ask.
+  /// Any thread.
   Summary summary() const;
 
  private:

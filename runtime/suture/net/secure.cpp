@@ -12,7 +12,7 @@ namespace {
 
 using Type = kj::Exception::Type;
 
-/// A handshake under way.
+/// Is a handshake under way.
 class Handshake {
  public:
   Handshake(EventPort& port, kj::AutoCloseFd socket, std::shared_ptr<const tls::Keys> keys,
@@ -30,7 +30,7 @@ class Handshake {
         return observer_->whenBecomesWritable().then([this] { return go(); });
       case tls::Session::Progress::Done: break;
     }
-    observer_ = nullptr;  // whoever reads next has one of its own
+    observer_ = nullptr;  // the next reader makes its own
     return ByteStream(kj::mv(socket_), std::move(session_));
   }
 
@@ -64,7 +64,7 @@ kj::Promise<ByteStream> checkUser(ByteStream stream, const Address& address, con
                                  "or name that user in the policy.");
 }
 
-// The kernel does not tell whose a TCP socket is, so those pass.
+// Returns false for TCP sockets, because the kernel does not say which process they belong to.
 bool isOfAnotherProcess(int socket) {
   ucred peer{};
   socklen_t size = sizeof peer;

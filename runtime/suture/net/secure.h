@@ -1,5 +1,5 @@
 #pragma once
-// From a connected socket to a stream whose far end is known.
+// This makes a connected socket into a stream whose far end is known.
 
 #include <suture/base/time.h>
 #include <suture/loop/event_port.h>
@@ -15,20 +15,21 @@
 
 namespace suture::rpc {
 
-/// Control thread: does the TLS handshake on a connected, non-blocking socket. Rejects with what
-/// was found and what to do; gives up at `deadline` from now.
+/// The control thread. Does the TLS handshake on a connected, non-blocking socket. Rejects with
+/// what was found and what to do; gives up at `deadline` from now.
 kj::Promise<ByteStream> handshake(EventPort& port, kj::AutoCloseFd socket,
                                   std::shared_ptr<const tls::Keys> keys, tls::Session::Side side,
                                   Duration deadline);
 
-/// Control thread: a stream to the process `expected` at `address`: dialled and, for tls://, with
-/// proof that it is that process; on a Unix socket, with proof that it is run by a trusted user.
-/// Rejects with what was asked, what was found and what to do, as DISCONNECTED where trying again
-/// may help. Gives up at `deadline` from now.
+/// The control thread. Returns a stream to the process `expected` at `address`. It is dialled and,
+/// for tls://, has proved that it is that process; on a Unix socket, it has proved that a trusted
+/// user runs it. Rejects with what was asked, what was found and what to do, as DISCONNECTED if
+/// trying again may help. Gives up at `deadline` from now.
 kj::Promise<ByteStream> reach(EventPort& port, const Address& address, const Trust& trust,
                               const std::string& expected, Duration deadline);
 
-/// The same at the first of `places` that can be reached: those of one host. `deadline`: for each.
+/// Does what reach() does, at the first of `places` that can be reached; they are all of one host.
+/// `deadline` holds for each of them.
 kj::Promise<ByteStream> reachFirst(EventPort& port, std::vector<Address> places, const Trust& trust,
                                    const std::string& expected, Duration deadline);
 

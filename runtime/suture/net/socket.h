@@ -1,5 +1,5 @@
 #pragma once
-// Sockets as the links want them.
+// This opens and sets up sockets for links.
 
 #include <kj/io.h>
 #include <suture/base/time.h>
@@ -7,20 +7,21 @@
 
 namespace suture::rpc {
 
-/// An unconnected stream socket of the address's family: non-blocking, closed on exec. Throws
-/// SetupError.
+/// Returns an unconnected stream socket of the address's family: non-blocking, closed on exec.
+/// Throws SetupError.
 kj::AutoCloseFd openSocket(const Address& address);
 
-/// TCP only: every send leaves at once.
+/// For TCP only. Makes every send leave at once.
 void sendWithoutDelay(int socket);
 
-/// TCP only: the kernel takes no more while about so many bytes wait there to be sent for the first
-/// time. What is sent later waits behind them, so they are few; its buffer has megabytes.
+/// For TCP only. Makes the kernel take no more while this many bytes wait there to be sent for the
+/// first time. What is written later waits behind them, so there should be few; the kernel's buffer
+/// has megabytes.
 inline constexpr int kMostUnsent = 128 << 10;
 void keepUnsentShort(int socket);
 
-/// TCP only: the connection breaks when the other machine has acknowledged nothing for `limit`,
-/// also of what the kernel asks it while there is nothing to send.
+/// For TCP only. Breaks the connection when the other machine has acknowledged nothing for `limit`,
+/// including the kernel's own probes while there is nothing to send.
 void breakWhenUnanswered(int socket, Duration limit);
 
 }  // namespace suture::rpc

@@ -1,5 +1,6 @@
 #pragma once
-// What a process shows of itself, and whom it talks to. Those who do not know KJ include it too.
+// This says how a process proves who it is, and whom it talks to. Sources that do not use KJ
+// include it too.
 
 #include <sys/types.h>
 
@@ -12,10 +13,11 @@ class Keys;
 
 namespace suture::rpc {
 
-/// A value.
+/// Is a value.
 struct Trust {
-  std::shared_ptr<const tls::Keys> keys{};  ///< none: no tls:// address can be used
-  std::vector<uid_t> users{};               ///< on Unix sockets, beside this process's own and root
+  std::shared_ptr<const tls::Keys> keys{};  ///< null: no tls:// address can be used
+  std::vector<uid_t>
+      users{};  ///< who is trusted on Unix sockets, beside this process's user and root
 };
 
 }  // namespace suture::rpc

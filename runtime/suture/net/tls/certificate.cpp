@@ -88,7 +88,8 @@ CertificatePtr readCertificate(const std::filesystem::path& file) {
 KeyPtr readKey(const std::filesystem::path& file) {
   const BioPtr content = contentOf(file);
   requireOwn(file);
-  // Never asks for a passphrase: a process of a robot starts with nobody at the keyboard.
+  // Never asks for a passphrase, because nobody is at the keyboard when a process of a robot
+  // starts.
   const auto noPassphrase = [](char*, int, int, void*) { return -1; };
   KeyPtr key(PEM_read_bio_PrivateKey(content.get(), nullptr, noPassphrase, nullptr));
   if (key != nullptr) return key;

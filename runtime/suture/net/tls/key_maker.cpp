@@ -26,7 +26,7 @@ void require(bool done, const std::string& what) {
   if (!done) throw SetupError(what, lastComplaint(), "Check the installation of OpenSSL 3.");
 }
 
-/// A certificate and the key that belongs to it.
+/// Is a certificate and the key that belongs to it.
 struct Identity {
   CertificatePtr certificate;
   KeyPtr key;
@@ -67,7 +67,7 @@ CertificatePtr beginCertificate(const std::string& name, EVP_PKEY* key, const Va
           "make a certificate");
   setSerial(certificate.get());
   setTimes(certificate.get(), validity);
-  // A common name has at most 64 characters (RFC 5280 A.1); the one that counts is the URI.
+  // A common name has at most 64 characters (RFC 5280 A.1); the name that counts is the URI.
   const std::string shown = name.substr(0, 64);
   const auto* const bytes = reinterpret_cast<const unsigned char*>(shown.c_str());
   require(X509_NAME_add_entry_by_txt(X509_get_subject_name(certificate.get()), "CN", MBSTRING_UTF8,
@@ -107,7 +107,8 @@ Identity makeIdentity(const std::string& process, const Identity& ca, const Vali
   return {std::move(certificate), std::move(key)};
 }
 
-// False for a name that holds what has a meaning in a path or in OpenSSL's notation of names.
+// Returns false for a name with characters that have a meaning in a path or in OpenSSL's notation
+// of names.
 bool isName(const std::string& name) {
   const bool plain = std::all_of(name.begin(), name.end(), [](unsigned char one) {
     return std::isalnum(one) || one == '_' || one == '-' || one == '.';
@@ -156,7 +157,7 @@ Identity readCa(const KeyFiles& files) {
   return {readCertificate(files.caCertificate()), readKey(files.caKey())};
 }
 
-/// Writes new files, and takes them away again if the last one could not be written.
+/// Writes new files, and removes them again if the last one could not be written.
 class NewFiles {
  public:
   ~NewFiles() {

@@ -8,7 +8,7 @@
 namespace suture::tls {
 namespace {
 
-// Most of what a link says in one turn fits.
+// Is large enough for most of what a link says in one turn.
 constexpr std::size_t kReadAhead = 32u << 10;
 
 void setUp(bool done, const char* what) {
@@ -30,8 +30,8 @@ ContextPtr Keys::makeContext() {
   SSL_CTX_set_mode(raw, SSL_MODE_ENABLE_PARTIAL_WRITE | SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER);
   SSL_CTX_set_read_ahead(raw, 1);
   SSL_CTX_set_default_read_buffer_len(raw, kReadAhead);
-  // No session is ever resumed. A server's one ticket is its word that it has accepted the client's
-  // certificate, which TLS 1.3 tells in no other way.
+  // No session is ever resumed. The one ticket of a server says that it has accepted the client's
+  // certificate, which TLS 1.3 does not say in any other way.
   SSL_CTX_set_options(raw, SSL_OP_NO_TICKET | SSL_OP_NO_RENEGOTIATION);
   SSL_CTX_set_session_cache_mode(raw, SSL_SESS_CACHE_CLIENT | SSL_SESS_CACHE_NO_INTERNAL);
   SSL_CTX_set_num_tickets(raw, 1);

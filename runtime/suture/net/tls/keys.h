@@ -1,5 +1,5 @@
 #pragma once
-// What a process proves its name with, and by what it judges others.
+// This is what a process proves its name with, and checks the certificates of others with.
 
 #include <suture/net/tls/certificate.h>
 #include <suture/net/tls/openssl.h>
@@ -9,13 +9,13 @@
 
 namespace suture::tls {
 
-/// The certificate and key of one process and the CA of its system; nothing of the machine's own
-/// trust store counts. Constant once made; any thread.
+/// Any thread; constant once made. Holds the certificate and key of one process and the CA of its
+/// system. The machine's own trust store is not used.
 class Keys {
  public:
-  /// Reads them from the folder that `suture keys` made. Throws SetupError: a file is missing or no
-  /// such thing, the key can be read by others, or the certificate is not of this process, not of
-  /// this CA, or not valid now.
+  /// Reads them from the folder that `suture keys` made. Throws SetupError if a file is missing or
+  /// is not what it should be, if others can read the key, or if the certificate is not of this
+  /// process, not of this CA, or not valid now.
   Keys(const std::filesystem::path& folder, std::string process);
   Keys(const Keys&) = delete;
   Keys& operator=(const Keys&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-// OpenSSL's objects, owned.
+// These pointers own OpenSSL's objects.
 
 #include <openssl/bio.h>
 #include <openssl/evp.h>
@@ -11,7 +11,7 @@
 
 namespace suture::tls {
 
-/// Calls OpenSSL's function for objects of a type.
+/// Frees an object with `kFree`, which is OpenSSL's function for objects of that type.
 template <auto kFree>
 struct Free {
   template <class Object>

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kNotTls =
     "it does not speak TLS. Correct the address: tls:// at both ends, or at neither.";
 
-/// True for a complaint of the peer about what it was shown, as OpenSSL numbers them.
+/// Returns true if the peer complained about our certificate, by OpenSSL's numbers of complaints.
 bool isAboutOurCertificate(int reason) {
   switch (reason) {
     case SSL_R_SSLV3_ALERT_BAD_CERTIFICATE:
@@ -71,7 +71,7 @@ Session::Progress Session::handshake() {
   return side_ == Side::Server ? Progress::Done : awaitAcceptance();
 }
 
-// In TLS 1.3 the client is through before the server has looked at its certificate: wait for that.
+// In TLS 1.3 the client is done before the server has looked at its certificate, so wait for that.
 Session::Progress Session::awaitAcceptance() {
   char first;
   std::size_t count = 0;
@@ -80,7 +80,7 @@ Session::Progress Session::awaitAcceptance() {
   return paused(result);
 }
 
-// Keeps what is wrong with a certificate, which OpenSSL throws away.
+// Keeps what is wrong with a certificate, because OpenSSL discards it.
 int Session::checkCertificate(int sound, X509_STORE_CTX* check) {
   if (sound == 1) return 1;
   void* const ssl = X509_STORE_CTX_get_ex_data(check, SSL_get_ex_data_X509_STORE_CTX_idx());
@@ -112,7 +112,8 @@ Session::Progress Session::paused(int result) {
   throw HandshakeError(isEnd(error) ? Cause::Broken : Cause::Refused, explain(error));
 }
 
-// OpenSSL answers nothing to what is no TLS. A plain end of ours knows an alert when it sees one.
+// OpenSSL sends no answer to bytes that are not TLS. This sends an alert, from which an end of ours
+// without TLS knows what is wrong.
 void Session::sendTlsAlert() const {
   const unsigned char alert[] = {0x15, 0x03, 0x03, 0, 2, 2, SSL_AD_PROTOCOL_VERSION};
   (void)BIO_write(SSL_get_wbio(ssl_.get()), alert, sizeof(alert));

@@ -1,5 +1,5 @@
 #pragma once
-// TLS 1.3 on a connected socket, both sides with a certificate.
+// This is TLS 1.3 on a connected socket, with a certificate on both sides.
 
 #include <suture/net/tls/keys.h>
 #include <suture/net/tls/openssl.h>
@@ -13,41 +13,42 @@
 
 namespace suture::tls {
 
-/// Why there is no TLS with a peer: what was found and what to do.
+/// Says why there is no TLS with a peer: what was found and what to do.
 class HandshakeError : public std::runtime_error {
  public:
-  enum class Cause { Broken, Refused };  ///< the connection; what one side thinks of the other
+  enum class Cause { Broken, Refused };  ///< the connection broke; one side refused the other
 
   HandshakeError(Cause why, const std::string& text) : runtime_error(text), cause(why) {}
 
   const Cause cause;
 };
 
-/// One connection. Never blocks: the socket is non-blocking, and whoever owns it waits for it. Used
-/// by one thread at a time.
+/// One thread at a time. Is one TLS connection. Never blocks: the socket is non-blocking, and its
+/// owner waits for it.
 class Session {
  public:
   enum class Side { Client, Server };
   enum class Progress { Done, WantsRead, WantsWrite };
 
-  /// `socket` stays the caller's, and outlives this.
+  /// The caller keeps `socket`, which must outlive this.
   Session(std::shared_ptr<const Keys> keys, Side side, int socket);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Goes on as far as the socket allows. Done: each side has accepted the certificate of the other
-  /// one. Throws HandshakeError.
+  /// Goes on as far as the socket allows. Returns Done once each side has accepted the certificate
+  /// of the other. Throws HandshakeError.
   Progress handshake();
-  /// The process whose certificate the peer has, once the handshake is done.
+  /// Returns the process that the peer's certificate names, once the handshake is done.
   const std::string& peer() const { return peer_; }
 
-  /// As recv(2) and send(2): the number of bytes; 0: the peer has said that it is done; -1: errno,
-  /// of which EPROTO is explained by failure(). A short count says nothing about what is left.
+  /// Do what recv(2) and send(2) do. Return the number of bytes; 0 if the peer has said that it is
+  /// done; -1 with an errno, of which EPROTO is explained by failure(). A short count says nothing
+  /// about what is left.
   ssize_t receive(std::span<std::byte> into);
   ssize_t send(std::span<const std::byte> bytes);
   const std::string& failure() const { return failure_; }
 
-  /// Tells the peer that nothing more will come, if the socket takes it.
+  /// Tells the peer that nothing more will come, if the socket has room for that.
   void end();
 
  private:

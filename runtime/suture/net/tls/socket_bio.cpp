@@ -56,7 +56,7 @@ BioMethodPtr makeSocketMethod() {
 BioPtr makeSocketBio(const BIO_METHOD* method, int socket) {
   BioPtr bio(BIO_new(method));
   if (bio == nullptr) throw std::bad_alloc();
-  // A BIO keeps a pointer, and this one needs a number: keep it as one.
+  // A BIO keeps a pointer, and this one needs a number, so the number is stored as a pointer.
   BIO_set_data(bio.get(),
                reinterpret_cast<void*>(  // NOLINT(performance-no-int-to-ptr)
                    static_cast<std::intptr_t>(socket)));

@@ -1,14 +1,15 @@
 #pragma once
-// How OpenSSL reads and writes a socket of ours.
+// This lets OpenSSL read and write a socket of ours.
 
 #include <suture/net/tls/openssl.h>
 
 namespace suture::tls {
 
-/// As OpenSSL's own for sockets, but a peer that is gone raises no signal. Throws std::bad_alloc.
+/// Returns a method like OpenSSL's own for sockets, except that a peer that is gone raises no
+/// signal. Throws std::bad_alloc.
 BioMethodPtr makeSocketMethod();
 
-/// Reads and writes `socket`, which it does not own.
+/// Returns a BIO that reads and writes `socket`, which it does not own.
 BioPtr makeSocketBio(const BIO_METHOD* method, int socket);
 
 }  // namespace suture::tls
