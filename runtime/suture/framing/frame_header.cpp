@@ -10,7 +10,7 @@ constexpr std::size_t kWord = 8;
 std::uint32_t wordAt(std::span<const std::byte> bytes, std::size_t index) {
   std::uint32_t value;
   std::memcpy(&value, bytes.data() + index * sizeof(value), sizeof(value));
-  return value;  // little endian, as are the machines Cap'n Proto's zero-copy assumes
+  return value;  // little endian, like the machines that Cap'n Proto's zero-copy assumes
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
-// The guard in front of Cap'n Proto: looks at the header of a stream frame before the library does.
+// This is the guard in front of Cap'n Proto: it looks at the header of a stream frame before the
+// library does.
 //
 // A frame begins with the number of segments minus one and each segment's size in words, all 32-bit
 // little endian, padded to whole words. Release 0.9.2 computes with them in 32 bits, so a hostile
@@ -16,11 +17,11 @@
 
 namespace suture::rpc {
 
-/// What a peer may make us read and hold, and how long it may keep us waiting.
+/// Bounds what a peer may make us read and hold, and how long it may keep us waiting.
 struct StreamLimits {
   std::uint32_t segments = 512;
   std::size_t messageBytes = 16u << 20;      ///< header and body of one message
-  std::size_t strangerBytes = 16u << 10;     ///< the same of a peer that is not known yet
+  std::size_t strangerBytes = 16u << 10;     ///< the same, for a peer that is not known yet
   std::size_t unsentBytes = 64u << 20;       ///< written, and not yet taken by the peer
   std::int64_t partialMilliseconds = 5'000;  ///< from the first byte of a message to its last
   std::int64_t firstMilliseconds =
@@ -29,7 +30,7 @@ struct StreamLimits {
   std::int64_t helloMilliseconds = 10'000;     ///< accepted links: until the peer is known
 };
 
-/// Where the parts of a frame lie. Sizes in bytes.
+/// Says where the parts of a frame lie.
 struct FrameHeader {
   std::uint32_t segments = 0;
   std::size_t headerBytes = 0;
@@ -43,18 +44,18 @@ struct FrameParse {
   std::optional<FrameHeader> header;  ///< none: a fault, or not enough bytes yet
 };
 
-/// Reads the header at the start of `bytes`, of which any number may have arrived. Judges as early
-/// as possible: the count alone is enough to refuse.
+/// Reads the header at the start of `bytes`, of which any number may have arrived. Refuses as early
+/// as possible: the count of segments may be enough.
 FrameParse parseFrameHeader(std::span<const std::byte> bytes, const StreamLimits& limits);
 
-/// Size in words of segment `index`, from a header that parseFrameHeader accepted.
+/// Returns the size in words of segment `index`, from a header that parseFrameHeader accepted.
 std::uint32_t segmentWords(std::span<const std::byte> header, std::uint32_t index);
 
 /// Appends a message in the same format, ready to send.
 void appendFrame(kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>> segments,
                  std::vector<std::byte>& bytes);
 
-/// The fault in words, static storage.
+/// Returns the fault in words; the text is static.
 const char* toString(FrameFault fault);
 
 }  // namespace suture::rpc

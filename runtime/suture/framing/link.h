@@ -1,5 +1,5 @@
 #pragma once
-// One connection between two processes, speaking Cap'n Proto RPC.
+// This is one connection between two processes that speaks Cap'n Proto RPC.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -9,15 +9,15 @@
 
 namespace suture::rpc {
 
-/// A stream with an RPC system on it. Belongs to the control thread. Destroying it closes it; every
-/// capability that came through it is then broken (DISCONNECTED).
+/// Belongs to the control thread. Is a stream with an RPC system on it. Destroying it closes it,
+/// and breaks every capability that came through it (DISCONNECTED).
 class Link {
  public:
-  /// `offers`: what the peer gets when it asks for the bootstrap capability.
+  /// `offers` is what the peer gets when it asks for the bootstrap capability.
   Link(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side,
        kj::Maybe<capnp::Capability::Client> offers = nullptr);
 
-  /// The peer's bootstrap capability.
+  /// Returns the peer's bootstrap capability.
   template <class Interface>
   typename Interface::Client bootstrap() {
     return bootstrapCapability().castAs<Interface>();
@@ -26,7 +26,7 @@ class Link {
   /// Resolves when the peer is gone; never rejects.
   kj::Promise<void> onDisconnect() { return network_.onDisconnect(); }
 
-  /// Why it ended, if the peer broke a limit; else "".
+  /// Returns why it ended, if the peer broke a limit; else "".
   const std::string& refusal() const { return network_.refusal(); }
 
   std::shared_ptr<const LinkCounters> counters() const { return network_.counters(); }

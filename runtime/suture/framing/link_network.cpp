@@ -10,8 +10,8 @@ using capnp::rpc::twoparty::Side;
 using capnp::rpc::twoparty::VatId;
 using Base = capnp::TwoPartyVatNetworkBase;
 
-/// A message that is being built, with room for most in the same block of memory; what does not fit
-/// goes on in further segments.
+/// Is a message that is being built. Most fit into the same block of memory; the rest of a longer
+/// one goes into further segments.
 class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
  public:
   explicit Outgoing(MessageStream& stream) : stream_(stream), message_(room_) {}
@@ -19,12 +19,12 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
   capnp::AnyPointer::Builder getBody() override { return message_.getRoot<capnp::AnyPointer>(); }
 
   void send() override {
-    // A peer that is shown more than it allows ends the link; the call alone is to fail. What
-    // throws here becomes the outcome of the call.
+    // A peer that receives more than it allows ends the link, but only this call should fail. What
+    // is thrown here becomes the outcome of the call.
     if (sizeInWords() * sizeof(capnp::word) > stream_.limits().messageBytes) {
       kj::throwFatalException(remoteError(Errc::TooLarge));
     }
-    // The caller's last word on a call that has returned only frees memory at the peer.
+    // A Finish, which ends a call that has returned, only frees memory at the peer.
     const bool finish = message_.getRoot<capnp::rpc::Message>().isFinish();
     stream_.write(
         message_.getSegmentsForOutput(),

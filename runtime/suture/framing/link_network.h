@@ -1,5 +1,5 @@
 #pragma once
-// What Cap'n Proto's RPC system talks through: one message stream, without promises in between.
+// Cap'n Proto's RPC system talks through this: one message stream, without promises in between.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -10,9 +10,9 @@
 
 namespace suture::rpc {
 
-/// A network of two processes. Messages go straight into the stream's buffer and come straight out
-/// of it; the library's own network queues each behind a promise of the one before. Belongs to the
-/// control thread; outlives the RPC system on it.
+/// Belongs to the control thread; must outlive the RPC system on it. Is a network of two processes.
+/// Messages go straight into the stream's buffer and come straight out of it, whereas the library's
+/// own network queues each behind a promise of the one before.
 class LinkNetwork final : public capnp::TwoPartyVatNetworkBase {
  public:
   LinkNetwork(kj::Own<MessageStream> stream, capnp::rpc::twoparty::Side side);

@@ -6,7 +6,7 @@
 namespace suture::rpc {
 namespace {
 
-// So many peers at a time are told that there are too many links.
+// Limits the peers that are told at the same time that there are too many links.
 constexpr std::size_t kMostTurnedAway = 16;
 
 Trust usable(const Trust& trust, const Address& address) {
@@ -52,7 +52,7 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
                          "talk to " + address().text() + ": " + tooMany());
   }
   const Room room = links_++ < maxLinks_ ? Room::Is : Room::IsNot;
-  // What fails here, perhaps for want of memory, ends this connection alone.
+  // A failure here, perhaps for lack of memory, ends only this connection.
   auto served = kj::evalNow([&] {
     return address().kind == Address::Kind::Tls ? secure(kj::mv(socket), room)
                                                 : open(ByteStream(kj::mv(socket)), room);
@@ -60,7 +60,7 @@ void LinkServer::accept(kj::AutoCloseFd socket) {
   tasks_.add(served.attach(kj::defer([this] { --links_; })));
 }
 
-// Those who connect then wait in the kernel's queue.
+// Peers that connect then wait in the kernel's queue.
 void LinkServer::cannotAccept(int error) {
   refusals_.add("who connects to " + address().text(),
                 std::string("wait until this process can accept connections again: ") +

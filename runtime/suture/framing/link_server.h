@@ -1,5 +1,5 @@
 #pragma once
-// Serves Cap'n Proto RPC at an address: one link a connection.
+// This serves Cap'n Proto RPC at an address, with one link for each connection.
 
 #include <suture/framing/link.h>
 #include <suture/framing/preamble.h>
@@ -12,32 +12,35 @@
 
 namespace suture::rpc {
 
-/// Belongs to the control thread. The peer at the other end of an accepted link.
+/// Belongs to the control thread. Is the peer at the other end of an accepted link.
 struct Caller {
   PeerIdentity identity;
   std::shared_ptr<const LinkCounters> counters;  ///< of the link, for reports
-  /// Set by whoever serves the peer, once that has said what it wants. A link on which nobody does
-  /// so is closed after StreamLimits::helloMilliseconds.
+  /// Is set by the code that serves the peer, once the peer has said what it wants. A link on which
+  /// this stays false is closed after StreamLimits::helloMilliseconds.
   bool known = false;
 };
 
-/// Adds `text` to `refusals`, and returns what a peer gets that is only to hear of it.
+/// Adds `text` to `refusals`, and returns a capability for the peer on which every call fails with
+/// it.
 capnp::Capability::Client turnAway(Refusals& refusals, const PeerIdentity& who,
                                    const std::string& text);
 
-/// Accepts until it is destroyed, which closes all its links. Belongs to the control thread.
+/// Belongs to the control thread. Accepts connections until it is destroyed, which closes all its
+/// links.
 class LinkServer final : private kj::TaskSet::ErrorHandler {
  public:
   /// Makes the bootstrap capability of each new link.
   using Offer = kj::Function<capnp::Capability::Client(std::shared_ptr<Caller>)>;
 
-  /// Given the connections that are no links, see preamble.h.
+  /// Is called with each connection that is not a link, see preamble.h.
   using Awaited = kj::Function<void(const Token&, ByteStream)>;
 
   /// Throws SetupError as Listener does, or if the address needs keys and `trust` has none. At
-  /// tls:// a peer without a certificate of the CA gets no link; at unix: one that is run by a user
-  /// who is not trusted gets a link on which it only hears why it is refused. So does each of a few
-  /// beyond `maxLinks` at a time; more are closed unheard. All are added to `refusals`.
+  /// tls:// a peer without a certificate of the CA gets no link. At unix: a peer that is run by a
+  /// user who is not trusted gets a link on which it only hears why it is refused, and so does each
+  /// of a few peers beyond `maxLinks` at a time; any more are closed without an answer. All of them
+  /// are added to `refusals`.
   LinkServer(
       EventPort& port, const Address& address, Offer offer, Refusals& refusals,
       StreamLimits limits = {}, std::size_t maxLinks = 1024, const Trust& trust = {},
@@ -48,7 +51,7 @@ class LinkServer final : private kj::TaskSet::ErrorHandler {
  private:
   void accept(kj::AutoCloseFd socket);
   void cannotAccept(int error);
-  /// It tells whether there was room for a link when its peer came.
+  /// Says if there was room for a link when its peer came.
   enum class Room { Is, IsNot };
 
   kj::Promise<void> secure(kj::AutoCloseFd socket, Room room);

@@ -10,13 +10,13 @@
 namespace suture::rpc {
 namespace {
 
-// This much is worth a send of its own.
+// Is how many bytes are worth a send of their own.
 constexpr std::size_t kSendAtOnce = 1u << 16;
-// A buffer that has grown beyond this is given back when it is empty. An image fits: else the
-// kernel would clear the memory of each one anew.
+// A buffer that has grown beyond this is freed when it is empty. An image fits, because otherwise
+// the kernel would clear the memory of each image anew.
 constexpr std::size_t kKept = 4u << 20;
 
-// So much is read at once of a peer that is known, and so much of a stranger.
+// These are how many bytes are read at once from a peer that is known, and from a stranger.
 constexpr std::size_t kReadAtOnce = 64u << 10;
 constexpr std::size_t kStrangersReadAtOnce = 4u << 10;
 
@@ -31,7 +31,7 @@ capnp::ReaderOptions readerOptions(const StreamLimits& limits) {
   return options;
 }
 
-// True for the first bytes of a ClientHello or of an alert.
+// Returns true for the first bytes of a ClientHello or of an alert.
 bool isTls(std::span<const std::byte> bytes) {
   return bytes.size() >= 2 && (bytes[0] == std::byte{0x16} || bytes[0] == std::byte{0x15}) &&
          bytes[1] == std::byte{0x03};
@@ -114,7 +114,8 @@ kj::Maybe<kj::Own<capnp::IncomingRpcMessage>> MessageStream::takeMessage() {
       kj::mv(frame), *parse.header, readerOptions(limits_), kj::mv(descriptors)));
 }
 
-// Counts what has come before it waits for more: a peer may send a part and then nothing for long.
+// Counts the bytes of a message that has begun before it waits for more, because a peer may send a
+// part and then nothing for a long time.
 void MessageStream::countUnfinished() {
   if (guard_.share == nullptr) return;
   if (const auto beyond = guard_.share->hold(incoming_.longBytes())) refuse(*beyond);
@@ -125,14 +126,14 @@ void MessageStream::refuse(std::string why) {
   kj::throwFatalException(disconnected(refusal_));
 }
 
-// Reads more at once as soon as the peer is known.
+// Makes the next reads larger as soon as the peer is known.
 void MessageStream::noteWhetherKnown() {
   if (guard_.known == nullptr || !*guard_.known) return;
   guard_.known = nullptr;
   incoming_.setIdleSize(kReadAtOnce);
 }
 
-// How many bytes have been taken out so far.
+// Returns how many bytes have been taken out so far.
 std::uint64_t MessageStream::taken() const {
   return counters_->receivedBytes.load(std::memory_order_relaxed) - incoming_.bytes().size();
 }
@@ -145,9 +146,9 @@ MessageStream::Received MessageStream::receive() {
   if (count < 0 && errno == EINTR) return Received::Some;
   if (count < 0 && errno != EAGAIN) kj::throwFatalException(bytes_.lost(errno));
 
-  // The socket is empty after EAGAIN, and after a short read unless that ended with descriptors; or
-  // unless the end has been seen, which only another receive reports. An edge that fires while no
-  // promise waits is dropped, so make the promise now.
+  // The socket is empty after EAGAIN. It is also empty after a short read, unless that ended with
+  // descriptors, or the end of the stream has been seen, which only another receive reports. An
+  // edge that fires while no promise waits is dropped, so make the promise now.
   bool ended = true;
   KJ_IF_MAYBE (hint, readObserver_.atEndHint()) ended = *hint;
   const bool shortRead = count > 0 && static_cast<std::size_t>(count) < space.size() &&
@@ -181,7 +182,7 @@ kj::Maybe<kj::TimePoint> MessageStream::readDeadline() {
 void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int> descriptors) {
   if (writeFailure_ != nullptr) return;
   const std::uint64_t begin = counters_->sentBytes + outgoing_.size() - outgoingBegin_;
-  // The bytes are copied, so that what is written next leaves in the same send.
+  // The bytes are copied, so that the next messages can leave in the same send.
   appendFrame(message, outgoing_);
   if (descriptors.size() > 0) {
     const std::uint64_t end = counters_->sentBytes + outgoing_.size() - outgoingBegin_;
@@ -199,7 +200,8 @@ void MessageStream::write(Segments message, Leaves when, kj::ArrayPtr<const int>
   }
 }
 
-// Never cancels the timer: in steady traffic it covers many messages, and finds them gone.
+// Never cancels the timer: in steady traffic one timer covers many messages, which have left by the
+// time that it fires.
 void MessageStream::scheduleDelayedSend() {
   if (delayedSendScheduled_) return;
   delayedSendScheduled_ = true;
@@ -228,8 +230,8 @@ void MessageStream::flush() {
   drained();
 }
 
-// A message with descriptors leaves in a send of its own, so that the receiver knows whose they
-// are.
+// A message with descriptors leaves in a send of its own, so that the receiver knows to which
+// message they belong.
 ssize_t MessageStream::sendSome() {
   const std::span<const std::byte> unsent = std::span(outgoing_).subspan(outgoingBegin_);
   if (outgoingDescriptors_.empty()) return bytes_.send(unsent, {});
@@ -241,7 +243,7 @@ ssize_t MessageStream::sendSome() {
   return count;
 }
 
-// Moves what is left only when at least as much has gone, so that no byte is moved twice.
+// Moves the unsent bytes only when at least as many have been sent, so that no byte is moved twice.
 void MessageStream::awaitRoom() {
   if (outgoingBegin_ >= outgoing_.size() / 2) discardSent();
   awaitingRoom_ = true;
@@ -267,7 +269,7 @@ void MessageStream::drained() {
   KJ_IF_MAYBE (waiting, ending_) (*waiting)->fulfill();
 }
 
-// The reader hears of it from the socket.
+// The reader gets the error from the socket.
 void MessageStream::fail(kj::Exception exception) {
   bytes_.cut();
   KJ_IF_MAYBE (waiting, ending_) (*waiting)->reject(kj::cp(exception));

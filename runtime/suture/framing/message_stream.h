@@ -1,5 +1,6 @@
 #pragma once
-// The only byte stream Cap'n Proto sees in this runtime: buffered in both directions and guarded.
+// This is the only byte stream that Cap'n Proto uses in this runtime: buffered in both directions
+// and guarded.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -22,28 +23,31 @@
 
 namespace suture::rpc {
 
-/// Bytes that crossed a link, without what TLS adds. Written by the control thread, read by any.
+/// The control thread writes it, any thread may read. Counts the bytes that crossed a link, without
+/// what TLS adds.
 struct LinkCounters {
   std::atomic<std::uint64_t> sentBytes{0};
   std::atomic<std::uint64_t> receivedBytes{0};
 };
 
-/// Bounds a peer that came by itself.
+/// Bounds what a peer that connected to us costs while we do not know it.
 struct StrangerGuard {
-  std::shared_ptr<const bool> known;  ///< becomes true when it has said who it is; null: it has
+  std::shared_ptr<const bool>
+      known;  ///< becomes true when it has said who it is; null: it is known
   std::unique_ptr<ReceiveBudget::Share> share;
 };
 
-/// Messages over a connected, non-blocking stream socket (Unix or TCP), plain or inside TLS.
-/// Belongs to the control thread.
+/// Belongs to the control thread. Sends and receives messages over a connected, non-blocking stream
+/// socket (Unix or TCP), plain or inside TLS.
 ///
-/// One receive brings as many messages as have arrived; messages written during one turn of the
-/// event loop leave in one send. A peer that breaks the limits gets its connection ended with a
-/// kj::Exception from the pending read; nothing it sent beyond that point is looked at.
+/// One receive brings as many messages as have arrived, and all messages that are written during
+/// one turn of the event loop leave in one send. If a peer breaks the limits, the pending read
+/// rejects with a kj::Exception, the connection ends, and nothing that the peer sent beyond that
+/// point is looked at.
 class MessageStream final : private EventPort::Output {
  public:
-  /// `begun`: what has been received already. A peer that was called is no stranger: all of its
-  /// messages may be long, and nothing bounds their sum.
+  /// `begun` is what has been received already. A peer that we have called needs no `guard`: all of
+  /// its messages may be long, and nothing bounds their sum.
   MessageStream(EventPort& port, ByteStream bytes, StreamLimits limits = {},
                 std::span<const std::byte> begun = {}, StrangerGuard guard = {});
   ~MessageStream() noexcept(false);
@@ -53,29 +57,29 @@ class MessageStream final : private EventPort::Output {
   using Reading = kj::Promise<kj::Maybe<kj::Own<capnp::IncomingRpcMessage>>>;
   using Segments = kj::ArrayPtr<const kj::ArrayPtr<const capnp::word>>;
 
-  /// The next message; nothing at the end of the stream. Rejects if the connection is lost or the
-  /// peer breaks a limit. One read at a time.
+  /// Returns the next message; nothing at the end of the stream. Rejects if the connection is lost
+  /// or the peer breaks a limit. Only one read at a time.
   Reading read();
 
-  /// When a message leaves.
+  /// Says when a message leaves.
   enum class Leaves {
     AtEndOfTurn,      ///< when the event loop has nothing else to do
-    WithNextMessage,  ///< with the next message, or after kLongestDelayMilliseconds: not worth a
-                      ///< system call and a wake-up of the peer of its own
+    WithNextMessage,  ///< with the next message, or after kLongestDelayMilliseconds: for what is
+                      ///< not worth a system call and a wake-up of the peer of its own
   };
   static constexpr int kLongestDelayMilliseconds = 5;
 
-  /// Tells why a read has rejected, if the peer broke a limit; else "".
+  /// Returns why a read has rejected, if the peer broke a limit; else "".
   const std::string& refusal() const { return refusal_; }
 
   /// Copies the message, and duplicates `descriptors` (Unix sockets only). If the connection is
-  /// lost, nothing happens: the reader hears of it.
+  /// lost this does nothing, because the reader gets the error.
   void write(Segments message, Leaves when = Leaves::AtEndOfTurn,
              kj::ArrayPtr<const int> descriptors = nullptr);
   /// Sends what has been written, then closes this direction. Rejects if the connection is lost.
   kj::Promise<void> end();
 
-  /// Shared, so that it outlives the link for whoever reports.
+  /// Returns the counters, which are shared so that they outlive the link for reports.
   std::shared_ptr<const LinkCounters> counters() const { return counters_; }
 
  private:

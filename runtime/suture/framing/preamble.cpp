@@ -23,19 +23,19 @@ class PreambleReader {
       if (count > 0) {
         read_ += static_cast<std::size_t>(count);
       } else if (count == 0) {
-        break;  // whoever serves a link finds that out
+        break;  // the code that serves the link finds that out
       } else if (errno == EAGAIN) {
         return observer_->whenBecomesReadable().then([this] { return read(); });
       } else if (errno != EINTR) {
         return bytes_.lost(errno);
       }
     }
-    observer_ = nullptr;  // whoever reads next has one of its own
+    observer_ = nullptr;  // the next reader makes its own
     return opened();
   }
 
  private:
-  /// True if it is a preamble, as far as it has come.
+  /// Returns true if the bytes that have come can begin a preamble.
   bool isPreamble() const {
     return std::memcmp(beginning_.data(), kPreamble.data(), std::min(read_, kPreamble.size())) == 0;
   }
@@ -77,7 +77,7 @@ kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const Stream
   return opened.exclusiveJoin(kj::mv(late));
 }
 
-// It leaves in one go, since a connection has room for so little at first.
+// A new connection has room for these few bytes, so they leave in one send.
 bool sendToken(ByteStream& bytes, const Token& token) {
   const auto preamble = preambleOf(token);
   return bytes.send(preamble, {}) == static_cast<ssize_t>(preamble.size());

@@ -1,5 +1,5 @@
 #pragma once
-// What a connection is for, as its first bytes tell: messages, or somebody who awaits it.
+// The first bytes of a connection say what it is for: messages, or a lane that awaits it.
 
 #include <suture/framing/frame_header.h>
 #include <suture/loop/event_port.h>
@@ -12,31 +12,33 @@
 
 namespace suture::rpc {
 
-/// A secret that is good for one connection, and says which of those that await one is meant.
+/// Is a secret that is valid for one connection, and says which of the awaited connections this is.
 using Token = std::array<std::byte, 16>;
 
-/// A connection that begins so is no link: a token follows. No message can begin with it.
+/// A connection that begins with this is not a link; a token follows. No message can begin with it.
 inline constexpr std::string_view kPreamble = "SUTFRAME";
 
-/// kPreamble and the token, as they are sent.
+/// Returns kPreamble and the token, as they are sent.
 std::array<std::byte, sizeof(Token) + 8> preambleOf(const Token& token);
 
-/// A connection whose beginning has been read.
+/// Is a connection whose beginning has been read.
 struct Opened {
   ByteStream bytes;
   kj::Maybe<Token> token;
-  /// The bytes of a link's first message that have been read.
+  /// Holds the bytes of a link's first message that have been read.
   std::vector<std::byte> begun;
 };
 
-/// Control thread: reads as far as that needs; descriptors that come with so few bytes are closed.
-/// Rejects if the peer says nothing in time, or leaves.
+/// The control thread. Reads as many bytes as are needed to tell what the connection is for;
+/// descriptors that come with them are closed. Rejects if the peer sends nothing in time, or
+/// leaves.
 kj::Promise<Opened> readPreamble(EventPort& port, ByteStream bytes, const StreamLimits& limits);
 
-/// Says what the connection is for, which must be the first on it; false if it takes nothing.
+/// Sends the token, which must be the first thing on the connection. Returns false if the
+/// connection does not take it.
 bool sendToken(ByteStream& bytes, const Token& token);
-/// Control thread: says it, and waits until the peer says the same. Rejects if that does not await
-/// it.
+/// The control thread. Sends the token, and waits until the peer sends the same. Rejects if the
+/// peer does not await it.
 kj::Promise<ByteStream> exchangeToken(EventPort& port, ByteStream bytes, const Token& token);
 
 }  // namespace suture::rpc

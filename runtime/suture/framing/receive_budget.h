@@ -1,5 +1,5 @@
 #pragma once
-// Bounds the memory that peers make a process hold for messages that have not arrived whole.
+// This bounds the memory that peers make a process hold for messages that have not arrived whole.
 
 #include <cstddef>
 #include <map>
@@ -9,17 +9,17 @@
 
 namespace suture::rpc {
 
-/// The links of a server share it. It belongs to the control thread.
+/// Belongs to the control thread. The links of a server share one.
 class ReceiveBudget {
  public:
-  /// In bytes. All who have the same proof of who they are count as one peer: those of plain TCP
-  /// share one budget.
+  /// Are in bytes. All links with the same proof of who the peer is count as one peer, so all peers
+  /// by plain TCP share one budget.
   struct Limits {
     std::size_t peer = 64u << 20;
     std::size_t process = 256u << 20;
   };
 
-  /// Counts what one link holds, and gives it back at its end.
+  /// Counts what one link holds, and subtracts it again when the link ends.
   class Share {
    public:
     Share(std::shared_ptr<ReceiveBudget> budget, std::string peer)
@@ -28,7 +28,8 @@ class ReceiveBudget {
     Share(const Share&) = delete;
     Share& operator=(const Share&) = delete;
 
-    /// The link holds `bytes` from now on; if that is too much, it returns which limit is broken.
+    /// Says that the link holds `bytes` from now on. If that is too much, nothing changes, and the
+    /// text that is returned says which limit is broken.
     std::optional<std::string> hold(std::size_t bytes);
 
    private:

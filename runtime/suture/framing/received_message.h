@@ -1,5 +1,5 @@
 #pragma once
-// A message that has arrived whole: owns its bytes.
+// This is a message that has arrived whole and owns its bytes.
 
 #include <suture/loop/kj_comparisons.h>  // first
 
@@ -10,10 +10,10 @@
 
 namespace suture::rpc {
 
-/// Reads the segments of one frame. Belongs to the control thread.
+/// Belongs to the control thread. Reads the segments of one frame.
 class ReceivedMessage final : public capnp::MessageReader, public capnp::IncomingRpcMessage {
  public:
-  /// `frame`: a whole frame, starting with its header.
+  /// `frame` is a whole frame, starting with its header.
   ReceivedMessage(kj::Array<capnp::word> frame, const FrameHeader& header,
                   capnp::ReaderOptions limits, kj::Array<kj::AutoCloseFd> descriptors = nullptr)
       : MessageReader(limits),

@@ -1,5 +1,5 @@
 #pragma once
-// How an Errc travels as an exception of a remote call.
+// With this an Errc travels as an exception of a remote call.
 
 #include <kj/exception.h>
 #include <suture/base/errors.h>
@@ -9,15 +9,15 @@
 
 namespace suture::rpc {
 
-/// The rejection that tells `error` to the caller, as a number and in words. `invalid` is which
-/// part of a value it is about, if that is known.
+/// Returns the rejection that tells `error` to the caller, as a number and in words. `invalid` says
+/// which part of a value it is about, if that is known.
 kj::Exception remoteError(Errc error, const FieldPath& invalid = {});
 
-/// What a remote call ended in. A broken connection is OutcomeUnknown, anything else that did not
-/// come from remoteError() is Invalid.
+/// Returns how a remote call ended. A broken connection is OutcomeUnknown; anything else that did
+/// not come from remoteError() is Invalid.
 Errc errcOf(const kj::Exception& exception);
 
-/// The same in words: the peer's own where it has said more than an Errc.
+/// Returns the same in words: the peer's own if it has said more than an Errc.
 std::string reasonOf(const kj::Exception& exception);
 
 }  // namespace suture::rpc
