@@ -11,8 +11,8 @@
 namespace suture {
 namespace {
 
-/// The reads of one provided interface, with memory for a row of them. Values that live on the heap
-/// have no history, and are left out.
+/// Holds the reads of one provided interface, with memory for a row of them. Values that live on
+/// the heap have no history, so they are left out.
 class Rows {
  public:
   explicit Rows(ProvidedBase& provided)
@@ -99,7 +99,7 @@ void BlackBox::look(Watched& watched) {
     write(component, first, last, reason, file);
     options_.tell(what + ". Its last state is in " + file.string());
   } catch (const std::exception& error) {
-    // The part that is there would only take the room that the next file needs.
+    // The part that was written would only take the room that the next file needs.
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
     options_.tell(what + ". Its last state is not kept: " + error.what());

@@ -1,5 +1,5 @@
 #pragma once
-// What components were doing when one of them failed.
+// This records what components were doing when one of them failed.
 
 #include <suture/base/time.h>
 #include <suture/component/component.h>
@@ -15,26 +15,26 @@ namespace suture {
 
 struct BlackBoxOptions {
   std::filesystem::path folder;              ///< exists
-  std::string prefix = {};                   ///< of the files' names
+  std::string prefix = {};                   ///< before the component in the files' names
   Duration last = std::chrono::seconds(10);  ///< how far back it writes, if the tables keep it
   Duration period = std::chrono::milliseconds(10);  ///< how often it looks
-  /// How many rows of the past each interface keeps at least (ProvidedBase::keepState); 0: what its
-  /// component has asked for.
+  /// Is how many rows of the past each interface keeps at least (ProvidedBase::keepState); with 0
+  /// it keeps as many as its component has asked for.
   unsigned rows = 0;
-  /// Told what has been written, or why it could not be; in the box's thread.
+  /// Is called, in the box's thread, with what has been written or why it could not be.
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
-/// Watches components from a thread of its own. When one has been faulted, writes the rows of
-/// its state tables to "<folder>/<prefix><component>.<n>.jsonl" (JsonLines), n being the number
-/// of its fault. Faults that came since the last look share a file, that of the last of them;
-/// its first line says which they are. Tells of a disk that is full or a folder that is missing,
-/// leaves no part of a file there, and goes on. Replaces a file of that name, so another run of
-/// the process needs another prefix.
+/// Watches components from a thread of its own. When one has been faulted, writes the rows of its
+/// state tables to "<folder>/<prefix><component>.<n>.jsonl" (JsonLines), where n is the number of
+/// its fault. Faults that came since the last look share one file, which has the number of the last
+/// of them; its first line says which they are. If the disk is full or the folder is missing,
+/// reports that, leaves no part of a file there, and goes on. It replaces a file of the same name,
+/// so another run of the process needs another prefix.
 class BlackBox {
  public:
   /// Before the components are started and connected. Asks for all reads that they provide, so that
-  /// there are rows. They outlive this.
+  /// there are rows. The components must outlive this.
   BlackBox(const std::vector<Component*>& components, BlackBoxOptions options);
   ~BlackBox();
   BlackBox(const BlackBox&) = delete;
@@ -43,12 +43,13 @@ class BlackBox {
  private:
   struct Watched {
     Component* component;
-    std::uint64_t faults;  // as far as they have been seen
+    std::uint64_t faults;  // how many of them have been seen
   };
 
   void watch();
   void look(Watched& watched);
-  /// Faults number `first` to `last` of `component`, the last because of `reason`.
+  /// Writes the file for the faults number `first` to `last` of `component`, of which the last has
+  /// `reason`.
   void write(const Component& component, std::uint64_t first, std::uint64_t last,
              const std::string& reason, const std::filesystem::path& file) const;
 

@@ -7,7 +7,7 @@
 namespace suture {
 namespace {
 
-// Each counter has one writer, so it takes no read-modify-write.
+// Each counter has one writer, so it needs no read-modify-write.
 void add(std::atomic<std::uint64_t>& counter, std::uint64_t count) {
   counter.store(counter.load(std::memory_order_relaxed) + count, std::memory_order_relaxed);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What both kinds of collector have in common.
+// This is what both kinds of collector have in common.
 
 #include <suture/base/time.h>
 #include <suture/component/contract/interface_info.h>
@@ -12,28 +12,28 @@
 
 namespace suture {
 
-/// Switches collecting on and off, chooses what is kept and counts.
+/// Switches collecting on and off, chooses what is kept, and counts.
 class Collection {
  public:
-  /// Throws SetupError if there is no such interval.
+  /// Throws SetupError if the interval is not possible.
   Collection(const CollectingInterval& interval, bool on);
 
   // --- any thread
 
   void switchTo(bool on) { wanted_.store(on, std::memory_order_release); }
   bool wanted() const { return wanted_.load(std::memory_order_acquire); }
-  /// True between the first and the last thing that may be collected.
+  /// Returns true between the first and the last thing that may be collected.
   bool active() const { return active_.load(std::memory_order_acquire); }
   CollectedCounts counts() const;
 
-  // --- the collector's
+  // the collector's thread
 
   const CollectingInterval& interval() const { return interval_; }
-  /// False, and nothing changes, if there is no such interval.
+  /// Returns false, and changes nothing, if the interval is not possible.
   bool setInterval(const CollectingInterval& interval);
-  /// Begins, with all counts at zero, or ends.
+  /// Begins collecting, with all counts at zero, or ends it.
   void setActive(bool active);
-  /// True if what is stamped `stamp` is to be kept. Counts it.
+  /// Returns true if what has this stamp is to be kept. Counts it as collected or passed over.
   bool keep(Time stamp);
   void countMissed(std::uint64_t count);
 
@@ -45,11 +45,11 @@ class Collection {
   Time last_{};
 };
 
-/// The numbers of the reads of `contract` that are called `names`, of all if there are no names.
-/// Throws SetupError for a name that is not there.
+/// Returns the numbers of the reads of `contract` with these names, or of all if there are no
+/// names. Throws SetupError for a name that it does not have.
 std::vector<std::uint16_t> readsOf(const InterfaceInfo& contract,
                                    const std::vector<std::string>& names);
-/// The same of its events.
+/// Does the same for its events.
 std::vector<std::uint16_t> eventsOf(const InterfaceInfo& contract,
                                     const std::vector<std::string>& names);
 

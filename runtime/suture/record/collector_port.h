@@ -1,5 +1,5 @@
 #pragma once
-// Offers a collector's switch, interval and counts as a provided interface.
+// This offers a collector's switch, interval and counts as a provided interface.
 
 #include <suture/component/component.h>
 #include <suture/record/collection.h>
@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// A member of a collector, whose thread runs its commands: others connect to "Log/Collecting".
+/// Is a member of a collector, whose thread runs its commands. Others connect to "Log/Collecting".
 class CollectorPort final : private Collecting {
  public:
   CollectorPort(Component& collector, Collection& collection)

@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// What the collector listens to, of whatever contract.
+/// Is what the collector listens to, of any contract.
 class EventCollector::Source final : public RequiredBase {
  public:
   Source(Component& owner, const InterfaceInfo& contract)
@@ -51,17 +51,17 @@ void EventCollector::run() {
   if (std::exchange(unsettled_, false)) sink_.settle();
 }
 
-// Takes what has arrived by the end, also while it was suspended.
+// Takes what has arrived by the end, even while the collector was suspended.
 void EventCollector::onStop() {
   source_->handleEvents();
   run();
 }
 
-// Keeps up with the switch, the connection and what its queue dropped.
+// Follows the switch, the connection and what its queue has dropped.
 void EventCollector::follow() {
   const bool fresh = channel_ != source_->channel();
   if (fresh) {
-    if (collection_.active()) noticeDropped();  // by the connection of before
+    if (collection_.active()) noticeDropped();  // by the previous connection
     channel_ = source_->channel();
     droppedBefore_ = 0;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps the events of another component.
+// This records the events of another component.
 
 #include <suture/component/required.h>
 #include <suture/component/task/event_task.h>
@@ -16,29 +16,30 @@ namespace suture {
 
 struct EventCollectorOptions {
   std::vector<std::string> events = {};  ///< names of events; empty: all
-  CollectingInterval interval = {};      ///< of all its events together
+  CollectingInterval interval = {};      ///< for all its events together
   bool collecting = true;                ///< from the start
   rt::Scheduling scheduling = {};
 };
 
-/// A task whose required interface "Source" takes a provider of `contract`. In its own thread it
-/// hands each event to the sink. Events that the subscription's queue had no room for are counted
-/// as missed; of a latest() event only the newest is seen. What the sink throws parks the
-/// collector.
+/// Is a task whose required interface "Source" connects to a provider of `contract`. In its own
+/// thread it passes each event to the sink. Events for which the subscription's queue had no room
+/// are counted as missed; of a latest() event only the newest is seen. An exception of the sink
+/// parks the collector.
 class EventCollector final : public EventTask {
  public:
-  /// `sink` outlives the last cycle. Throws SetupError for an event that the contract has not.
+  /// `sink` must outlive the last cycle. Throws SetupError for an event that the contract does not
+  /// have.
   EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options, Sink& sink);
-  /// Keeps its sink alive.
+  /// Does the same, and keeps its sink alive.
   EventCollector(const InterfaceInfo& contract, const EventCollectorOptions& options,
                  std::shared_ptr<Sink> sink);
   ~EventCollector() override;
 
   // --- any thread
 
-  /// Events that it comes to from now on are kept; counts begin anew.
+  /// Keeps the events that it comes to from now on, and sets all counts to zero.
   void startCollecting();
-  /// Events that it comes to from now on are let go, uncounted.
+  /// Discards the events that it comes to from now on, without counting them.
   void stopCollecting();
   bool collecting() const { return collection_.active(); }
   CollectedCounts counts() const { return collection_.counts(); }
@@ -60,7 +61,7 @@ class EventCollector final : public EventTask {
   CollectedInterface from_;
   std::shared_ptr<Channel> channel_;
   bool unsettled_ = false;           // the sink has been given something
-  std::uint64_t droppedBefore_ = 0;  // of channel_, as far as it has been counted
+  std::uint64_t droppedBefore_ = 0;  // how many of channel_ have been counted
 };
 
 }  // namespace suture

@@ -13,15 +13,15 @@
 namespace suture {
 namespace {
 
-// A row's own keys, and those that tell the other lines from a row, must stay what they
-// are.
+// Returns the key of a read. The keys that a row has itself, and those that tell the other lines
+// from a row, must keep their meaning.
 std::string keyOf(const std::string& read) {
   static constexpr std::string_view kTaken[] = {"from", "row", "stamp", "event", "missed", "fault"};
   const bool taken = std::find(std::begin(kTaken), std::end(kTaken), read) != std::end(kTaken);
   return taken ? "read." + read : read;
 }
 
-// The generated code knows how a slot becomes a message, and the schema what that says.
+// The generated code turns a slot into a message, and the schema says what that means.
 Json valueOf(const std::byte* slot, const rpc::MessageCodec& codec, capnp::StructSchema schema) {
   capnp::MallocMessageBuilder message;
   codec.encode(slot, message.getRoot<capnp::AnyPointer>());
@@ -56,7 +56,7 @@ JsonLines::JsonLines(const std::filesystem::path& file) : file_(file), out_(file
 }
 
 void JsonLines::write(const Json& line) {
-  // Text that is not UTF-8 came from a component; it does not end a recording.
+  // Text that is not UTF-8 came from a component, and must not end a recording.
   out_ << line.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }
 

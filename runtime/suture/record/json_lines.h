@@ -1,5 +1,5 @@
 #pragma once
-// A sink that writes one JSON object a line.
+// This is a sink that writes one JSON object to each line.
 
 #include <suture/record/sink.h>
 
@@ -11,13 +11,14 @@
 
 namespace suture {
 
-/// Any number of collectors at a time; they wait for each other here, and for the file.
+/// Any number of collectors at the same time, which wait for each other here and for the file.
+/// Writes lines like these:
 ///   {"from":"Collector","row":17,"stamp":81234567,"measured_cp":{...},"measured_js":null}
 ///   {"from":"Collector","event":"mode","stamp":81234999,"value":"Enabled"}
 ///   {"from":"Collector","missed":3}
 ///   {"from":"PSM","fault":"the drive did not answer","first":2,"last":4}
-/// A value is what `suture read --json` gives of it. A read whose name is that of another key of
-/// these lines, as "row", is called "read.row". Stamps are ns of this machine's steady clock.
+/// A value is written as `suture read --json` shows it. A read whose name is that of another key of
+/// these lines, such as "row", is called "read.row". Stamps are ns of this machine's steady clock.
 class JsonLines final : public Sink {
  public:
   /// Replaces the file. Throws SetupError if it cannot be written.
@@ -28,21 +29,22 @@ class JsonLines final : public Sink {
   void event(const CollectedInterface& from, std::uint16_t event, Time stamp,
              const std::byte* slot) override;
   void missed(const CollectedInterface& from, std::uint64_t count) override;
-  /// `component` has had its faults number `first` to `last`, the last because of `reason`.
+  /// Writes that `component` has had its faults number `first` to `last`, of which the last has
+  /// `reason`.
   void faults(const std::string& component, std::uint64_t first, std::uint64_t last,
               const std::string& reason);
 
-  /// What has been written so far is in the file. Throws SetupError if the file system did not take
-  /// all of it.
+  /// Brings what has been written so far into the file. Throws SetupError if the file system did
+  /// not take all of it.
   void settle() override;
-  /// The same. False if the file system did not take all of it.
+  /// Does the same. Returns false if the file system did not take all of it.
   bool flush();
 
  private:
   void write(const nlohmann::ordered_json& line);
 
   const std::filesystem::path file_;
-  std::mutex mutex_;  // of collectors' threads alone
+  std::mutex mutex_;  // locked only by the threads of collectors
   std::ofstream out_;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where collectors put what they collect.
+// Collectors put what they collect into a sink.
 
 #include <suture/base/time.h>
 #include <suture/component/contract/interface_info.h>
@@ -11,34 +11,38 @@
 
 namespace suture {
 
-/// The interface that a collector observes. Lives as long as the collector.
+/// Is the interface that a collector observes. Lives as long as the collector.
 struct CollectedInterface {
   std::string collector;  ///< the collector's name
   const InterfaceInfo& contract;
 };
 
-/// One value of a row.
+/// Is one value of a row.
 struct CollectedValue {
   std::uint16_t read;     ///< the number of the read command in its contract
   const std::byte* slot;  ///< nullptr: not produced in this row, too large, or invalid
 };
 
-/// A file, a network, a test. May be slow: what is lost by that is counted. Called by the thread of
-/// each collector that uses it; one that serves several must expect calls at the same time.
+/// The thread of each collector that uses it calls it; one that serves several must expect calls at
+/// the same time. It may be a file, a network or a test, and may be slow: what is lost because of
+/// that is counted.
 class Sink {
  public:
   virtual ~Sink() = default;
 
-  /// A row of state. `number`: counts the rows of its table, from 1. The slots live until this
+  /// Takes a row of state. `number` counts the rows of its table, from 1. The slots live until this
   /// returns.
   virtual void row(const CollectedInterface& from, std::uint64_t number, Time stamp,
                    std::span<const CollectedValue> values) = 0;
-  /// An event; its slot lives until this returns, and is of no use if the event carries nothing.
+  /// Takes an event. Its slot lives until this returns, and has no meaning if the event carries
+  /// nothing.
   virtual void event(const CollectedInterface& from, std::uint16_t event, Time stamp,
                      const std::byte* slot) = 0;
-  /// So many rows or events have been lost here, since they came faster than they were taken.
+  /// Is told that `count` rows or events have been lost at this place, because they came faster
+  /// than they were taken.
   virtual void missed(const CollectedInterface& from, std::uint64_t count) = 0;
-  /// The collector has nothing more at present: what waits for more may go on its way.
+  /// Is told that the collector has nothing more at present, so what waits for more may be written
+  /// or sent.
   virtual void settle() {}
 };
 

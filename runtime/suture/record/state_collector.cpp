@@ -6,17 +6,17 @@
 
 namespace suture {
 
-/// What the collector looks at, of whatever contract.
+/// Is what the collector looks at, of any contract.
 class StateCollector::Source final : public RequiredBase {
  public:
   Source(Component& owner, const InterfaceInfo& contract)
       : RequiredBase(owner, "Source", contract) {}
 
-  /// The provider's state; nullptr without a connection.
+  /// Returns the provider's state; nullptr without a connection.
   std::shared_ptr<rt::StateTable> state() {
     return unusable() == Errc{} ? channel()->state : nullptr;
   }
-  /// With a connection: its rows from now on hold the reads `wanted`.
+  /// Call this only with a connection. Asks that its rows from now on hold the reads `wanted`.
   void ask(const std::vector<std::uint16_t>& wanted) {
     rt::ColumnSet columns = 0;
     for (const std::uint16_t read : wanted) {
@@ -25,7 +25,8 @@ class StateCollector::Source final : public RequiredBase {
     }
     if (channel()->state->askAll(columns)) owner().ringLater(*channel()->ends.provider);
   }
-  /// False for a copy that the contract does not admit: another process may have written it.
+  /// Returns false for a copy that the contract does not admit, because another process may have
+  /// written it.
   bool admits(std::uint16_t read, const std::byte* copy) const {
     const CommandInfo& command = info().commands[read];
     return channel() == nullptr ? command.admitsResult(copy) : channel()->admitsCopy(command, copy);
@@ -75,11 +76,11 @@ void StateCollector::run() {
   }
 }
 
-// Takes the rows that are there at the end.
+// Takes the rows that are left at the end.
 void StateCollector::onStop() { run(); }
 
-// A connection that was made anew has a table of its own, and counts go on. Fix the row to take
-// before asking, since that may bring about the first row at once.
+// A connection that was made anew has a table of its own, while the counts go on. Fix the row to
+// take before asking, because asking may bring about the first row at once.
 void StateCollector::begin() {
   from_.collector = name();
   next_ = table_->rows() + 1;
@@ -95,7 +96,7 @@ void StateCollector::takeRows() {
       ++next_;
       continue;
     }
-    // The row is overwritten, and so is all that the writer has left behind since.
+    // The row is overwritten, and so are all rows that are more than one lap behind the writer.
     newest = table_->rows();
     const std::uint64_t capacity = table_->capacity();
     const std::uint64_t oldest = newest >= capacity ? newest - capacity + 1 : 1;

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps the rows of another component's state.
+// This records the rows of another component's state.
 
 #include <suture/component/required.h>
 #include <suture/component/task/periodic_task.h>
@@ -21,33 +21,36 @@ namespace suture {
 struct StateCollectorOptions {
   std::vector<std::string> reads = {};  ///< names of read commands; empty: all
   CollectingInterval interval = {};
-  /// How often it looks. The provider must keep more rows than it publishes meanwhile
+  /// Is how often it looks. The provider must keep more rows than it publishes meanwhile
   /// (ProvidedBase::keepState), or rows are missed.
   Duration period = std::chrono::milliseconds(10);
   bool collecting = true;  ///< from the start
   rt::Scheduling scheduling = {};
 };
 
-/// A task whose required interface "Source" takes a provider of `contract`. In its own thread it
-/// hands each row to the sink, or counts it as missed if it was overwritten before. Over other
-/// lanes than `local` the rows are those that arrived. What the sink throws parks the collector.
+/// Is a task whose required interface "Source" connects to a provider of `contract`. In its own
+/// thread it passes each row to the sink, or counts it as missed if it was overwritten before. Over
+/// lanes other than `local` the rows are those that arrived. An exception of the sink parks the
+/// collector.
 ///   StateCollector collector{interfaceInfo<Arm>(), {.reads = {"measured_cp"}}, sink};
 ///   manager.add("Collector", collector);
 ///   manager.connect("Collector/Source", "PSM/Arm");
 class StateCollector final : public PeriodicTask {
  public:
-  /// `sink` outlives the last cycle. Throws SetupError for a read that the contract has not.
+  /// `sink` must outlive the last cycle. Throws SetupError for a read that the contract does not
+  /// have.
   StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options, Sink& sink);
-  /// Keeps its sink alive.
+  /// Does the same, and keeps its sink alive.
   StateCollector(const InterfaceInfo& contract, const StateCollectorOptions& options,
                  std::shared_ptr<Sink> sink);
   ~StateCollector() override;
 
   // --- any thread
 
-  /// From the collector's next cycle on, rows published from then on are kept; counts begin anew.
+  /// From the collector's next cycle on, keeps the rows that are published from then on, and sets
+  /// all counts to zero.
   void startCollecting() { collection_.switchTo(true); }
-  /// The next cycle is the last that keeps rows.
+  /// Makes the next cycle the last that keeps rows.
   void stopCollecting() { collection_.switchTo(false); }
   bool collecting() const { return collection_.active(); }
   CollectedCounts counts() const { return collection_.counts(); }
