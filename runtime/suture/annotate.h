@@ -1,5 +1,5 @@
 #pragma once
-// The annotation vocabulary: what an engineer writes in a header so that suturec can read it.
+// This is the annotation vocabulary: an engineer writes it in a header so that suturec can read it.
 //
 // Under every compiler but suturec the macros expand to nothing. Under suturec each becomes a
 // [[clang::annotate]] whose arguments are constexpr calls into suture::dsl, so clang itself reports
@@ -31,13 +31,14 @@ struct EventOf {};
 template <class T>
 struct Wire;
 
-/// Written by suturec: reaches the members of a T that has SUTURE_FRIEND().
+/// Is written by suturec, and reaches the members of a T that has SUTURE_FRIEND().
 template <class T>
 struct Members;
 
 }  // namespace suture
 
-/// Inside a SUTURE_TYPE: its private members are on the wire too. No semicolon behind it.
+/// Stands inside a SUTURE_TYPE whose private members are to be on the wire too. No semicolon stands
+/// behind it.
 #define SUTURE_FRIEND()       \
   template <class SutureType> \
   friend struct ::suture::Members;
@@ -46,8 +47,9 @@ struct Members;
 
 using namespace std::chrono_literals;
 
-// Its functions are constexpr and not consteval: clang 19 crashes on a consteval call in the
-// annotation of a nested struct's member that has a default, where std::optional holds that struct.
+// These functions are constexpr and not consteval, because clang 19 crashes on a consteval call in
+// the annotation of a nested struct's member that has a default, where std::optional holds that
+// struct.
 namespace suture::dsl {
 
 using Nanoseconds = std::chrono::nanoseconds;
@@ -123,60 +125,62 @@ struct Member : Arguments... {
   Pointer pointer;
 };
 
-/// Unit of a number, SI or derived: "m", "rad", "m/s", "N.m".
+/// Names the unit of a number, SI or derived: "m", "rad", "m/s", "N.m".
 constexpr Unit unit(const char* symbol) { return {symbol}; }
-/// Inclusive range that the receiving end enforces.
+/// Sets the range, including both ends, which the receiving end enforces.
 constexpr Range range(double lowest, double highest) { return {lowest, highest}; }
-/// Upper bounds of strings, lists, maps (one number each) and matrices (rows, columns), outside in.
+/// Sets the upper bounds of strings, lists, maps (one number each) and matrices (rows, columns),
+/// from the outside in.
 template <class... Bounds>
 constexpr Capacity capacity(unsigned first, Bounds... more) {
   static_assert(sizeof...(more) < 8, "a type has at most eight bounds");
   return {first, static_cast<unsigned>(more)...};
 }
-/// The name this had before: keeps its place on the wire.
+/// Says which name this had before, so that it keeps its place on the wire.
 constexpr Was was(const char* name) { return {name}; }
-/// The name on the wire, where the C++ name will not do.
+/// Sets the name on the wire, if it cannot be the C++ name.
 constexpr Name name(const char* wireName) { return {wireName}; }
-/// How many of this command or event may wait.
+/// Sets how many of this command or event may wait.
 constexpr Queue queue(unsigned depth) { return {depth}; }
-/// Only the newest counts: a waiting older one is replaced.
+/// Says that only the newest counts, which replaces an older one that waits.
 constexpr Latest latest() { return {true}; }
-/// A command older than this when its turn comes is discarded and counted as late.
+/// Sets the age beyond which a command is discarded when its turn comes, and counted as late.
 constexpr Ttl ttl(Nanoseconds age) { return {age.count()}; }
-/// A late subscriber receives the last value.
+/// Says that a client that subscribes later receives the last value.
 constexpr Latched latched() { return {true}; }
-/// How long within() waits for the answer of this command when it is not told otherwise.
+/// Sets how long within() waits for the answer of this command if the call does not say.
 constexpr Deadline deadline(Nanoseconds limit) { return {limit.count()}; }
-/// A command that a provider may lack, or a required interface that may stay unconnected.
+/// Says that a provider may lack this command, or that this required interface may stay
+/// unconnected.
 constexpr Optional optional() { return {true}; }
-/// A qualified read that may run beside the component, in the thread of a caller in the same
+/// Says that a qualified read may run beside the component, in the thread of a caller in the same
 /// process. For other callers it runs in the component's own thread.
 constexpr Concurrent concurrent() { return {true}; }
-/// A command that needs no queue because it only touches atomics: it runs at once, before what
+/// Says that a command needs no queue because it only touches atomics: it runs at once, before what
 /// waits in the queue, in the thread of a caller in the same process. For other callers it is
 /// queued and runs in the component's own thread.
 constexpr Direct direct() { return {true}; }
-/// The names and payloads of this contract follow CRTK; suturec checks them.
+/// Says that the names and payloads of this contract follow CRTK, which suturec checks.
 constexpr Crtk crtk() { return {true}; }
-/// The major version of a contract: two versions do not connect.
+/// Sets the major version of a contract. Two versions do not connect.
 constexpr Version version(unsigned number) { return {number}; }
-/// The version that this came with: of its contract, or of what the project calls one.
+/// Says with which version this came: of its contract, or of what the project calls one.
 constexpr Since since(unsigned version) { return {version}; }
-/// The compiler warns whoever still uses this, and gives the reason.
+/// Makes the compiler warn where this is still used, and give the reason.
 constexpr Deprecated deprecated(const char* why) { return {why}; }
-/// Values older than this are stale to the component, unless a connection says otherwise.
+/// Sets the age beyond which values are stale to the component, unless a connection says otherwise.
 constexpr MaxAge max_age(Nanoseconds age) { return {age.count()}; }
-/// The field is not part of the value: it stays in this process.
+/// Says that the field is not part of the value, and stays in this process.
 constexpr Skip skip() { return {true}; }
-/// A receiver takes this enumerator for each one that it does not know.
+/// Makes a receiver use this enumerator for each one that it does not know.
 constexpr Fallback fallback() { return {true}; }
-/// The list or matrix of numbers travels as one block of little-endian bytes, which is faster
-/// to copy and which no other language reads without knowing so.
+/// Makes a list or matrix of numbers travel as one block of little-endian bytes, which is faster to
+/// copy, and which a program in another language cannot read without knowing this.
 constexpr Bulk bulk() { return {true}; }
-/// All public members of an external type are on the wire; those that are listed too have their own
-/// annotations, of which skip() takes one out.
+/// Puts all public members of an external type on the wire. Those that are listed too have their
+/// own annotations, of which skip() takes one out.
 constexpr All all() { return {true}; }
-/// A member of an external type, with what else would stand in its SUTURE_FIELD.
+/// Names a member of an external type, with what would stand in its SUTURE_FIELD.
 template <class Pointer, class... Arguments>
 constexpr Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arguments) {
   return {arguments..., pointer};
@@ -184,7 +188,7 @@ constexpr Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arg
 
 }  // namespace suture::dsl
 
-// Qualifies each argument with ::suture::dsl:: (up to eight of them).
+// This qualifies each argument with ::suture::dsl:: (up to eight of them).
 #define SUTURE_DSL_1(a) , ::suture::dsl::a
 #define SUTURE_DSL_2(a, ...) SUTURE_DSL_1(a) SUTURE_DSL_1(__VA_ARGS__)
 #define SUTURE_DSL_3(a, ...) SUTURE_DSL_1(a) SUTURE_DSL_2(__VA_ARGS__)
@@ -208,8 +212,9 @@ constexpr Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arg
 #define SUTURE_COMPONENT(...) SUTURE_ANNOTATE("component", __VA_ARGS__)
 #define SUTURE_REQUIRED(...) SUTURE_ANNOTATE("required", __VA_ARGS__)
 
-// Each item of SUTURE_EXTERNAL_TYPE is all(), name("..."), member(m, ...) or a member's plain name,
-// which becomes a dsl call. Pasting tells what `item` is: only the first three are macros then.
+// Each item of SUTURE_EXTERNAL_TYPE is all(), name("..."), member(m, ...) or the plain name of a
+// member, and becomes a dsl call. Pasting finds out which it is, because only the first three are
+// macros then.
 #define SUTURE_ITEM_member(...) ~, SUTURE_ITEM_ANNOTATED
 #define SUTURE_ITEM_name(...) ~, SUTURE_ITEM_CALL
 #define SUTURE_ITEM_all(...) ~, SUTURE_ITEM_CALL
@@ -251,8 +256,8 @@ constexpr Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arg
 #define SUTURE_EVENT(...)
 #define SUTURE_COMPONENT(...)
 #define SUTURE_REQUIRED(...)
-/// At namespace scope, for a struct or enum that cannot be edited. Without a list, or with all(),
-/// each public member is on the wire, else those that are listed, by name or as
+/// Stands at namespace scope, for a struct or enum that cannot be edited. Without a list, or with
+/// all(), each public member is on the wire; otherwise those that are listed, by name or as
 /// member(m, unit("m"), ...). A semicolon stands behind it.
 #define SUTURE_EXTERNAL_TYPE(T, ...) static_assert(true)
 
