@@ -1,11 +1,11 @@
 #pragma once
-// The numbers by which an arm says what it refuses and what befalls it.
+// These are the numbers by which an arm says what it refuses and what has happened to it.
 
 #include <cstdint>
 
 namespace robots {
 
-/// The code of an arm's warning or error.
+/// Is the code of an arm's warning or error.
 enum class ArmWarning : std::uint32_t {
   NotEnabled = 1,  ///< motion commands need an enabled arm
   OutOfReach,      ///< no joint vector reaches the goal; for a move, none within limits

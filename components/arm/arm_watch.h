@@ -1,5 +1,5 @@
 #pragma once
-// What a client knows of an arm's readiness, and how it makes an arm ready.
+// This is what a client knows of an arm's readiness, and how it makes an arm ready.
 
 #include <suture/component/required.h>
 
@@ -10,8 +10,8 @@
 
 namespace robots {
 
-/// Follows the operating state of the arm behind one required interface. A member of the component
-/// that owns that interface, declared after it; belongs to the same thread.
+/// Belongs to the thread of the component that owns the required interface, which has it as a
+/// member declared after that interface. Follows the operating state of the arm behind it.
 class ArmWatch {
  public:
   explicit ArmWatch(suture::Required<Arm>& arm) : arm_(arm) {
@@ -29,23 +29,24 @@ class ArmWatch {
   ArmWatch(const ArmWatch&) = delete;
   ArmWatch& operator=(const ArmWatch&) = delete;
 
-  /// The arm has power and knows where it is.
+  /// Returns true if the arm has power and knows where it is.
   bool isUp() const { return state_ == ArmState::Enabled && homed_; }
-  /// A move is under way.
+  /// Returns true if a move is under way.
   bool busy() const { return busy_; }
-  /// The arm obeys servo commands.
+  /// Returns true if the arm obeys servo commands.
   bool ready() const { return isUp() && !busy_; }
 
-  /// Since the last call the arm has refused a goal that lies too far from its set-point: whoever
-  /// streams goals begins anew, from where the arm is, or the arm would refuse them for ever.
+  /// Returns true if the arm has refused a goal since the last call because it lies too far from
+  /// the set-point. A client that streams goals must then begin anew from where the arm is, because
+  /// the arm would refuse all further ones.
   bool hasBrokenOff() { return std::exchange(brokenOff_, false); }
 
-  /// Since the last call the arm has refused a goal, and will refuse the next one: its tool is not
-  /// in, or the goal is no pose.
+  /// Returns true if the arm has refused a goal since the last call and will refuse the next one,
+  /// because its tool is not in or the goal is no pose.
   bool refuses() { return std::exchange(refuses_, false); }
 
-  /// Once a cycle: enables and homes the arm, each at most once, so that an arm which someone
-  /// disabled, or which came back after a failure, stays disabled.
+  /// Call this once a cycle. It enables and homes the arm, each at most once, so that an arm which
+  /// someone disabled, or which came back after a failure, stays disabled.
   void prepare() {
     if (state_ == ArmState::Disabled && !enableAsked_) {
       enableAsked_ = arm_.enable().has_value();
@@ -53,7 +54,7 @@ class ArmWatch {
       homeAsked_ = arm_.home().has_value();
     }
   }
-  /// An operator's decision: prepare() may ask again.
+  /// Lets prepare() ask again, which an operator must have decided.
   void permit() { enableAsked_ = homeAsked_ = false; }
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Which poses of an arm may be acted on.
+// This says which poses of an arm a client may act on.
 
 #include <suture/base/sample.h>
 #include <suture/base/time.h>
@@ -8,15 +8,15 @@
 
 namespace robots {
 
-/// The pose, in the frame of its source, if it is valid and its row is no older than `maxAge`; else
-/// null. Any thread; lives as long as `sample`.
+/// Any thread. Returns the pose, in the frame of its source, if it is valid and its row is no older
+/// than `maxAge`; else null. It lives as long as `sample`.
 inline const PoseStamped* freshPose(const suture::Sample<PoseStamped>& sample,
                                     suture::Duration maxAge) {
   return sample && sample.age() <= maxAge && sample->valid ? &*sample : nullptr;
 }
 
-/// The same, if it was also measured no longer ago than `maxAge`: a row may be newer than what it
-/// carries.
+/// Returns the same if it was also measured no longer ago than `maxAge`; else null. A row may be
+/// newer than the measurement that it carries.
 inline const PoseStamped* freshMeasurement(const suture::Sample<PoseStamped>& sample,
                                            suture::Duration maxAge) {
   const PoseStamped* const pose = freshPose(sample, maxAge);

@@ -10,8 +10,8 @@
 namespace robots {
 namespace {
 
-// The arm says these of what it does when a command has led it to each of the states, in their
-// order.
+// These are the activities that the arm reports when a command has led it to each of the states, in
+// their order.
 constexpr std::array<const char*, 5> kActivities{"", "", "holding", "paused", ""};
 
 bool mayHavePower(DrivePower power) { return power == DrivePower::Off || power == DrivePower::On; }
@@ -197,8 +197,8 @@ void ArmController<N>::step(suture::Time now, const std::optional<DriveReading<N
   begun_.reset();
 }
 
-/// After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
-/// A move that was asked for since then begins now, from where the joints are.
+/// After such a pause the drives have dropped the arm's last goal, so the arm does not go on with
+/// it. A move that was asked for since then begins now, from where the joints are.
 template <int N>
 void ArmController<N>::goOnAfterPause() {
   const std::optional<Joints> begun = begun_;
@@ -225,7 +225,7 @@ void ArmController<N>::take(const std::optional<DriveReading<N>>& drives) {
   }
 }
 
-// A stop may be over before the arm looks, so it also looks at when power was permitted.
+// A stop may be over before the arm looks, so it also compares when power was permitted.
 template <int N>
 void ArmController<N>::obeyPower() {
   const bool isLost = !mayHavePower(reading_.power) || reading_.permitted != permitted_;
@@ -255,7 +255,7 @@ std::optional<int> ArmController<N>::trailing() const {
   return std::nullopt;
 }
 
-// After a jump nobody knows where the arm is, with power or without.
+// After a jump the arm does not know where it is, with power or without.
 template <int N>
 void ArmController<N>::obey(const DriveFault& fault) {
   const bool jumped = fault.reason == ArmWarning::EncoderJump;
@@ -376,7 +376,7 @@ void ArmController<N>::interpolate(const ServoTarget& target, suture::Time goalS
   double wanted = 0;
   if (line_) {
     const double since = secondsBetween(line_->begin(), lastStep_);
-    if (since < kLongest) wanted = since > 0 ? since : line_->wanted();  // two of one cycle
+    if (since < kLongest) wanted = since > 0 ? since : line_->wanted();  // two goals in one cycle
   }
   const JointLine<N> line(setpoint_, target.q, model_.rate_limit, lastStep_, wanted);
   const bool slid = sliding_;

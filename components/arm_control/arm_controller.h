@@ -27,14 +27,15 @@
 
 namespace robots {
 
-/// Cartesian control is refused until the frame behind so many joints has been `least` + `buffer`
-/// from the base's origin, and once it is nearer than `least` again.
+/// Says when an arm refuses Cartesian control: until the frame behind the first `joints` joints has
+/// been `least` + `buffer` from the base's origin, and again once it is nearer than `least`.
 struct InsertionRule {
   int joints;
   double least, buffer;  ///< m
 };
 
-/// How one arm is built and what it may do. Joint vectors in rad, or m for a prismatic joint.
+/// Says how one arm is built and what it may do. Joint vectors are in rad, or m for a prismatic
+/// joint.
 template <int N>
 struct ArmModel {
   using Joints = Eigen::Matrix<double, N, 1>;
@@ -43,21 +44,21 @@ struct ArmModel {
   std::array<const char*, std::size_t{N}> joint_names;
   Joints home;        ///< where home() takes it
   Joints rate_limit;  ///< rad/s or m/s
-  /// Moves speed up and slow down no faster; rad/s2 or m/s2.
+  /// Bounds how fast moves speed up and slow down; rad/s2 or m/s2.
   Joints acceleration_limit = Joints::Constant(std::numeric_limits<double>::infinity());
-  /// A joint that trails its set-point by more faults the arm.
+  /// A joint that trails its set-point by more than this faults the arm.
   Joints following_error = Joints::Constant(std::numeric_limits<double>::infinity());
-  /// What the drives may measure of the joints; the rates are those above.
+  /// These and the rates above bound what the drives may measure of the joints.
   Joints effort_limit = Joints::Constant(std::numeric_limits<double>::infinity());  ///< N.m or N
-  Joints encoder_step = Joints::Zero();  ///< rad or m: what one count is of the joint
+  Joints encoder_step = Joints::Zero();  ///< rad or m: how far the joint moves in one count
   DriveBounds tool = {};
   DriveWatchOptions watch = {};
-  /// It tells the efforts that carry the arm's weight, if that is known.
+  /// Computes the efforts that carry the arm's weight, if that is known.
   std::optional<dynamics::ArmDynamics<N>> weight = {};
   std::optional<InsertionRule> insertion = {};
-  /// s: a servo goal may lie so far from the set-point as the joints can move in this time.
+  /// In s: a servo goal may lie as far from the set-point as the joints can move in this time.
   double servo_horizon = 0.1;
-  /// The arm's own closed form, if it has one.
+  /// Is the arm's own closed form, if it has one.
   kinematics::InverseFunction<N> inverse = kinematics::searched<N>;
 
   auto solve(const Eigen::Isometry3d& goal, const Joints& start,
@@ -69,22 +70,22 @@ struct ArmModel {
 template <int N>
 class CrtkArm;
 
-/// Turns the commands of an arm into set-points of its joints, and what its drives measure into the
-/// arm's state. Poses are of the tool tip in the arm's base frame. Confined to one thread; only the
+/// One thread. Turns the commands of an arm into set-points of its joints, and what its drives
+/// measure into the arm's state. Poses are of the tool tip in the arm's base frame. Only the
 /// constructor allocates.
 template <int N>
 class ArmController {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// Undefined, until step() has a reading of drives that may have power: now and after
+  /// The arm is undefined until step() has a reading of drives that may have power, now and after
   /// startAnew().
   explicit ArmController(const ArmModel<N>& model);
   ArmController(const ArmController&) = delete;
   ArmController& operator=(const ArmController&) = delete;
   virtual ~ArmController() = default;
 
-  /// Does what after() says, or refuses.
+  /// Does what after() says (operating_states.h), or refuses.
   void obey(StateCommand command);
   void hold();
   void servo_cp(const PoseStamped& goal);
@@ -101,23 +102,26 @@ class ArmController {
   PoseStamped forward_kinematics(const JointGoal& q) const;
   JointSolution inverse_kinematics(const PoseStamped& goal) const;
 
-  /// `client` is gone: if the arm follows a stream of its goals, that ends as hold(), and the arm
-  /// says so. A move goes on to its end.
+  /// Says that `client` is gone: if the arm follows a stream of its goals, the stream ends as with
+  /// hold(), and the arm reports it. A move goes on to its end.
   void clientGone(const suture::ConnectedClient& client);
 
   void startAnew();
 
-  /// One cycle at time `now`, after the commands that arrived for it. None: the drives are silent.
+  /// Executes one cycle at time `now`, after the commands that arrived for it. `drives` is none if
+  /// the drives are silent.
   void step(suture::Time now, const std::optional<DriveReading<N>>& drives);
 
-  /// From this cycle on the drives shall hold power if this is true, and follow the set-point. An
-  /// arm in FAULT has none: to hold it would close a loop over what it has just found wrong.
+  /// Returns true if the drives shall have power from this cycle on, and follow the set-point. An
+  /// arm in FAULT has none, because holding it would close a loop over what it has just found
+  /// wrong.
   bool powered() const {
     return state_.state == ArmState::Enabled || state_.state == ArmState::Paused;
   }
   const Joints& setpoint() const { return setpoint_; }
 
-  /// The client whose command is being executed; null if it cannot be gone before the arm is.
+  /// Returns the client whose command is being executed; null if it cannot be gone before the arm
+  /// is.
   virtual const suture::ConnectedClient* asking() const { return nullptr; }
 
  private:
@@ -127,17 +131,17 @@ class ArmController {
   void unhome();
   /// Changes to `state`, in which the arm rests where its joints are.
   void restIn(ArmState state, const char* activity);
-  /// Takes what the drives measured, and goes where they lead: they stop, or fall silent.
+  /// Takes what the drives measured, and changes the state of the arm if they stop or fall silent.
   void take(const std::optional<DriveReading<N>>& drives);
   void obeyPower();
   void obeyInsertion();
-  /// The joint that trails its set-point by too much, if one does.
+  /// Returns the joint that trails its set-point by too much, if one does.
   std::optional<int> trailing() const;
   void obey(const DriveFault& fault);
   void tell(const DriveFault& fault);
   void fail(const DriveFault& fault, const char* activity);
   bool mayMove();
-  /// The same of Cartesian commands.
+  /// Does the same for Cartesian commands.
   bool mayMoveTip();
   void warn(ArmWarning reason) { warnings_.warn(reason); }
   std::nullopt_t refused(ArmWarning reason) {
@@ -149,26 +153,26 @@ class ArmController {
   void startMove(const Joints& goal, bool homing);
   void endMove(bool reached);
   void follow(const Joints& setpoint, suture::Time goalStamp, const char* activity);
-  /// The same for what a client streams.
+  /// Does the same for a set-point that a client streams.
   void followStream(const Joints& setpoint, suture::Time goalStamp, const char* activity);
-  /// A set-point that a servo goal leads to.
+  /// Is a set-point that a servo goal leads to.
   struct ServoTarget {
     Joints q;
     bool limited;  ///< the goal itself lies beyond a joint limit
   };
   ServoTarget withinLimits(const Joints& q) const;
-  /// None, and the arm has said so, if it may not move or the goal leads nowhere.
+  /// Returns none, and warns, if the arm may not move or the goal leads nowhere.
   std::optional<ServoTarget> target(const PoseStamped& goal);
   std::optional<ServoTarget> target(const JointGoal& goal);
-  /// The same for a goal of a position, unless it is too far for one step.
+  /// Follows the goal of a servo command of positions, unless it is too far for one step.
   void servo(const ServoTarget& target, suture::Time goalStamp, const char* activity);
-  /// The same for a goal to be at when the next one comes.
+  /// Follows a goal that the set-point shall reach when the next one comes.
   void interpolate(const ServoTarget& target, suture::Time goalStamp, const char* activity);
-  /// Where the set-point will be, unless another command comes.
+  /// Returns where the set-point will be, unless another command comes.
   Joints interpolated() const { return line_ ? line_->to() : setpoint_; }
-  /// Says it when the arm begins to slide along a limit.
+  /// Warns when the arm begins to slide along a limit.
   void slide(bool limited, bool slid);
-  /// What has happened has been told.
+  /// Forgets what has happened, once it has been reported.
   void forgetNews();
   void publish(suture::Time now);
 
@@ -177,7 +181,7 @@ class ArmController {
   DriveReading<N> reading_;  // what the drives measured last
   bool inserted_;            // far enough for Cartesian control
   bool heard_ = false;       // in this cycle there is a reading
-  suture::Time permitted_;   // by which permit of power the arm was enabled
+  suture::Time permitted_;   // the permit of power under which the arm was enabled
   suture::Time lastStep_;
   Joints setpoint_;
   SetpointRate<N> setpointRate_;
@@ -187,7 +191,7 @@ class ArmController {
   std::optional<Joints> begun_;       // the goal of a move that has begun since the last step
   std::optional<JointLine<N>> line_;  // to the last goal that is interpolated
   bool homing_ = false;
-  StreamWatch servoing_;                               // whatever else the arm does ends it
+  StreamWatch servoing_;                               // any other activity of the arm ends it
   const suture::ConnectedClient* streamer_ = nullptr;  // whose stream is followed
   bool sliding_ = false;                               // along a joint limit
   MoveRatios moveRatios_;
@@ -198,10 +202,10 @@ class ArmController {
 
   bool stateChanged_ = true;
   std::optional<bool> moveEnded_;
-  std::optional<ArmState> desired_;  // what a command asked for, until it is told
+  std::optional<ArmState> desired_;  // what a command asked for, until it is reported
   Warnings warnings_;
   std::string_view refusal_;  // why the last state command was refused
-  std::string_view culprit_;  // the joint that has put it in FAULT
+  std::string_view culprit_;  // the joint that has put the arm in FAULT
 };
 
 extern template class ArmController<6>;

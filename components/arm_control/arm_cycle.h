@@ -1,5 +1,5 @@
 #pragma once
-// What each of the arms does in a cycle of its task.
+// This is what each of the arms does in a cycle of its task.
 
 #include <suture/base/time.h>
 
@@ -9,9 +9,9 @@
 
 namespace robots {
 
-/// One cycle, after the commands that arrived for it and before `contract` is announced. Belongs to
-/// the arm's task; never allocates. `tool` is what the arm holds: it is stepped with what the
-/// drives measured of it, if they did, and says where it shall be.
+/// Belongs to the arm's task; never allocates. Executes one cycle, after the commands that arrived
+/// for it and before `contract` is announced. `tool` is what the arm holds: it is stepped with what
+/// the drives measured of it, if they did, and says where it shall be.
 template <int N, class Tool>
 void cycleOf(ArmController<N>& arm, CrtkArm<N>& contract, DriveLink<N>& link, Tool& tool) {
   const suture::Time now = suture::now();

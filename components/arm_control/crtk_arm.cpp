@@ -41,7 +41,7 @@ void place(Wrench& wrench, const SpatialVector& value, suture::Time stamp, bool 
   wrench.valid = valid;
 }
 
-/// A step as long as the joints can make it, in its direction.
+/// Returns the step, shortened in its direction to what the joints can make.
 template <class Joints>
 Joints withinRates(const Joints& step, const Joints& most) {
   double share = 1;
@@ -51,7 +51,7 @@ Joints withinRates(const Joints& step, const Joints& most) {
   return share * step;
 }
 
-/// Leaves lists empty whose quantity has no bound.
+/// Appends a bound to both lists; leaves them empty if the quantity has none.
 void bound(double most, std::vector<double>& lower, std::vector<double>& upper) {
   if (!std::isfinite(most)) return;
   lower.push_back(-most);
@@ -131,7 +131,8 @@ void CrtkArm<N>::set_base_frame(const TransformStamped& base) {
   if (referenceFrame_ != 0 && base.reference_frame != referenceFrame_) {
     return arm_.warn(ArmWarning::WrongFrame);
   }
-  // A stream's goals were made in the frame of before, so it must not go on in the new one.
+  // The goals of a stream were made in the previous frame, so the stream must not go on in the new
+  // one.
   const OperatingState& now = arm_.operating_state();
   if (now.state == ArmState::Enabled && now.sub_state != "holding") {
     return arm_.warn(ArmWarning::InMotion);
@@ -297,7 +298,8 @@ PoseStamped CrtkArm<N>::local_query_cp(const JointGoal& q) const {
 
 // --- streams
 
-/// A command that replaced a stream may be over already; a stream begun anew begins from rest.
+/// Ends a stream that another command replaced, even if that command is over already, so that a
+/// stream that begins anew begins from rest.
 template <int N>
 void CrtkArm<N>::endStreamOfBefore() {
   if (!streaming()) stream_.end();
@@ -315,7 +317,8 @@ void CrtkArm<N>::advance(suture::Time now) {
   const double dt = lastCycle_ == suture::Time{} ? 0 : secondsBetween(lastCycle_, now);
   lastCycle_ = now;
   endStreamOfBefore();
-  // After such a pause the drives have let go of the arm's last goal, so it does not go on with it.
+  // After such a pause the drives have dropped the arm's last goal, so the arm does not go on with
+  // it.
   const bool paused = stream_.isActive() && dt > inSeconds(StreamWatch::kSilence);
   if (stream_.hasFallenSilent(now) || paused) return arm_.hold();
   if (stream_.isOfTip() && !arm_.mayMoveTip()) return arm_.hold();
@@ -375,7 +378,7 @@ void CrtkArm<N>::publishForce() {
   measuredCs_.stamp = arm_.reading_.stamp;
 }
 
-// Without power it is the brakes that bear what presses on the tip.
+// Without power the brakes bear what presses on the tip, and the motors measure nothing of it.
 template <int N>
 std::optional<SpatialVector> CrtkArm<N>::pressed() const {
   const DriveReading<N>& reading = arm_.reading_;

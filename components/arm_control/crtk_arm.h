@@ -1,5 +1,5 @@
 #pragma once
-// The contract Arm over a controller.
+// This provides the contract Arm over a controller.
 
 #include <suture/standard/message_draft.h>
 
@@ -18,18 +18,18 @@
 
 namespace robots {
 
-/// Commands, reads and the two below belong to the arm's thread; nothing but the constructor
-/// allocates. An effort moves the set-point at a speed proportional to it, as if the joints had no
-/// mass.
+/// Belongs to the arm's thread; only the constructor allocates. An effort moves the set-point at a
+/// speed proportional to it, as if the joints had no mass.
 template <int N>
 class CrtkArm final : public Arm {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// `arm` outlives it.
+  /// `arm` must outlive this.
   explicit CrtkArm(ArmController<N>& arm);
 
-  /// Before the first cycle: the frames that the interface has declared, which its data name.
+  /// Call this before the first cycle, with the frames that the interface has declared. The data
+  /// name them.
   void nameFrames(const suture::Frames& frames);
 
   const JointConfiguration& configuration_js() const override { return configuration_; }
@@ -93,12 +93,13 @@ class CrtkArm final : public Arm {
   PoseStamped query_cp(const JointGoal& q) const override { return inReference(local_query_cp(q)); }
   PoseStamped local_query_cp(const JointGoal& q) const override;
 
-  /// Before the arm's step() of a cycle: a stream of velocities or efforts moves the set-point.
+  /// Call this before the arm's step() of a cycle. It moves the set-point by a stream of velocities
+  /// or efforts.
   void advance(suture::Time now);
-  /// After it: evaluates what the reads answer.
+  /// Call this after the arm's step(). It evaluates what the reads answer.
   void publish(suture::Time now);
 
-  /// Tells `events` (what Provided<Arm>::emit() returns) what happened since the last call.
+  /// Emits by `events` (what Provided<Arm>::emit() returns) what happened since the last call.
   template <class Events>
   void announce(Events&& events) {
     if (arm_.desired_) events.desired_state(*arm_.desired_);
@@ -137,7 +138,7 @@ class CrtkArm final : public Arm {
   }
   PoseStamped inReference(PoseStamped pose) const;
   PoseStamped inBase(PoseStamped pose) const;
-  /// From the joints `from` on.
+  /// Return the goal that is `step` from the joints `from`.
   PoseStamped stepped(const Joints& from, const PoseStamped& step) const;
   std::optional<typename ArmController<N>::ServoTarget> stepped(const Joints& from,
                                                                 const JointGoal& step);
@@ -146,12 +147,12 @@ class CrtkArm final : public Arm {
   bool streaming() const;
   void endStreamOfBefore();
   void drive(const std::optional<JointStreamGoal<N>>& goal, const char* activity);
-  /// `axes` lead from those of the goal to the base's.
+  /// `axes` rotates from the axes of the goal to those of the base.
   void drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,
              const char* activity, const Eigen::Matrix3d& axes);
   void publishMotion(suture::Time now);
   void publishForce();
-  /// This is the wrench that the arm presses with at its tip, along the base's axes, if the drives
+  /// Returns the wrench that the arm presses with at its tip, along the base's axes, if the drives
   /// measure it.
   std::optional<SpatialVector> pressed() const;
   void publishGoal(suture::Time now);
@@ -180,7 +181,7 @@ class CrtkArm final : public Arm {
   std::string_view error_;  // of static storage
   std::string ofJoint_;     // keeps its memory
   suture::MessageDraft draft_;
-  std::uint32_t messages_ = 0;  // so many have been told
+  std::uint32_t messages_ = 0;  // how many have been emitted
 };
 
 extern template class CrtkArm<6>;

@@ -1,5 +1,5 @@
 #pragma once
-// The arm's side of its drives.
+// This is the arm's side of its drives.
 
 #include <suture/base/time.h>
 #include <suture/component/required.h>
@@ -15,14 +15,15 @@
 
 namespace robots {
 
-/// Asks the drives behind one required interface, and tells them what to do. A member of the
-/// component that owns that interface, declared after it; belongs to the same thread.
+/// Belongs to the thread of the component that owns the required interface, which has it as a
+/// member declared after that interface. Reads what the drives behind it measure, and tells them
+/// what to do.
 template <int N>
 class DriveLink {
  public:
   using Joints = typename DriveReading<N>::Joints;
 
-  /// `coupling`: that of the actuators, and of the tool's behind them, with the joints.
+  /// `coupling` is that of the actuators, and of the tool's behind them, with the joints.
   explicit DriveLink(suture::Required<Drives>& drives, const Coupling<N + 1>& coupling = {})
       : drives_(drives), coupling_(coupling) {
     goal_.joints = kChannels;
@@ -30,8 +31,8 @@ class DriveLink {
   DriveLink(const DriveLink&) = delete;
   DriveLink& operator=(const DriveLink&) = delete;
 
-  /// Once a cycle: what they measured last. None if they have measured nothing new for too long
-  /// while the arm looked.
+  /// Call this once a cycle. Returns what the drives measured last; none if they have measured
+  /// nothing new for too long while the arm looked.
   std::optional<DriveReading<N>> read() {
     const auto sample = drives_.feedback();
     const suture::Time now = suture::now();
@@ -44,9 +45,9 @@ class DriveLink {
     return isHeard_ ? std::optional(last_) : std::nullopt;
   }
 
-  /// Once a cycle, after read(). Asks for power again until it is there, as a command may be lost.
-  /// Drives that are silent get no goals: the arm does not know where their joints are.
-  /// `tool`: where that shall be, rad.
+  /// Call this once a cycle, after read(). Asks for power again until it is there, because a
+  /// command may be lost. Drives that are silent get no goals, because the arm does not know where
+  /// their joints are. `tool` is where the tool shall be, in rad.
   void command(bool powered, const Joints& setpoint, double tool) {
     if (powered && last_.power == DrivePower::Off) (void)drives_.power_on(last_.permitted);
     if (!powered && last_.power == DrivePower::On) (void)drives_.power_off();
@@ -82,7 +83,7 @@ class DriveLink {
   const Coupling<N + 1> coupling_;
   CycleWatch cycles_;
   DriveReading<N> last_;
-  suture::Time heard_;  // when that was new, or the arm began to look again
+  suture::Time heard_;  // when `last_` was new, or the arm began to look again
   bool isHeard_ = false;
   DriveGoal goal_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// An arm acts on what it has heard of its drives, which is kept here.
+// This is what an arm has heard of its drives, on which it acts.
 
 #include <suture/base/time.h>
 
@@ -9,14 +9,14 @@
 
 namespace robots {
 
-/// The jaw of a slave or the gripper of a master.
+/// Is a measurement of the jaw of a slave or the gripper of a master.
 struct ToolReading {
   double position = 0;  ///< rad
   double velocity = 0;  ///< rad/s
   double effort = 0;    ///< N.m
 };
 
-/// Joints in chain order: rad and rad/s, or m and m/s for a prismatic one.
+/// Holds the joints in the order of the chain: rad and rad/s, or m and m/s for a prismatic one.
 template <int N>
 struct DriveReading {
   using Joints = Eigen::Matrix<double, N, 1>;
@@ -27,7 +27,7 @@ struct DriveReading {
   suture::Time stamp;      ///< the drives' cycle
   ToolReading tool = {};
   Joints effort = Joints::Zero();  ///< N.m, or N for a prismatic one
-  bool measures_effort = false;    ///< else `effort` tells nothing
+  bool measures_effort = false;    ///< if not, `effort` has no meaning
 };
 
 }  // namespace robots

@@ -1,5 +1,5 @@
 #pragma once
-// Which measurements of the drives tell that something is wrong with them.
+// This finds measurements of the drives which show that something is wrong with them.
 
 #include <algorithm>
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace robots {
 
-/// What a joint that is in order keeps to; units per second, and counts of its encoder, in rad or
-/// m.
+/// Bounds what a joint that is in order does; units per second, and counts of its encoder, in rad
+/// or m.
 struct DriveBounds {
   double rate_limit = std::numeric_limits<double>::infinity();
   double effort_limit = std::numeric_limits<double>::infinity();  ///< N.m, or N
@@ -23,19 +23,18 @@ struct DriveBounds {
 
 struct DriveWatchOptions {
   /// A position jumps if it lies farther from the one before than this many times what the joint
-  /// can move in the time between both, and one count. Infinite: nothing is a jump.
+  /// can move in the time between both, and one count. If this is infinite, nothing is a jump.
   double jump_factor = std::numeric_limits<double>::infinity();
-  /// s: an effort may be above its limit for so long.
+  /// In s: an effort may be above its limit for this long.
   double overload_time = std::numeric_limits<double>::infinity();
 };
 
 struct DriveFault {
   ArmWarning reason;  ///< EncoderJump or OverCurrent
-  int joint;          ///< its number in the chain; behind it, the tool's
+  int joint;          ///< its number in the chain; the number behind the last is the tool's
 };
 
-/// Looks at the readings of the joints and of the tool behind them. Confined to one thread; never
-/// allocates.
+/// One thread; never allocates. Looks at the readings of the joints and of the tool behind them.
 template <int N>
 class DriveWatch {
  public:
@@ -44,7 +43,8 @@ class DriveWatch {
   DriveWatch(const Bounds& bounds, const DriveWatchOptions& options)
       : bounds_(bounds), options_(options) {}
 
-  /// Takes one reading, which may be that of before.
+  /// Takes one reading, which may be the same as the last. Returns the fault that it shows, if it
+  /// does.
   std::optional<DriveFault> look(const DriveReading<N>& reading) {
     if (reading.stamp == last_.stamp) return std::nullopt;
     const bool isFirst = last_.stamp == suture::Time{};
@@ -57,11 +57,11 @@ class DriveWatch {
     last_ = reading;
     return fault;
   }
-  /// Efforts may be above their limits anew, for as long as they may.
+  /// Restarts the time for which each effort has been above its limit.
   void forgive() { overloaded_.fill(0); }
 
  private:
-  // A motor may give all that it can for as long as it likes, and couplings round.
+  // A motor may give its limit for any length of time, and couplings round the numbers.
   static constexpr double kRounding = 1 + 1e-9;
 
   static double positionOf(int joint, const DriveReading<N>& reading) {
@@ -79,7 +79,8 @@ class DriveWatch {
     const auto i = static_cast<std::size_t>(joint);
     const double most = kRounding * bounds_[i].effort_limit;
     const bool isAbove = std::abs(effortOf(joint, reading)) > most;
-    const bool wasAbove = std::abs(effortOf(joint, last_)) > most;  // else it is unknown since when
+    const bool wasAbove =
+        std::abs(effortOf(joint, last_)) > most;  // otherwise we do not know since when
     overloaded_[i] = isAbove && wasAbove ? overloaded_[i] + dt : 0;
     return overloaded_[i] > options_.overload_time;
   }

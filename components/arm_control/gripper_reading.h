@@ -1,5 +1,5 @@
 #pragma once
-// The contract Gripper on what a master's drives measure.
+// This provides the contract Gripper from what a master's drives measure.
 
 #include <suture/base/time.h>
 
@@ -31,7 +31,7 @@ class GripperReading final : public Gripper {
   const JointConfiguration& configuration_js() const override { return configuration_; }
   const JointState& measured_js() const override { return measuredJs_; }
 
-  /// One cycle at time `now`. None: the drives are silent.
+  /// Executes one cycle at time `now`. `drives` is none if the drives are silent.
   void step(suture::Time now, const std::optional<DriveReading<7>>& drives) {
     measuredJs_.valid = drives.has_value();
     if (!drives) return;
@@ -44,10 +44,10 @@ class GripperReading final : public Gripper {
     if (told_ != isClosed && secondsBetween(since_, now) >= model_.debounce)
       news_ = told_ = isClosed;
   }
-  /// What the drives are told of it counts for nothing.
+  /// Returns what the drives are told, which has no effect because nothing drives a gripper.
   double setpoint() const { return measuredJs_.position[0]; }
 
-  /// Tells `events` (what Provided<Gripper>::emit() returns) what happened since the last call.
+  /// Emits by `events` (what Provided<Gripper>::emit() returns) what happened since the last call.
   template <class Events>
   void announce(Events&& events) {
     if (news_) events.closed(*news_);

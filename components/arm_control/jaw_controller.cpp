@@ -105,8 +105,8 @@ void JawController::clientGone(const suture::ConnectedClient& client) {
 void JawController::step(suture::Time now, const std::optional<DriveReading<6>>& drives) {
   const suture::Time last = std::exchange(lastStep_, now);
   const double dt = last == suture::Time{} ? 0 : secondsBetween(last, now);
-  // After such a pause the drives have let go of the last goal, so the jaw does not go on with it;
-  // a move that was asked for since then begins now, from where the jaw is.
+  // After such a pause the drives have dropped the last goal, so the jaw does not go on with it. A
+  // move that was asked for since then begins now, from where the jaw is.
   const bool paused = dt > inSeconds(StreamWatch::kSilence);
   const bool obeys = isEnabled();
   const bool rests = std::exchange(obeyed_, obeys) && !obeys;
@@ -120,7 +120,8 @@ void JawController::step(suture::Time now, const std::optional<DriveReading<6>>&
     measuredJs_.velocity[0] = drives->tool.velocity;
     measuredJs_.effort[0] = drives->tool.effort;
     measuredJs_.stamp = drives->stamp;
-    // With power but not enabled it holds, or noise and load would lead it away.
+    // With power but not enabled it keeps its set-point, because otherwise noise and load would
+    // make it drift.
     if (!arm_.powered() || rests || paused || !wasHeard) {
       setpoint_ = drives->tool.position;
       setpointRate_.rest(Joint(setpoint_));

@@ -1,5 +1,5 @@
 #pragma once
-// The contract Jaw on the arm that holds the instrument.
+// This provides the contract Jaw on the arm that holds the instrument.
 
 #include <suture/base/time.h>
 #include <suture/component/channel/connected_client.h>
@@ -25,11 +25,10 @@ struct JawModel {
   double effort_limit;        ///< N.m
 };
 
-/// Commands, reads and the methods below belong to the arm's thread; only the constructor
-/// allocates.
+/// Belongs to the arm's thread; only the constructor allocates.
 class JawController final : public Jaw {
  public:
-  /// `arm`, which holds it, outlives it.
+  /// `arm` holds the instrument, and must outlive this.
   JawController(const JawModel& model, const ArmController<6>& arm);
 
   const JointConfiguration& configuration_js() const override { return configuration_; }
@@ -39,15 +38,16 @@ class JawController final : public Jaw {
   void servo_jf(const JointEffortGoal& goal) override;
   void move_jp(const JointGoal& goal) override;
 
-  /// `client` is gone: if the jaw follows its stream, it holds and says so.
+  /// Says that `client` is gone: if the jaw follows its stream, it holds and reports it.
   void clientGone(const suture::ConnectedClient& client);
 
-  /// One cycle at time `now`, after its arm's. None: the drives are silent.
+  /// Executes one cycle at time `now`, after that of its arm. `drives` is none if the drives are
+  /// silent.
   void step(suture::Time now, const std::optional<DriveReading<6>>& drives);
-  /// Where the jaw shall be from this cycle on, rad.
+  /// Returns where the jaw shall be from this cycle on, in rad.
   double setpoint() const { return setpoint_; }
 
-  /// Tells `events` (what Provided<Jaw>::emit() returns) what happened since the last call.
+  /// Emits by `events` (what Provided<Jaw>::emit() returns) what happened since the last call.
   template <class Events>
   void announce(Events&& events) {
     if (moveEnded_) events.goal_reached(*moveEnded_);
@@ -68,7 +68,7 @@ class JawController final : public Jaw {
   void startMove(double goal);
   void endMove(bool reached);
   void hold();
-  /// Moves the set-point as what it does asks for; `dt` in s.
+  /// Moves the set-point as the present activity asks for; `dt` is in s.
   void advance(suture::Time now, double dt);
   void approach(double goal, double most);
   void publish(suture::Time now);
@@ -94,7 +94,7 @@ class JawController final : public Jaw {
   std::optional<bool> moveEnded_;
   Warnings warnings_;
   suture::MessageDraft draft_;
-  std::uint32_t messages_ = 0;  // so many have been told
+  std::uint32_t messages_ = 0;  // how many have been emitted
 };
 
 }  // namespace robots

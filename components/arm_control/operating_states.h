@@ -1,6 +1,6 @@
 #pragma once
-// The operating states of an arm as CRTK defines them (collaborative-robotics.github.io): what each
-// command leads to in each state.
+// These are the operating states of an arm as CRTK defines them (collaborative-robotics.github.io),
+// and what each command leads to in each state.
 
 #include <algorithm>
 #include <array>
@@ -15,25 +15,25 @@ namespace robots {
 
 enum class StateCommand : std::uint8_t { Enable, Disable, Pause, Resume, Home, Unhome };
 
-/// The names of the commands, in their order.
+/// Are the names of the commands, in their order.
 constexpr std::array<std::string_view, 6> kStateCommands{"enable", "disable", "pause",
                                                          "resume", "home",    "unhome"};
 
-/// None if there is no such command.
+/// Returns none if there is no such command.
 constexpr std::optional<StateCommand> stateCommandNamed(std::string_view name) {
   const auto* const found = std::find(kStateCommands.begin(), kStateCommands.end(), name);
   if (found == kStateCommands.end()) return std::nullopt;
   return static_cast<StateCommand>(found - kStateCommands.begin());
 }
 
-/// The state after `command` in `state`; none if the command is refused there, which changes
-/// nothing. An arm leaves UNDEFINED by itself, when it hears of drives that may have power. FAULT
-/// is entered by the arm alone, from ENABLED or PAUSED, and left by enable and disable alone;
-/// PAUSED is left by resume, not by enable, so that nobody ends another's pause by accident.
+/// Returns the state after `command` in `state`; none if the command is refused there, which
+/// changes nothing. An arm leaves UNDEFINED by itself, when it hears of drives that may have power.
+/// Only the arm itself enters FAULT, from ENABLED or PAUSED, and only enable and disable leave it.
+/// resume leaves PAUSED and enable does not, so that no client ends another's pause by accident.
 constexpr std::optional<ArmState> after(ArmState state, StateCommand command) {
   using enum ArmState;
   constexpr std::optional<ArmState> kNo;
-  // Rows: the states in their order. Columns: the commands in theirs.
+  // The rows are the states in their order, the columns the commands in theirs.
   constexpr std::optional<ArmState> kTable[][kStateCommands.size()] = {
       // enable  disable   pause   resume   home     unhome
       {kNo, Disabled, kNo, kNo, kNo, Undefined},           // Undefined
@@ -45,7 +45,7 @@ constexpr std::optional<ArmState> after(ArmState state, StateCommand command) {
   return kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(command)];
 }
 
-/// Why a command is refused where after() has none, for people.
+/// Returns for people why a command is refused for which after() returns none.
 constexpr std::string_view whyRefused(ArmState state, StateCommand command) {
   if (state == ArmState::Undefined) return "the arm has not heard of drives that may have power";
   switch (command) {

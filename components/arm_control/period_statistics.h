@@ -1,5 +1,5 @@
 #pragma once
-// How regularly cycles come.
+// This measures how regularly cycles come.
 
 #include <suture/base/time.h>
 
@@ -7,12 +7,13 @@
 
 namespace robots {
 
-/// Measures the time between calls of cycle(), window by window. Belongs to the thread that calls
-/// it.
+/// Belongs to the thread that calls it. Measures the time between calls of cycle(), window by
+/// window.
 class PeriodStatistics {
  public:
   void cycle(suture::Time now);
-  /// The figures of the last whole window of 1 s; not valid before the first one has passed.
+  /// Returns the figures of the last whole window of 1 s; they are not valid before the first one
+  /// has passed.
   const IntervalStatistics& last() const { return last_; }
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kJawEffort = 0.16;  // N.m; LARGE_NEEDLE_DRIVER_400006.json: jaw, ftmax
 
-// The rule is that of the wrist pitch, which follows four joints. jhu-dvrk/sawIntuitiveResearchKit,
+// The rule holds for the wrist pitch, which follows four joints. jhu-dvrk/sawIntuitiveResearchKit,
 // mtsIntuitiveResearchKit.h: PSM::SafeDistanceFromRCM and SafeDistanceFromRCMBuffer.
 constexpr InsertionRule kInsertionRule{.joints = 4, .least = 0.045, .buffer = 0.002};
 

@@ -1,5 +1,5 @@
 #pragma once
-// The wrench at the tool tip follows from the efforts of the joints.
+// This computes the wrench at the tool tip from the efforts of the joints.
 
 #include <optional>
 
@@ -7,15 +7,15 @@
 
 namespace robots {
 
-/// The wrench at the tip that solves `levers` * wrench = `moment`: `levers` is J * J^T of the
-/// Jacobian J, and `moment` is J * effort. None beside a singularity, where a small effort stands
-/// for any force. Never allocates.
+/// Returns the wrench at the tip that solves `levers` * wrench = `moment`: `levers` is J * J^T of
+/// the Jacobian J, and `moment` is J * effort. Returns none beside a singularity, where a small
+/// effort stands for any force. Never allocates.
 std::optional<kinematics::SpatialVector> wrenchOf(const Eigen::Matrix<double, 6, 6>& levers,
                                                   const kinematics::SpatialVector& moment);
 
-/// The wrench that the efforts `effort` of the joints press with at the tip, along the axes of
-/// `jacobian`: the one whose product with the transposed Jacobian they are, or of seven joints the
-/// nearest in least squares. None beside a singularity. Never allocates.
+/// Returns the wrench with which the efforts `effort` of the joints press at the tip, along the
+/// axes of `jacobian`: the wrench whose product with the transposed Jacobian is the efforts, or for
+/// seven joints the nearest in least squares. Returns none beside a singularity. Never allocates.
 template <int N>
 std::optional<kinematics::SpatialVector> tipForce(const Eigen::Matrix<double, 6, N>& jacobian,
                                                   const Eigen::Matrix<double, N, 1>& effort) {

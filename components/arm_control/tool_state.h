@@ -1,5 +1,5 @@
 #pragma once
-// What jaw and gripper tell of their one joint.
+// This makes what jaw and gripper publish of their one joint.
 
 #include <suture/base/time.h>
 
@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// They allocate; so they belong into constructors.
+/// These allocate, so call them only in constructors.
 inline JointState blankToolState(const char* name) {
   JointState state;
   state.name.assign(1, name);

@@ -1,5 +1,5 @@
 #pragma once
-// An arm keeps its warnings here until it tells them at the end of a cycle.
+// An arm keeps its warnings here until it emits them at the end of a cycle.
 
 #include <cstdint>
 #include <string_view>
@@ -8,29 +8,29 @@
 
 namespace robots {
 
-/// What an arm says of it, for people.
+/// Returns what an arm says about it, for people.
 std::string_view textOf(ArmWarning reason);
 
-/// It has befallen one joint, whose name stands before the text.
+/// Returns true if it is about one joint, whose name stands before the text.
 constexpr bool isOfJoint(ArmWarning reason) {
   return reason == ArmWarning::FollowingError || reason == ArmWarning::EncoderJump ||
          reason == ArmWarning::OverCurrent;
 }
 
-/// Collects what is to be told at the end of a cycle. Confined to one thread; never allocates.
+/// One thread; never allocates. Collects the warnings that are emitted at the end of a cycle.
 class Warnings {
  public:
-  /// Tells it once, until the arm obeys again.
+  /// Adds a warning, once until the arm obeys again.
   void warn(ArmWarning reason) {
     if ((standing_ & bit(reason)) == 0) news_ |= bit(reason);
     standing_ |= bit(reason);
   }
-  /// Tells it each time.
+  /// Adds a warning each time.
   void tell(ArmWarning reason) { news_ |= bit(reason); }
-  /// The arm does what it is asked: whatever it refuses next is news.
+  /// Says that the arm does what it is asked, so its next refusal is reported again.
   void obey() { standing_ = 0; }
 
-  /// Calls `visit(ArmWarning)` for each that has come since forgetNews().
+  /// Calls `visit(ArmWarning)` for each that was added since forgetNews().
   template <class Visit>
   void forEachNew(const Visit& visit) const {
     for (unsigned i = 0; news_ >> i != 0; ++i) {

@@ -1,13 +1,13 @@
 #pragma once
-// How actuators turn joints: cables lead from one motor to several joints.
+// This says how actuators turn joints, because cables lead from one motor to several joints.
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 
 namespace robots {
 
-/// A linear coupling of N actuators with N joints, the identity by default. Immutable; only the
-/// constructors invert, and nothing allocates.
+/// Immutable; only the constructors invert, and nothing allocates. Is a linear coupling of N
+/// actuators with N joints, the identity by default.
 template <int N>
 class Coupling {
  public:
@@ -15,11 +15,11 @@ class Coupling {
   using Matrix = Eigen::Matrix<double, N, N>;
 
   Coupling() : Coupling(Matrix::Identity()) {}
-  /// Joint positions are `actuatorToJoint` times actuator positions; it can be inverted.
+  /// Joint positions are `actuatorToJoint` times actuator positions. The matrix must be invertible.
   explicit Coupling(const Matrix& actuatorToJoint)
       : toJoints_(actuatorToJoint), toActuators_(actuatorToJoint.inverse()) {}
 
-  /// These two convert positions, and velocities as well.
+  /// These two convert positions and velocities.
   Vector joints(const Vector& actuators) const { return toJoints_ * actuators; }
   Vector actuators(const Vector& joints) const { return toActuators_ * joints; }
   /// These two convert efforts, so that actuators and joints have the same power.
@@ -28,9 +28,11 @@ class Coupling {
   }
   Vector actuatorEfforts(const Vector& joints) const { return toJoints_.transpose() * joints; }
 
-  /// How far off joints are at most, where each actuator is off by so much.
+  /// Returns how far off the joints are at most, if each actuator is off by as much as `actuators`
+  /// says.
   Vector jointBounds(const Vector& actuators) const { return toJoints_.cwiseAbs() * actuators; }
-  /// The most that joints get, where each actuator gives so much at most.
+  /// Returns the most effort that the joints get, if each actuator gives at most as much as
+  /// `actuators` says.
   Vector jointEffortBounds(const Vector& actuators) const {
     return toActuators_.cwiseAbs().transpose() * actuators;
   }
@@ -40,9 +42,9 @@ class Coupling {
   Matrix toJoints_, toActuators_;
 };
 
-/// The coupling of a patient side manipulator: yaw, pitch and insertion have an actuator each; the
-/// four discs of the large needle driver turn its roll, its wrist pitch and yaw, and its jaw
-/// (jhu-dvrk/sawIntuitiveResearchKit, share/tool/LARGE_NEEDLE_DRIVER_400006.json:
+/// Returns the coupling of a patient side manipulator: yaw, pitch and insertion have an actuator
+/// each; the four discs of the large needle driver turn its roll, its wrist pitch and yaw, and its
+/// jaw (jhu-dvrk/sawIntuitiveResearchKit, share/tool/LARGE_NEEDLE_DRIVER_400006.json:
 /// ActuatorToJointPosition).
 inline Coupling<7> psmCoupling() {
   Coupling<7>::Matrix matrix = Coupling<7>::Matrix::Identity();
@@ -56,8 +58,8 @@ inline Coupling<7> psmCoupling() {
   return Coupling<7>(matrix);
 }
 
-/// The coupling of a master tool manipulator: the motor of the shoulder turns the elbow too, and
-/// both motors turn the platform (jhu-dvrk/sawIntuitiveResearchKit,
+/// Returns the coupling of a master tool manipulator: the motor of the shoulder turns the elbow
+/// too, and both motors turn the platform (jhu-dvrk/sawIntuitiveResearchKit,
 /// core/share/cuhk-daVinci/sawRobotIO1394-MTML-41878.xml: ActuatorToJointPosition).
 inline Coupling<7> mtmCoupling() {
   constexpr double kPlatform = 0.6697;
@@ -68,7 +70,7 @@ inline Coupling<7> mtmCoupling() {
   return Coupling<7>(matrix);
 }
 
-/// The coupling of an arm with that of its tool behind it, which has an actuator of its own.
+/// Returns the coupling of an arm with its tool behind it, which has an actuator of its own.
 template <int N>
 Coupling<N + 1> withTool(const Coupling<N>& arm) {
   typename Coupling<N + 1>::Matrix matrix = Coupling<N + 1>::Matrix::Identity();

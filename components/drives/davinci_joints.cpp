@@ -1,8 +1,8 @@
 // The gains are those of the da Vinci Research Kit: jhu-dvrk/sawIntuitiveResearchKit,
 // core/share/pid/sawControllersPID-PSM.json and sawControllersPID-MTM.json (p_gain and d_gain),
-// whose integral gains are 0. Their disturbance observer and dead band are left out. The filters'
-// time constants are our own: a few times the period of the drives for the PSM, and more for the
-// MTM, whose wrist has encoders of 0.003 rad.
+// whose integral gains are 0. Its disturbance observer and dead band are left out. The time
+// constants of the filters are our own: a few times the period of the drives for the PSM, and more
+// for the MTM, whose wrist has encoders of 0.003 rad.
 
 #include "drives/davinci_joints.h"
 

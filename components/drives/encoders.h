@@ -1,5 +1,5 @@
 #pragma once
-// What encoders tell of joints.
+// This simulates what encoders measure of joints.
 
 #include <cstdint>
 #include <random>
@@ -14,14 +14,14 @@ struct EncoderModel {
   using Joints = Eigen::Matrix<double, N, 1>;
 
   Joints step;               ///< rad or m: one count, of an actuator
-  bool quantisation = true;  ///< they tell whole counts
+  bool quantisation = true;  ///< they read whole counts
   double noise = 0;          ///< counts: the standard deviation of what they add before that
   std::uint32_t seed = 1;
   double velocity_filter = 0.0;  ///< s: the time constant of velocities (rate_filter.h)
   Coupling<N> coupling = {};     ///< of the actuators, whose encoders they are, with the joints
 };
 
-/// Equal seeds, positions and times give equal readings. Confined to one thread; never allocates.
+/// One thread; never allocates. Equal seeds, positions and times give equal readings.
 template <int N>
 class Encoders {
  public:
@@ -32,7 +32,7 @@ class Encoders {
     rate_.reset(measured_);
   }
 
-  /// `dt` seconds (> 0) after the last reading the joints are at `position`.
+  /// Reads the joints at `position`, `dt` seconds (> 0) after the last reading.
   void read(const Joints& position, double dt) {
     measured_ = told(position);
     rate_.update(measured_, dt);

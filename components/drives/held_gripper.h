@@ -1,5 +1,5 @@
 #pragma once
-// The gripper of a simulated master, which a hand holds and nothing drives.
+// This is the gripper of a simulated master, which a hand holds and nothing drives.
 
 #include <cmath>
 
@@ -9,11 +9,11 @@
 
 namespace robots {
 
-/// Its springs hold it open until the hand presses it. Power and brakes mean nothing to it.
-/// Confined to one thread; only the constructor allocates or throws.
+/// One thread; only the constructor allocates or throws. Springs hold the gripper open until the
+/// hand presses it. Power and brakes have no effect on it.
 class HeldGripper final : public SimulatedJoints<1>, public GripperHand {
  public:
-  /// `lag` in s, > 0: how long it takes to follow the fingers.
+  /// `lag` is how long it takes to follow the fingers, in s, > 0.
   explicit HeldGripper(double lag)
       : joint_(lag, Joints(kQuickest), Joints(kRange.lower), Joints(kRange.upper),
                Joints(kRange.upper)) {}

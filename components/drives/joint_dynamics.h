@@ -1,5 +1,5 @@
 #pragma once
-// How simulated joints answer to their set-point: late, at a bounded rate, within limits.
+// This says how simulated joints follow their set-point: late, at a bounded rate, within limits.
 
 #include <algorithm>
 #include <cmath>
@@ -9,19 +9,19 @@
 
 namespace robots {
 
-/// One joint: d(measured)/dt = (setpoint - measured) / time_constant, cut to +-rate_limit. Solved
-/// exactly over each interval for a constant set-point, so the result does not depend on the
+/// Is one joint: d(measured)/dt = (setpoint - measured) / time_constant, cut to +-rate_limit. It is
+/// solved exactly over each interval for a constant set-point, so the result does not depend on the
 /// period: a step of 2 ms equals two steps of 1 ms.
 struct LaggingJoint {
   double time_constant;  ///< s, > 0
   double rate_limit;     ///< rad/s or m/s, > 0
 
-  /// rad/s or m/s
+  /// Returns the velocity in rad/s or m/s.
   double velocity(double measured, double setpoint) const {
     return std::clamp((setpoint - measured) / time_constant, -rate_limit, rate_limit);
   }
 
-  /// The joint `dt` seconds later.
+  /// Returns the position of the joint `dt` seconds later.
   double after(double dt, double measured, double setpoint) const {
     const double error = setpoint - measured;
     // The rate limit holds while the error exceeds what the lag alone would drive at that rate.
@@ -32,15 +32,15 @@ struct LaggingJoint {
   }
 };
 
-/// N joints with one time constant and a rate limit each. Set-points are cut to the position
-/// limits. Confined to one thread; nothing but the constructor throws or allocates.
+/// One thread; only the constructor throws or allocates. Holds N joints with one time constant and
+/// a rate limit for each. Set-points are cut to the position limits.
 template <int N>
 class JointDynamics final : public SimulatedJoints<N> {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// At rest at `start`. Rates in rad/s or m/s, limits in rad or m, the time constant in s.
-  /// Throws std::invalid_argument unless time constant and rates are positive.
+  /// The joints rest at `start`. Rates are in rad/s or m/s, limits in rad or m, the time constant
+  /// in s. Throws std::invalid_argument unless time constant and rates are positive.
   JointDynamics(double timeConstant, const Joints& rateLimit, const Joints& lower,
                 const Joints& upper, const Joints& start)
       : timeConstant_(timeConstant),

@@ -1,5 +1,5 @@
 #pragma once
-// The joints of an arm with that of its tool behind them, as one set of joints.
+// This puts the joints of an arm and, behind them, the joint of its tool into one set of joints.
 
 #include <memory>
 #include <utility>
@@ -8,13 +8,13 @@
 
 namespace robots {
 
-/// Confined to one thread; only the constructor allocates.
+/// One thread; only the constructor allocates.
 template <int N>
 class JointsAndTool final : public SimulatedJoints<N + 1> {
  public:
   using Joints = typename SimulatedJoints<N + 1>::Joints;
 
-  /// The tool's joint is shared with whatever else acts on it, in the same thread.
+  /// The joint of the tool is shared with what else acts on it, in the same thread.
   JointsAndTool(std::unique_ptr<SimulatedJoints<N>> joints,
                 std::shared_ptr<SimulatedJoints<1>> tool)
       : joints_(std::move(joints)), tool_(std::move(tool)) {

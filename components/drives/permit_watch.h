@@ -1,5 +1,5 @@
 #pragma once
-// This tells drives whether they may have power.
+// This tells drives if they may have power.
 
 #include <suture/base/sample.h>
 #include <suture/base/time.h>
@@ -12,11 +12,11 @@
 
 namespace robots {
 
-/// Follows the emergency stop behind one required interface. A member of the component that owns
-/// that interface, declared after it; belongs to the same thread.
+/// Belongs to the thread of the component that owns the required interface, which has it as a
+/// member declared after that interface. Follows the emergency stop behind it.
 class PermitWatch {
  public:
-  /// A permit counts for `maxAge`; 0: power needs none.
+  /// A permit counts for `maxAge`; with 0, power needs none.
   PermitWatch(suture::Required<EmergencyStop>& stop, suture::Duration maxAge)
       : stop_(stop), maxAge_(maxAge) {
     stop_.on().stop([this](const StopNews& news) {
@@ -27,9 +27,9 @@ class PermitWatch {
   PermitWatch(const PermitWatch&) = delete;
   PermitWatch& operator=(const PermitWatch&) = delete;
 
-  /// Once a cycle, after its events. Either the event or the permit is enough to stop, whichever
-  /// comes first. Drives that stood still themselves for longer than a permit counts have done
-  /// without one.
+  /// Call this once a cycle, after the events. Returns true if the drives may have power. The event
+  /// and the permit are each enough to stop, whichever comes first. Drives that stood still
+  /// themselves for longer than a permit counts were without one meanwhile.
   bool granted() {
     if (maxAge_ == suture::Duration{0}) return true;
     const bool looked = !cycles_.missed(maxAge_);
@@ -38,7 +38,7 @@ class PermitWatch {
   }
 
  private:
-  // One that comes from the future is as little to be believed as an old one.
+  // A permit from the future counts as little as an old one.
   bool isFresh(const suture::Sample<Permit>& permit) const {
     if (!permit || !permit->granted || permit.age() > maxAge_) return false;
     const suture::Duration age = suture::now() - permit->stamp;

@@ -24,7 +24,7 @@ std::unique_ptr<SimulatedJoints<6>> joints(const PsmDrivesParameters& parameters
                                             chain.upper(), parked);
 }
 
-/// It has no mass, whatever simulates the joints.
+/// Returns the jaw, which has no mass, whatever simulates the other joints.
 std::shared_ptr<SimulatedJoints<1>> jaw(const PsmDrivesParameters& parameters) {
   using Joint = SimulatedJoints<1>::Joints;
   return std::make_shared<JointDynamics<1>>(parameters.time_constant, Joint(parameters.jaw_rate),

@@ -1,28 +1,28 @@
 #pragma once
-// How fast something moves, told from where it is now and then.
+// This computes how fast something moves from where it is at different times.
 
 #include <Eigen/Core>
 
 namespace robots {
 
-/// The difference of two positions by the time between them, through a low-pass filter of first
-/// order: a step of one encoder count alone would be a large velocity. So it is late by the time
-/// constant. A value type of its task's thread; never allocates.
+/// Is a value of its task's thread; never allocates. Divides the difference of two positions by the
+/// time between them, and passes it through a low-pass filter of first order, because a step of one
+/// encoder count alone would be a large velocity. So the result is late by the time constant.
 template <int N>
 class RateFilter {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// `timeConstant` in s, >= 0.
+  /// `timeConstant` is in s, >= 0.
   explicit RateFilter(double timeConstant) : timeConstant_(timeConstant) {}
 
-  /// It rests at `position`.
+  /// Says that it rests at `position`.
   void reset(const Joints& position) {
     last_ = position;
     rate_.setZero();
   }
 
-  /// `dt` seconds (> 0) later it is at `position`.
+  /// Says that it is at `position` `dt` seconds (> 0) later.
   void update(const Joints& position, double dt) {
     rate_ += dt / (timeConstant_ + dt) * ((position - last_) / dt - rate_);
     rate_ = (rate_.array().abs() < kRest).select(0, rate_);
@@ -32,7 +32,8 @@ class RateFilter {
   const Joints& rate() const { return rate_; }
 
  private:
-  // What fades for ever becomes numbers that processors are slow with.
+  // Smaller rates are cut to 0, because a rate that fades for ever becomes a denormal number, with
+  // which processors are slow.
   static constexpr double kRest = 1e-12;
 
   double timeConstant_;

@@ -1,5 +1,6 @@
 #pragma once
-// Simulated joints with mass: motors, controllers, encoders and brakes around the motion of an arm.
+// These are simulated joints with mass: motors, controllers, encoders and brakes around the motion
+// of an arm.
 
 #include "drives/coupling.h"
 #include "drives/encoders.h"
@@ -10,7 +11,7 @@
 
 namespace robots {
 
-/// One arm. Joint vectors in rad, or m of a prismatic joint; efforts in N.m, or N.
+/// Describes one arm. Joint vectors are in rad, or m for a prismatic joint; efforts in N.m, or N.
 template <int N>
 struct RigidBodyModel {
   using Joints = Eigen::Matrix<double, N, 1>;
@@ -21,28 +22,28 @@ struct RigidBodyModel {
   Joints rate_limit;  ///< rad/s or m/s: set-points go no faster to their goals
   Joints stiffness;   ///< effort per error of position
   Joints damping;     ///< effort per error of velocity
-  /// s: the time constant of the velocities that are measured and controlled.
+  /// In s: is the time constant of the velocities that are measured and controlled.
   double velocity_filter;
   bool gravity_compensation = true;
   bool quantisation = true;
   double noise = 0;  ///< counts of the encoders
   std::uint32_t seed = 1;
-  double current_gain = 1;    ///< what is told of each effort, as a share of it
-  bool brakes = true;         ///< else nothing but friction holds the joints without power
-  Coupling<N> coupling = {};  ///< of the motors and encoders with the joints
+  double current_gain = 1;    ///< which share of each effort is measured
+  bool brakes = true;         ///< if not, only friction holds the joints without power
+  Coupling<N> coupling = {};  ///< couples the motors and encoders with the joints
 };
 
-/// Each joint has a PD controller, which sees what the encoders tell, runs once a cycle, and gives
-/// its motor no more than the motor can. Brakes, if there are any, hold at once and without slip.
-/// Confined to one thread; nothing but the constructor throws or allocates. Equal models, commands
-/// and times give equal motion.
+/// One thread; only the constructor throws or allocates. Each joint has a PD controller, which sees
+/// what the encoders measure, runs once a cycle, and gives its motor no more than the motor can.
+/// Brakes, if there are any, hold at once and without slip. Equal models, commands and times give
+/// equal motion.
 template <int N>
 class RigidBodyJoints final : public SimulatedJoints<N> {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// At rest, without power. Throws std::invalid_argument unless rates are positive and gains,
-  /// noise and filter are not negative.
+  /// The joints are at rest, without power. Throws std::invalid_argument unless rates are positive
+  /// and gains, noise and filter are not negative.
   explicit RigidBodyJoints(const RigidBodyModel<N>& model);
 
   void advance(double dt) override;
@@ -50,11 +51,11 @@ class RigidBodyJoints final : public SimulatedJoints<N> {
   void brake() override;
   const Joints& measured() const override { return encoders_.measured(); }
   Joints velocity() const override { return encoders_.velocity(); }
-  /// Until the next command, as the motors' currents tell.
+  /// Returns the efforts until the next command, as the motors' currents show them.
   Joints effort() const override { return model_.current_gain * effort_; }
   bool measuresEffort() const override { return true; }
 
-  /// Where the joints are, which only a simulation knows.
+  /// Returns where the joints really are, which only a simulation knows.
   const Joints& position() const { return motion_.position(); }
 
  private:

@@ -68,7 +68,7 @@ void SimulatedDrives<N>::step(suture::Time now) {
   if (feedback_.power == DrivePower::On) {
     joints_->command(goal_);
   } else {
-    hold();  // where they are now, not when that was decided
+    hold();  // where the joints are now, which may not be where they were when the power went
     joints_->brake();
   }
   Joints::Map(feedback_.position.data()) = coupling_.actuators(joints_->measured());

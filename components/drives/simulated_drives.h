@@ -1,5 +1,5 @@
 #pragma once
-// What the drives of the simulated arms have in common: power, goals, and brakes.
+// This is what the drives of the simulated arms have in common: power, goals, and brakes.
 
 #include <suture/base/time.h>
 
@@ -12,8 +12,8 @@
 
 namespace robots {
 
-/// How the joints of one arm answer where they have no mass (joint_dynamics.h). Joint vectors in
-/// rad, or m for a prismatic joint.
+/// Says how the joints of one arm follow their goals if they have no mass (joint_dynamics.h). Joint
+/// vectors are in rad, or m for a prismatic joint.
 template <int N>
 struct DriveModel {
   using Joints = Eigen::Matrix<double, N, 1>;
@@ -24,18 +24,18 @@ struct DriveModel {
   double time_constant;  ///< s: how far the measured joints trail their goal
 };
 
-/// A goal that arrives in one cycle acts on the joints from that cycle on; what is measured is of
-/// the time of the cycle. Confined to one thread; nothing but the constructors allocates.
+/// One thread; only the constructors allocate. A goal that arrives in one cycle acts on the joints
+/// from that cycle on; measurements are of the time of the cycle.
 template <int N>
 class SimulatedDrives : public Drives {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// Without power, and not permitted to have any.
+  /// The drives have no power at first, and are not permitted to have any.
   explicit SimulatedDrives(std::unique_ptr<SimulatedJoints<N>> joints,
                            const Coupling<N>& coupling = {});
-  /// The same of parked joints that trail their goals. Throws std::invalid_argument for impossible
-  /// dynamics.
+  /// Does the same with parked joints that trail their goals. Throws std::invalid_argument for
+  /// impossible dynamics.
   explicit SimulatedDrives(const DriveModel<N>& model);
 
   void power_on(suture::Time permitted) override;
@@ -43,17 +43,18 @@ class SimulatedDrives : public Drives {
   void servo_jp(const DriveGoal& goal) override;
   const DriveFeedback& feedback() const override { return feedback_; }
 
-  /// Whether power is permitted, before each cycle. Without it the drives stop, and stay without
-  /// power when it is permitted again.
+  /// Call this before each cycle to say if power is permitted. Without a permit the drives stop,
+  /// and stay without power when it is there again.
   void permit(bool granted);
 
-  /// The brakes take hold where the joints were in the last cycle, as no other may follow.
+  /// Makes the brakes hold where the joints were in the last cycle, for when no other cycle may
+  /// follow.
   void brake();
 
-  /// One cycle at time `now`, after the commands that arrived for it.
+  /// Executes one cycle at time `now`, after the commands that arrived for it.
   void step(suture::Time now);
 
-  /// Tells `events` (what Provided<Drives>::emit() returns) what happened since the last call.
+  /// Emits by `events` (what Provided<Drives>::emit() returns) what happened since the last call.
   template <class Events>
   void announce(Events&& events) {
     if (powerChanged_) events.power(feedback_.power);

@@ -1,5 +1,5 @@
 #pragma once
-// Which goals an arm can act on at all.
+// This says which goals an arm can act on.
 
 #include <Eigen/Geometry>
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace robots {
 
-/// Finite, and its rotation is one to 1e-6.
+/// Returns true if the pose is finite, and its rotation is one to 1e-6.
 inline bool isRigid(const Eigen::Isometry3d& pose) {
   constexpr double kRotationTolerance = 1e-6;
   const Eigen::Matrix3d rotation = pose.linear();
@@ -21,7 +21,7 @@ inline bool isRigid(const Eigen::Isometry3d& pose) {
 
 inline bool isPose(const PoseStamped& goal) { return goal.valid && isRigid(goal.pose); }
 
-/// None unless it has N entries, all finite.
+/// Returns none unless the list has N entries, all finite.
 template <int N, class List>
 std::optional<Eigen::Matrix<double, N, 1>> toJoints(const List& list) {
   if (list.size() != std::size_t{N}) return std::nullopt;

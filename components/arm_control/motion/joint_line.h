@@ -1,5 +1,5 @@
 #pragma once
-// A straight line of the joints, for goals that come more slowly than the arm's cycles.
+// This is a straight line of the joints, for goals that come more slowly than the arm's cycles.
 
 #include <suture/base/time.h>
 
@@ -10,14 +10,14 @@
 
 namespace robots {
 
-/// All joints begin and arrive together, each at a constant rate. Immutable; allocates nothing.
+/// Immutable; never allocates. All joints begin and arrive together, each at a constant rate.
 template <int N>
 class JointLine {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// Takes `wanted` seconds from `begin` on, or as many as the joint needs that has the longest way
-  /// at its rate limit. rad, or m for a prismatic joint; rate limits per second.
+  /// Takes `wanted` seconds from `begin` on, or longer if a joint needs that at its rate limit.
+  /// Joints are in rad, or m for a prismatic one; rate limits are per second.
   JointLine(const Joints& from, const Joints& to, const Joints& rateLimit, suture::Time begin,
             double wanted)
       : from_(from),
@@ -29,7 +29,7 @@ class JointLine {
   const Joints& to() const { return to_; }
   suture::Time begin() const { return begin_; }
   double wanted() const { return wanted_; }
-  /// Where the joints shall be at `now`, which is not before the beginning.
+  /// Returns where the joints shall be at `now`, which must not be before the beginning.
   Joints at(suture::Time now) const {
     const double t = secondsBetween(begin_, now);
     return t >= duration_ ? to_ : Joints(from_ + t / duration_ * (to_ - from_));

@@ -1,5 +1,5 @@
 #pragma once
-// A planned joint motion from where the joints are, and as fast as they are, to rest.
+// This plans a joint motion to rest, from where the joints are and the velocity that they have.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -10,24 +10,23 @@
 
 namespace robots {
 
-/// What a move may do of what the joints can.
+/// Says which share of the joints' limits a move may use.
 struct MoveRatios {
   double velocity = 1, acceleration = 1;
 };
 
-/// All joints stop together. Each brakes at a constant rate from the velocity that it has, and on
-/// top of that goes along a minimum-jerk profile from where it so would stop to its goal. Braking
-/// has half of the acceleration limit, and the profile of a joint that brakes no more than the
-/// other half; so the sum of both keeps the limit, and no joint becomes faster than it was or than
-/// half of its rate limit. Braking takes half of the time at most; so a joint turns round once at
-/// most, and in the second half its way to the goal becomes shorter and shorter. Immutable;
-/// allocates nothing.
+/// Immutable; never allocates. All joints stop together. Each brakes at a constant rate from the
+/// velocity that it has, and in addition goes along a minimum-jerk profile from where it would stop
+/// to its goal. Braking has half of the acceleration limit, and the profile of a joint that brakes
+/// at most the other half, so the sum of both keeps the limit, and no joint becomes faster than it
+/// was or than half of its rate limit. Braking takes half of the time at most, so a joint turns
+/// round at most once, and in the second half its way to the goal only becomes shorter.
 template <int N>
 class JointMove {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// rad, or m for a prismatic joint.
+  /// Is in rad, or m for a prismatic joint.
   struct Start {
     Joints position;
     Joints velocity = Joints::Zero();  ///< per second
@@ -52,7 +51,7 @@ class JointMove {
     }
   }
 
-  /// Where the joints shall be `t` seconds after the start.
+  /// Returns where the joints shall be `t` seconds after the start.
   Joints at(double t) const {
     if (t >= duration_) return to_;
     Joints q = from_ + smoothStep(t / duration_) * way_;
@@ -60,14 +59,14 @@ class JointMove {
     return q;
   }
   const Joints& to() const { return to_; }
-  /// s
+  /// Returns how long the move takes, in s.
   double duration() const { return duration_; }
 
  private:
   static constexpr double kShortest = 0.05;  // s
   static constexpr double kShare = 0.5;      // of the acceleration, for braking
 
-  /// How far the joint has gone by what it braked of its velocity.
+  /// Returns how far the joint has gone by its first velocity while it brakes.
   double braked(int joint, double t) const {
     const double whole = braking_[joint];
     if (whole <= 0) return 0;

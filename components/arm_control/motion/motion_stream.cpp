@@ -27,7 +27,7 @@ void MotionStream<N>::follow(const Joints& rate, std::string_view activity,
 template <int N>
 void MotionStream<N>::follow(Kind kind, const SpatialVector& twist, std::string_view activity,
                              const TwistBounds& bounds) {
-  if (!bounds.axes.isApprox(axes_)) end();  // its speed is along the axes of before
+  if (!bounds.axes.isApprox(axes_)) end();  // its speed is along the previous axes
   begin(kind, activity);
   twist_.aimAt(twist, bounds.change);
   axes_ = bounds.axes;

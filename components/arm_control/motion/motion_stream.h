@@ -1,5 +1,5 @@
 #pragma once
-// The commands that set an arm in motion and have to be repeated: rates, twists and forces.
+// These are the commands that set an arm in motion and must be repeated: rates, twists and forces.
 
 #include <suture/base/time.h>
 
@@ -13,8 +13,8 @@
 
 namespace robots {
 
-/// What the last of servo_jv, servo_jf, servo_cv, servo_cf and free() asks of the set-point.
-/// Confined to one thread; never allocates.
+/// One thread; never allocates. Holds what the last of servo_jv, servo_jf, servo_cv, servo_cf and
+/// free() asks of the set-point.
 template <int N>
 class MotionStream {
  public:
@@ -22,18 +22,20 @@ class MotionStream {
   using SpatialVector = kinematics::SpatialVector;
   enum class Kind { None, Free, JointRate, BodyTwist, SpatialTwist };
 
-  /// Activities are of static storage: what the arm says that it does meanwhile.
+  /// `activity` is a text of static storage, by which the arm says what it does meanwhile. This one
+  /// lets the set-point follow the joints.
   void beFree(std::string_view activity) { begin(Kind::Free, activity); }
-  /// rad/s or m/s
+  /// Bounds a rate, which is in rad/s or m/s.
   struct JointBounds {
     typename RateRamp<N>::Limits change = {};
-    /// The positions that a joint does not pass; one that is there stays.
+    /// Holds the positions that a joint does not pass; a joint that is there stays there.
     std::optional<Joints> guard = {};
   };
   void follow(const Joints& rate, std::string_view activity, const JointBounds& bounds = {});
-  /// A twist of the tip along its own axes (BodyTwist) or the base's (SpatialTwist).
+  /// Bounds a twist of the tip, which is along its own axes (BodyTwist) or those of the base
+  /// (SpatialTwist).
   struct TwistBounds {
-    /// Along `axes`, which lead from those of the twist to the base's.
+    /// Is along `axes`, which rotates from the axes of the twist to those of the base.
     RateRamp<6>::Limits change = {};
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   };
@@ -42,19 +44,20 @@ class MotionStream {
   void end();
 
   bool isActive() const { return kind_ != Kind::None; }
-  /// It moves the tip, not single joints.
+  /// Returns true if it moves the tip, and not single joints.
   bool isOfTip() const { return kind_ == Kind::BodyTwist || kind_ == Kind::SpatialTwist; }
   std::string_view activity() const { return activity_; }
 
-  /// Counts a cycle; true: the stream has been silent for too long. free() needs no repeating.
+  /// Call this once a cycle. Returns true if the stream has been silent for too long. free() needs
+  /// no repetition.
   bool hasFallenSilent(suture::Time now) { return watch_.hasFallenSilent(now); }
 
-  /// A set-point within the limits of the joints.
+  /// Is a set-point within the limits of the joints.
   struct Step {
     Joints q;
-    bool limited = false;  ///< it would lie beyond them, and slides along them
+    bool limited = false;  ///< it would lie beyond the limits, and slides along them
   };
-  /// The set-point `dt` seconds after `setpoint`; none if no joint vector reaches it.
+  /// Returns the set-point `dt` seconds after `setpoint`; none if no joint vector reaches it.
   std::optional<Step> next(const kinematics::Chain<N>& chain,
                            kinematics::InverseFunction<N> inverse, const Joints& setpoint,
                            const Joints& measured, double dt);

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps rates from changing faster than they may.
+// This keeps rates from changing faster than they may.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -8,13 +8,14 @@
 
 namespace robots {
 
-/// Holds one rate for each joint or axis. Confined to one thread; never allocates.
+/// One thread; never allocates. Holds one rate for each joint or axis.
 template <int Size>
 class RateRamp {
  public:
   using Rates = Eigen::Matrix<double, Size, 1>;
 
-  /// How much a rate may change in a second, away from zero and towards it; infinite: at once.
+  /// Bounds how much a rate may change in a second, away from zero and towards it. If a bound is
+  /// infinite, the rate changes at once.
   struct Limits {
     Rates acceleration = Rates::Constant(std::numeric_limits<double>::infinity());
     Rates deceleration = Rates::Constant(std::numeric_limits<double>::infinity());

@@ -1,5 +1,5 @@
 #pragma once
-// How fast a set-point moves, whatever moves it.
+// This computes how fast a set-point moves, whatever moves it.
 
 #include <suture/base/time.h>
 
@@ -10,19 +10,19 @@
 
 namespace robots {
 
-/// Looks at the set-point in each cycle. Goals may come more slowly than cycles: the velocity is
-/// that between the last two changes, until no change has come for twice the time between those. A
-/// joint whose set-point jumped has none, nor has one that has moved once since it rested. Confined
-/// to one thread; never allocates.
+/// One thread; never allocates. Looks at the set-point in each cycle. Goals may come more slowly
+/// than cycles, so the velocity is that between the last two changes, until no change has come for
+/// twice the time between those. A joint whose set-point jumped has no velocity, and neither has
+/// one that has moved only once since it rested.
 template <int N>
 class SetpointRate {
  public:
   using Joints = Eigen::Matrix<double, N, 1>;
 
-  /// `limit`: what is faster is a jump; per second.
+  /// `limit` is per second; a faster change is a jump.
   explicit SetpointRate(const Joints& limit) : limit_(limit) {}
 
-  /// Once a cycle.
+  /// Call this once a cycle.
   void update(suture::Time now, const Joints& setpoint) {
     const suture::Duration since = now - changed_;
     if (setpoint == last_) {
@@ -38,18 +38,18 @@ class SetpointRate {
     changed_ = now;
     last_ = setpoint;
   }
-  /// It has been stopped there.
+  /// Says that the set-point has been stopped there.
   void rest(const Joints& setpoint) {
     rate_.setZero();
     last_ = setpoint;
     rested_ = true;
   }
 
-  /// Per second, within the limit.
+  /// Returns the velocity per second, within the limit.
   Joints rate() const { return rate_.cwiseMin(limit_).cwiseMax(-limit_); }
 
  private:
-  static constexpr double kTolerance = 1.001;  // of rounding, for what moves at the limit
+  static constexpr double kTolerance = 1.001;  // for the rounding of what moves at the limit
 
   const Joints limit_;
   Joints last_ = Joints::Zero(), rate_ = Joints::Zero();

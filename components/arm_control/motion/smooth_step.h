@@ -1,5 +1,5 @@
 #pragma once
-// The minimum-jerk blend between rest and rest.
+// This is the minimum-jerk blend between rest and rest.
 
 #include <algorithm>
 
@@ -13,10 +13,10 @@ inline double smoothStep(double s) {
   return s * s * s * (10 + s * (6 * s - 15));
 }
 
-/// The greatest slope of smoothStep, at s = 1/2.
+/// Is the greatest slope of smoothStep, at s = 1/2.
 constexpr double kSmoothStepPeakSlope = 1.875;
 
-/// The greatest second derivative of smoothStep, 10 / sqrt(3).
+/// Is the greatest second derivative of smoothStep, 10 / sqrt(3).
 constexpr double kSmoothStepPeakCurvature = 5.7735026918962577;
 
 }  // namespace robots

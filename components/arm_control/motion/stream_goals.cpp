@@ -11,7 +11,8 @@ namespace {
 
 using kinematics::SpatialVector;
 
-// How hard the simulated arm is to push. Of a joint; along and about the axes of the tip.
+// These say how hard the simulated arm is to push: at a joint, and along and about the axes of the
+// tip.
 constexpr double kJointDamping = 2.0;  // N.m.s/rad, N.s/m
 constexpr double kTipDamping = 50.0;   // N.s/m
 constexpr double kTwistDamping = 1.0;  // N.m.s/rad
@@ -21,7 +22,7 @@ constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 template <int N>
 using Joints = Eigen::Matrix<double, N, 1>;
 
-/// An empty list stands for `otherwise` at each joint.
+/// Returns the list as joints; an empty list stands for `otherwise` at each joint.
 template <int N>
 std::optional<Joints<N>> toJointsOr(double otherwise, const std::vector<double>& list) {
   if (list.empty()) return Joints<N>::Constant(otherwise);

@@ -1,5 +1,6 @@
 #pragma once
-// What the goals of servo_jv, servo_jf, servo_cv and servo_cf ask a MotionStream to follow.
+// This computes what the goals of servo_jv, servo_jf, servo_cv and servo_cf ask a MotionStream to
+// follow.
 
 #include <optional>
 
@@ -15,19 +16,20 @@ struct JointStreamGoal {
   typename MotionStream<N>::JointBounds bounds = {};
 };
 
-/// Along the axes that the goal is given in.
+/// Is along the axes in which the goal is given.
 struct TwistStreamGoal {
   kinematics::SpatialVector twist;
   RateRamp<6>::Limits change = {};
 };
 
-/// Each is none if the goal has a list of the wrong length, a number that is not finite, or an
-/// acceleration that leads nowhere. Joints and axes outside of the mask hold still.
+/// Each of these returns none if the goal has a list of the wrong length, a number that is not
+/// finite, or an acceleration that leads nowhere. Joints and axes outside of the mask hold still.
 template <int N>
 std::optional<JointStreamGoal<N>> streamGoal(const JointVelocityGoal& goal);
 template <int N>
 std::optional<JointStreamGoal<N>> streamGoal(const JointEffortGoal& goal);
-/// An acceleration of 0 leaves its axis unbounded, since clients that do not know it send zeros.
+/// An acceleration of 0 leaves its axis unbounded, because clients that do not know the field send
+/// zeros.
 std::optional<TwistStreamGoal> streamGoal(const TwistGoal& goal);
 std::optional<TwistStreamGoal> streamGoal(const WrenchGoal& goal);
 
