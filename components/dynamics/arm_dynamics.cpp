@@ -30,7 +30,7 @@ template <int N>
 typename ArmDynamics<N>::Joints ArmDynamics<N>::inverse(const Posture& posture,
                                                         const Joints& velocity,
                                                         const Joints& acceleration) const {
-  // A base that accelerates upwards is felt by its links as gravity is.
+  // A base that accelerates upwards acts on its links as gravity does.
   SpatialVector twist = SpatialVector::Zero(), change = SpatialVector::Zero();
   change.head<3>() = -gravity_;
   std::array<SpatialVector, std::size_t{N}> wrenches;

@@ -1,5 +1,5 @@
 #pragma once
-// The equations of motion of a serial arm of rigid bodies.
+// These are the equations of motion of a serial arm of rigid bodies.
 
 #include <array>
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace robots::dynamics {
 
-/// What pulls an arm whose base frame has z upwards, in m/s^2.
+/// Is what pulls an arm whose base frame has z upwards, in m/s^2.
 inline const Eigen::Vector3d kEarthGravity{0, 0, -9.80665};
 
-/// effort = inertia(q) * acceleration + inverse(q, velocity, 0). Efforts are in N.m, or N of a
-/// prismatic joint. Immutable, so usable from any thread; no method allocates.
+/// Any thread, because it is immutable; no method allocates. The equation is effort = inertia(q) *
+/// acceleration + inverse(q, velocity, 0). Efforts are in N.m, or N for a prismatic joint.
 ///
 /// The algorithms are the recursive Newton-Euler one and that of composite rigid bodies
 /// (Featherstone, "Rigid Body Dynamics Algorithms", 2008, chapters 5 and 6).
@@ -23,8 +23,8 @@ class ArmDynamics {
   using Joints = typename kinematics::Chain<N>::Joints;
   using Inertia = Eigen::Matrix<double, N, N>;
   using Links = std::array<LinkInertia, std::size_t{N}>;
-  /// Each link's frame in that of the link before. It is computed once for all that is asked of one
-  /// joint vector.
+  /// Holds each link's frame in that of the link before. It is computed once for all that is asked
+  /// of one joint vector.
   using Posture = std::array<Eigen::Isometry3d, std::size_t{N}>;
 
   /// `gravity` is in the arm's base frame, m/s^2.
@@ -34,17 +34,18 @@ class ArmDynamics {
   const kinematics::Chain<N>& chain() const { return chain_; }
   Posture at(const Joints& q) const;
 
-  /// The efforts that an acceleration takes, against gravity and what velocities cause.
+  /// Returns the efforts that an acceleration takes, against gravity and the effects of velocities.
   Joints inverse(const Posture& posture, const Joints& velocity, const Joints& acceleration) const;
-  /// The efforts that hold the arm against gravity.
+  /// Returns the efforts that hold the arm against gravity.
   Joints gravity(const Posture& posture) const;
-  /// The joint-space inertia matrix, rotors included.
+  /// Returns the joint-space inertia matrix, including the rotors.
   Inertia inertia(const Posture& posture) const;
-  /// The acceleration that efforts cause.
+  /// Returns the acceleration that efforts cause.
   Joints forward(const Posture& posture, const Joints& velocity, const Joints& effort) const;
 
   double kineticEnergy(const Posture& posture, const Joints& velocity) const;  ///< J
-  /// J; it is 0 where every centre of mass is at the height of the base frame's origin.
+  /// Returns the potential energy in J; it is 0 where every centre of mass is at the height of the
+  /// base frame's origin.
   double potentialEnergy(const Posture& posture) const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
-// What the da Vinci arms weigh, how they rub, what their motors can do and what their encoders see.
-// For simulation only, never for clinical use. README.md tells what is published, and what is our
-// own estimate.
+// These numbers say what the da Vinci arms weigh, how much friction they have, what their motors
+// can do and what their encoders measure. They are for simulation only, never for clinical use.
+// README.md says which are published, and which are our own estimate.
 
 #include "dynamics/arm_dynamics.h"
 
@@ -14,18 +14,18 @@ struct ArmMechanics {
 
   typename ArmDynamics<N>::Links links;
   Joints viscous;       ///< effort per unit of velocity
-  Joints coulomb;       ///< effort: what friction takes whatever the velocity, and at rest at most
+  Joints coulomb;       ///< effort: what friction takes at any velocity, and at most at rest
   Joints effort_limit;  ///< the most that motors give the joint
-  /// Motors and encoders are of actuators, which are coupled with the joints where the arm's drives
+  /// Motors and encoders belong to actuators, which are coupled with the joints if the arm's drives
   /// say so (drives/coupling.h).
   Joints motor_limit;   ///< the most that each motor gives
-  Joints encoder_step;  ///< what one count of each encoder is of its actuator
+  Joints encoder_step;  ///< how far the actuator moves in one count of its encoder
 };
 
-/// With the large needle driver, for kinematics::psm().
+/// Returns the mechanics with the large needle driver, for kinematics::psm().
 ArmMechanics<6> psmMechanics();
 
-/// For kinematics::mtmLeft() and mtmRight() alike.
+/// Returns the mechanics for kinematics::mtmLeft() and mtmRight() alike.
 ArmMechanics<7> mtmMechanics();
 
 }  // namespace robots::dynamics

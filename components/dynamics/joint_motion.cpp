@@ -9,7 +9,7 @@ namespace robots::dynamics {
 namespace {
 
 constexpr int kSweeps = 30;
-constexpr double kSettled = 1e-13;  // rad/s or m/s: no sweep changes more any longer
+constexpr double kSettled = 1e-13;  // rad/s or m/s: the iterations end once no sweep changes more
 
 }  // namespace
 

@@ -1,12 +1,12 @@
 #pragma once
-// How the joints of an arm move under efforts: its equations of motion, friction and stops, in
-// time.
+// This says how the joints of an arm move under efforts: by its equations of motion, friction and
+// stops, in time.
 
 #include "dynamics/arm_dynamics.h"
 
 namespace robots::dynamics {
 
-/// What acts at the joints beside their efforts. Vectors are in the units of the joints.
+/// Holds what acts at the joints beside their efforts. Vectors are in the units of the joints.
 template <int N>
 struct JointSurroundings {
   using Joints = typename ArmDynamics<N>::Joints;
@@ -16,30 +16,31 @@ struct JointSurroundings {
   Joints lower, upper;  ///< the mechanical stops, which are inelastic
 };
 
-/// Integrates in steps of at most kStep: half a step of position, a step of velocity with the
-/// forces at its middle, and again half a step of position. So the error is of second order and a
-/// joint that stands still does not creep. Viscous friction acts by the new velocity; Coulomb's and
-/// the stops' are impulses that would bring each joint to rest, within what friction gives
-/// (projected Gauss-Seidel iterations, bounded).
+/// One thread; never allocates. It is deterministic: equal starts, efforts and times give equal
+/// motion.
 ///
-/// Confined to one thread; never allocates. It is deterministic: equal starts, efforts and times
-/// give equal motion.
+/// Integrates in steps of at most kStep: half a step of position, a step of velocity with the
+/// forces at its middle, and again half a step of position. So the error is of second order, and a
+/// joint that stands still does not creep. Viscous friction acts by the new velocity. Coulomb
+/// friction and the stops are impulses that would bring each joint to rest, within what friction
+/// gives (projected Gauss-Seidel iterations, bounded).
 template <int N>
 class JointMotion {
  public:
   using Joints = typename ArmDynamics<N>::Joints;
 
   static constexpr double kStep = 1.0 / 3000;  ///< s
-  /// Steps of one call. So one that is late does not last; the time beyond is lost to the joints.
+  /// Bounds the steps of one call, so that a late call does not take longer and longer; the joints
+  /// lose the time beyond.
   static constexpr int kMostSteps = 30;
 
-  /// At rest at `start`.
+  /// The joints rest at `start`.
   JointMotion(const ArmDynamics<N>& dynamics, const JointSurroundings<N>& surroundings,
               const Joints& start);
 
   /// Lets `dt` seconds (>= 0) pass under constant efforts.
   void advance(double dt, const Joints& effort);
-  /// The joints stand still, as if brakes had caught them.
+  /// Makes the joints stand still, as if brakes had caught them.
   void halt();
 
   const ArmDynamics<N>& dynamics() const { return dynamics_; }
@@ -57,7 +58,7 @@ class JointMotion {
   ArmDynamics<N> dynamics_;
   JointSurroundings<N> surroundings_;
   Joints position_, velocity_;
-  Joints friction_ = Joints::Zero();  // effort of the last step: where the iterations begin
+  Joints friction_ = Joints::Zero();  // effort of the last step, at which the iterations begin
 };
 
 extern template class JointMotion<6>;

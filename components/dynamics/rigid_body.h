@@ -1,5 +1,5 @@
 #pragma once
-// One rigid body, and how its inertia moves between frames.
+// This is one rigid body, and how its inertia moves between frames.
 
 #include <Eigen/Geometry>
 
@@ -9,23 +9,23 @@ namespace robots::dynamics {
 
 using kinematics::SpatialVector;
 
-/// What a link weighs, in the axes of its own frame (Chain::link: that of the last link is the tool
-/// tip's).
+/// Says what a link weighs, in the axes of its own frame (Chain::link; the frame of the last link
+/// is the tool tip's).
 struct LinkInertia {
   double mass;              ///< kg
   Eigen::Vector3d centre;   ///< m: the centre of mass
   Eigen::Matrix3d inertia;  ///< kg.m^2: about the centre of mass
-  double rotor;  ///< kg.m^2, or kg of a prismatic joint: what the motor adds, seen from the joint
+  double rotor;  ///< kg.m^2, or kg for a prismatic joint: what the motor adds, seen from the joint
 };
 
-/// A LinkInertia, or several that do not move against each other, about the origin of a frame.
+/// Is a LinkInertia, or several that do not move against each other, about the origin of a frame.
 struct BodyInertia {
   double mass = 0;                                         ///< kg
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();        ///< kg.m: mass by centre of mass
   Eigen::Matrix3d about_origin = Eigen::Matrix3d::Zero();  ///< kg.m^2
 };
 
-/// The matrix by which `v.cross(x)` is a product.
+/// Returns the matrix whose product with x is `v.cross(x)`.
 inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& v) {
   Eigen::Matrix3d matrix;
   matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
@@ -37,7 +37,7 @@ inline BodyInertia aboutOrigin(const LinkInertia& link) {
   return {link.mass, link.mass * link.centre, link.inertia - link.mass * centre * centre};
 }
 
-/// The same body, seen from the frame that `frame` is given in.
+/// Returns the same body, seen from the frame in which `frame` is given.
 inline BodyInertia movedTo(const Eigen::Isometry3d& frame, const BodyInertia& body) {
   const Eigen::Vector3d& p = frame.translation();
   const Eigen::Matrix3d& r = frame.linear();
@@ -52,8 +52,8 @@ inline BodyInertia operator+(const BodyInertia& a, const BodyInertia& b) {
   return {a.mass + b.mass, a.moment + b.moment, a.about_origin + b.about_origin};
 }
 
-/// The momentum (N.s, N.m.s) of a body that moves with `twist`; the wrench if that is an
-/// acceleration.
+/// Returns the momentum (N.s, N.m.s) of a body that moves with `twist`; if that is an acceleration,
+/// the wrench.
 inline SpatialVector momentum(const BodyInertia& body, const SpatialVector& twist) {
   const Eigen::Vector3d linear = twist.head<3>(), angular = twist.tail<3>();
   SpatialVector result;
@@ -62,7 +62,7 @@ inline SpatialVector momentum(const BodyInertia& body, const SpatialVector& twis
   return result;
 }
 
-/// How `other`, which is at rest in a frame that moves with `twist`, changes.
+/// Returns how `other`, a twist that is at rest in a frame which moves with `twist`, changes.
 inline SpatialVector crossMotion(const SpatialVector& twist, const SpatialVector& other) {
   const Eigen::Vector3d linear = twist.head<3>(), angular = twist.tail<3>();
   SpatialVector result;
@@ -71,7 +71,7 @@ inline SpatialVector crossMotion(const SpatialVector& twist, const SpatialVector
   return result;
 }
 
-/// The same of a momentum.
+/// Returns how a momentum that is at rest in a frame which moves with `twist` changes.
 inline SpatialVector crossForce(const SpatialVector& twist, const SpatialVector& momentum) {
   const Eigen::Vector3d linear = twist.head<3>(), angular = twist.tail<3>();
   SpatialVector result;
@@ -80,7 +80,7 @@ inline SpatialVector crossForce(const SpatialVector& twist, const SpatialVector&
   return result;
 }
 
-/// A twist of the frame that `frame` is given in, as it is at `frame` and along its axes.
+/// Returns a twist of the frame in which `frame` is given, as it is at `frame` and along its axes.
 inline SpatialVector twistAt(const Eigen::Isometry3d& frame, const SpatialVector& twist) {
   const Eigen::Vector3d linear = twist.head<3>(), angular = twist.tail<3>();
   SpatialVector result;
@@ -89,7 +89,7 @@ inline SpatialVector twistAt(const Eigen::Isometry3d& frame, const SpatialVector
   return result;
 }
 
-/// A wrench at `frame`, as it is in the frame that `frame` is given in.
+/// Returns a wrench at `frame`, as it is in the frame in which `frame` is given.
 inline SpatialVector wrenchFrom(const Eigen::Isometry3d& frame, const SpatialVector& wrench) {
   const SpatialVector turned = kinematics::rotated(frame.linear(), wrench);
   SpatialVector result = turned;

@@ -1,35 +1,35 @@
 #pragma once
-// What keeps a force feedback from giving more energy than it was given.
+// This keeps a force feedback from giving more energy than it was given.
 
 #include <Eigen/Core>
 
 namespace robots {
 
-/// The time-domain passivity observer (Hannaford and Ryu, "Time-domain passivity control of haptic
-/// interfaces", 2002) of the port at which a hand holds a master, along each axis by itself. Motors
-/// hold their force from one cycle to the next, so what it does is that force by the way in
-/// between, without an error (Stramigioli et al., "Sampled data systems passivity and discrete
-/// port-Hamiltonian systems", 2005).
+/// One thread; never allocates. Is the time-domain passivity observer (Hannaford and Ryu,
+/// "Time-domain passivity control of haptic interfaces", 2002) of the port at which a hand holds a
+/// master, along each axis by itself. Motors hold their force from one cycle to the next, so the
+/// work of a force is that force times the way in between, without an error (Stramigioli et al.,
+/// "Sampled data systems passivity and discrete port-Hamiltonian systems", 2005).
 ///
-/// Positions are in m in one frame, forces in N along its axes. Confined to one thread; never
-/// allocates.
+/// Positions are in m in one frame, forces in N along its axes.
 class PassivityObserver {
  public:
-  /// The account begins with the hand at `position`, and nothing pushes it.
+  /// Begins the account with the hand at `position`, where nothing pushes it.
   void beginAt(const Eigen::Vector3d& position) {
     position_ = position;
     force_ = energy_ = Eigen::Vector3d::Zero();
   }
-  /// Each cycle, before the force changes: the hand has come to `position`.
+  /// Call this in each cycle, before the force changes, with the position to which the hand has
+  /// come.
   void movedTo(const Eigen::Vector3d& position) {
     energy_ -= force_.cwiseProduct(position - position_);
     position_ = position;
   }
-  /// From now on `force` pushes the hand.
+  /// Says that `force` pushes the hand from now on.
   void pushes(const Eigen::Vector3d& force) { force_ = force; }
 
-  /// J: what the hand has given along each axis since the account began. Below zero the feedback
-  /// has given more than it was given: it is active.
+  /// Returns the energy in J that the hand has given along each axis since the account began. Below
+  /// zero the feedback has given more than it was given: it is active.
   const Eigen::Vector3d& energy() const { return energy_; }
 
  private:
@@ -37,11 +37,11 @@ class PassivityObserver {
                   energy_ = Eigen::Vector3d::Zero();
 };
 
-/// The passivity controller of the same paper, in series with the feedback. `force` is what is
-/// about to push a hand that moves with `velocity` (m/s) for `dt` seconds (> 0). Answers with that
-/// force and as much damping as takes what `energy` would lack after that, along each axis by
-/// itself. It brakes a hand by no more than `most`, N.s/m, since more than the moving mass by dt
-/// would throw it back; below that it leaves some of the lack to the next cycle.
+/// Is the passivity controller of the same paper, in series with the feedback. `force` is about to
+/// push a hand that moves with `velocity` (m/s) for `dt` seconds (> 0). Returns that force and as
+/// much damping as takes what `energy` would lack after that, along each axis by itself. It brakes
+/// a hand by no more than `most`, in N.s/m, because more than the moving mass divided by dt would
+/// throw the hand back; what then still lacks is left to the next cycle.
 Eigen::Vector3d damped(const Eigen::Vector3d& force, const Eigen::Vector3d& velocity,
                        const Eigen::Vector3d& energy, double most, double dt);
 

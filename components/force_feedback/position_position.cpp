@@ -7,8 +7,8 @@
 namespace robots {
 namespace {
 
-// The damping of a cycle takes away no more than this share of the momentum: since its force is
-// held for the whole cycle, it would throw the hand back if it took more than all.
+// The damping of a cycle takes away no more than this share of the momentum, because its force is
+// held for the whole cycle, and would throw the hand back if it took more than all.
 constexpr double kShare = 0.5;
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// How a hand feels through its master what the slave does.
+// This lets a hand feel through its master what the slave does.
 
 #include <Eigen/Core>
 
@@ -7,7 +7,7 @@
 
 namespace robots {
 
-/// How a tip moves, in the frame and to the scale of the master.
+/// Says how a tip moves, in the frame and to the scale of the master.
 struct TipMotion {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s
@@ -18,15 +18,16 @@ struct CouplingGains {
   double damping = 3;      ///< N.s/m
 };
 
-/// N: what draws one arm to where the other one is known to be. With equal gains of both arms, each
-/// knowing the other with a delay, this is the coupling named position-position.
+/// Returns the force in N that draws one arm to where the other one is known to be. With equal
+/// gains of both arms, where each knows the other with a delay, this is the coupling named
+/// position-position.
 inline Eigen::Vector3d coupling(const CouplingGains& gains, const TipMotion& own,
                                 const TipMotion& other) {
   return gains.stiffness * (other.position - own.position) +
          gains.damping * (other.velocity - own.velocity);
 }
 
-/// All numbers are our own choice.
+/// All of these numbers are our own choice.
 struct PositionPositionModel {
   CouplingGains gains = {};
   double most_force = 20;  ///< N: the coupling pushes no harder along an axis
@@ -34,20 +35,20 @@ struct PositionPositionModel {
   double mass = 0.9;       ///< kg: of the least that moves with the hand
 };
 
-/// The master's half of the coupling, with the passivity observer and controller at the hand. A
-/// delay makes the coupling active, for the slave that pulls at the hand is where it was. Confined
-/// to one thread; nothing but the constructor throws, nothing allocates.
+/// One thread; only the constructor throws, nothing allocates. Is the master's half of the
+/// coupling, with the passivity observer and controller at the hand. A delay makes the coupling
+/// active, because the slave pulls at the hand from where it was.
 class PositionPosition {
  public:
-  /// Throws std::invalid_argument unless all its numbers are finite and not negative.
+  /// Throws std::invalid_argument unless all numbers of the model are finite and not negative.
   explicit PositionPosition(const PositionPositionModel& model);
 
-  /// The coupling begins with the master at `position`.
+  /// Begins the coupling with the master at `position`.
   void beginAt(const Eigen::Vector3d& position) { observer_.beginAt(position); }
-  /// Each cycle: the force on the hand for the next `dt` seconds (> 0), N.
+  /// Call this in each cycle. Returns the force on the hand for the next `dt` seconds (> 0), in N.
   Eigen::Vector3d force(const TipMotion& master, const TipMotion& slave, double dt);
 
-  /// What the hand has given along each axis, J (PassivityObserver).
+  /// Returns the energy in J that the hand has given along each axis (PassivityObserver).
   const Eigen::Vector3d& energy() const { return observer_.energy(); }
 
  private:

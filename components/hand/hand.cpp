@@ -43,7 +43,8 @@ void Hand::advance(double dt, const Vector3d& target, const Vector3d& force) {
   time_ += dt;
 }
 
-/// The force that moves the hand as its tremor says, against its own mass, damper and spring.
+/// Returns the force that moves the hand as its tremor says, against its own mass, damper and
+/// spring.
 Vector3d Hand::shaking(double t) const {
   const Tremor::Motion motion = tremor_.at(t);
   return model_.mass * motion.acceleration + model_.damping * motion.velocity +

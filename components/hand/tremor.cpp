@@ -12,7 +12,7 @@ Tremor::Tremor(const TremorModel& model)
   std::mt19937 random(model.seed);
   std::uniform_real_distribution<double> share;
   for (auto& axis : axes_) {
-    // One sine in each part of the band, so that they never add up to a tone.
+    // There is one sine in each part of the band, so that they never add up to a tone.
     for (std::size_t i = 0; i < kSines; ++i) {
       const double place = (static_cast<double>(i) + share(random)) / kSines;
       axis[i].frequency = kTurn * (kLowest + place * (kHighest - kLowest));

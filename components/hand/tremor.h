@@ -1,5 +1,5 @@
 #pragma once
-// How a hand shakes that is held still.
+// This says how a hand shakes that is held still.
 
 #include <Eigen/Core>
 #include <array>
@@ -9,16 +9,16 @@
 namespace robots {
 
 struct TremorModel {
-  /// m: the root mean square of the distance from where the hand shall be. Published values are 50
-  /// to 200 um (Wells et al., "Comparison of baseline tremor under various microsurgical
+  /// In m: is the root mean square of the distance from where the hand shall be. Published values
+  /// are 50 to 200 um (Wells et al., "Comparison of baseline tremor under various microsurgical
   /// conditions", 2013, PMC3989364).
   double amplitude = 1e-4;
   std::uint32_t seed = 1;
 };
 
-/// Physiological tremor: 8 to 12 Hz (the same source), along each axis by itself. It is a sum of
-/// sines, whose frequencies and phases the seed chooses, so it has no power outside of that band
-/// and equal seeds give equal tremor. Immutable; no method allocates.
+/// Immutable; no method allocates. Is physiological tremor: 8 to 12 Hz (the same source), along
+/// each axis by itself. It is a sum of sines, whose frequencies and phases the seed chooses, so it
+/// has no power outside of that band and equal seeds give equal tremor.
 class Tremor {
  public:
   static constexpr double kLowest = 8, kHighest = 12;  // Hz
@@ -30,7 +30,7 @@ class Tremor {
     Eigen::Vector3d velocity;      ///< m/s
     Eigen::Vector3d acceleration;  ///< m/s^2
   };
-  /// How a hand that holds nothing moves, `t` seconds after it began.
+  /// Returns how a hand that holds nothing moves, `t` seconds after it began.
   Motion at(double t) const;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
-// What the closed forms share: they choose among postures, and prove the one they choose.
+// This is what the closed forms share: they choose among postures, and check the one that they
+// choose.
 
 #include <limits>
 #include <optional>
@@ -10,7 +11,7 @@
 
 namespace robots::kinematics {
 
-/// How far each joint moves: rad, and 0.1 m count as one of them.
+/// Returns how far each joint moves, in rad; 0.1 m count as 1 rad.
 template <int N>
 typename Chain<N>::Joints jointDistances(const Chain<N>& chain,
                                          const typename Chain<N>::Joints& from,
@@ -28,8 +29,8 @@ double squaredDistance(const Chain<N>& chain, const typename Chain<N>::Joints& f
   return jointDistances(chain, from, to).squaredNorm();
 }
 
-/// The postures that lead to one goal as if there were no limits. Chain and start are kept by
-/// reference. Never allocates.
+/// Collects the postures that lead to one goal as if there were no limits. Chain and start are kept
+/// by reference. Never allocates.
 template <int N>
 class Candidates {
  public:
@@ -38,7 +39,7 @@ class Candidates {
   Candidates(const Chain<N>& chain, const Joints& start, Postures postures)
       : chain_(chain), start_(start), postures_(postures) {}
 
-  /// One that is not finite is passed over.
+  /// Adds a posture, unless it is not finite.
   void offer(const Joints& q) {
     if (!q.allFinite()) return;
     offered_ = true;
@@ -48,12 +49,12 @@ class Candidates {
     (isWithin ? within_ : beyond_).take(squaredDistance(chain_, start_, q), cut);
   }
 
-  /// That of the postures within the limits which is nearest to the start. If there is none, the
-  /// nearest point within the limits, searched from the start or from the nearest of the other
-  /// postures cut to the limits, whichever comes closer to the goal. `reachable`: the candidates
-  /// reach the goal but for the limits. A goal that only a posture far away reaches is limited if
-  /// the search comes to its end, to a limit, or to 1 cm and 0.1 rad beside the goal; else it is
-  /// out of reach from here.
+  /// Returns the posture within the limits that is nearest to the start. If there is none, returns
+  /// the nearest point within the limits, searched from the start or from the nearest of the other
+  /// postures cut to the limits, whichever comes closer to the goal. `reachable` says that the
+  /// candidates reach the goal but for the limits. A goal that only a posture far away reaches is
+  /// limited if the search comes to its end, to a limit, or to 1 cm and 0.1 rad beside the goal;
+  /// otherwise it is out of reach from here.
   InverseSolution<N> settle(const Eigen::Isometry3d& goal, bool reachable) const {
     InverseSolution<N> solution = nearestWithinLimits(chain_, goal, beginning(goal));
     const bool byLimits = postures_ == Postures::All || beyond_.q || hasArrived(solution);

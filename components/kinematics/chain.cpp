@@ -18,8 +18,8 @@ Isometry3d alongZ(double d, double theta) {
   return Translation3d(0, 0, d) * AngleAxisd(theta, Vector3d::UnitZ());
 }
 
-// frame * motion(q), where the motion is about or along z of the frame. Only two columns of a
-// rotation change, and this is most of what forward kinematics costs.
+// Returns frame * motion(q), where the motion is about or along z of the frame. Only two columns of
+// a rotation change, and this is most of what forward kinematics costs.
 Isometry3d moved(Isometry3d frame, JointKind kind, double q) {
   if (kind == JointKind::Prismatic) {
     frame.translation() += q * frame.linear().col(2);
@@ -32,7 +32,7 @@ Isometry3d moved(Isometry3d frame, JointKind kind, double q) {
   return frame;
 }
 
-// The part along z that does not depend on the joint.
+// Returns the part along z that does not depend on the joint.
 Isometry3d constantZ(const Link& link) {
   return link.kind == JointKind::Revolute ? alongZ(link.d, link.offset) : alongZ(link.offset, 0);
 }

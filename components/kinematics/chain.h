@@ -1,5 +1,6 @@
 #pragma once
-// Serial chains in Denavit-Hartenberg form: forward kinematics and geometric Jacobian.
+// These are serial chains in Denavit-Hartenberg form, with forward kinematics and geometric
+// Jacobian.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -9,15 +10,15 @@
 
 namespace robots::kinematics {
 
-/// Where a link's frame sits. Standard: T = Rz(theta) Tz(d) Tx(a) Rx(alpha), joint i moves about z
-/// of frame i-1. Modified (Craig, "Introduction to Robotics", 1989): T = Rx(alpha) Tx(a) Rz(theta)
-/// Tz(d), joint i moves about z of frame i.
+/// Says where a link's frame sits. Standard: T = Rz(theta) Tz(d) Tx(a) Rx(alpha), joint i moves
+/// about z of frame i-1. Modified (Craig, "Introduction to Robotics", 1989): T = Rx(alpha) Tx(a)
+/// Rz(theta) Tz(d), joint i moves about z of frame i.
 enum class Convention { Standard, Modified };
 
 enum class JointKind { Revolute, Prismatic };
 
-/// One row of a DH table. The joint value is added to `offset`: theta of a revolute joint (rad), d
-/// of a prismatic one (m). Limits are of the joint value, so without the offset.
+/// Is one row of a DH table. The joint value is added to `offset`: theta of a revolute joint (rad),
+/// d of a prismatic one (m). Limits are of the joint value, so without the offset.
 struct Link {
   double alpha;   ///< rad
   double a;       ///< m
@@ -28,8 +29,8 @@ struct Link {
   JointKind kind = JointKind::Revolute;
 };
 
-/// N joints from base to tip. Immutable, so usable from any thread; no method allocates.
-/// Joint vectors have N entries, rad for revolute and m for prismatic joints.
+/// Any thread, because it is immutable; no method allocates. Has N joints from base to tip. Joint
+/// vectors have N entries, rad for revolute and m for prismatic joints.
 template <int N>
 class Chain {
  public:
@@ -41,28 +42,29 @@ class Chain {
   Chain(Convention convention, const std::array<Link, std::size_t{N}>& links,
         const Eigen::Isometry3d& tip = Eigen::Isometry3d::Identity());
 
-  /// Tool tip in the base frame, translation in m.
+  /// Returns the tool tip in the base frame, with its translation in m.
   Eigen::Isometry3d forward(const Joints& q) const;
 
-  /// The frame behind the first `joints` joints, 0 to N; N is the tool tip.
+  /// Returns the frame behind the first `joints` joints, 0 to N; N is the tool tip.
   Eigen::Isometry3d link(const Joints& q, int joints) const;
   JointKind kind(int joint) const { return segments_[static_cast<std::size_t>(joint)].kind; }
 
-  /// The frame behind joint `joint` at `q`, in the frame before it.
+  /// Returns the frame behind joint `joint` at `q`, in the frame before it.
   Eigen::Isometry3d relative(int joint, double q) const;
-  /// How the frame behind joint `joint` moves per unit of its velocity, in that frame's own axes
-  /// and at its origin. It does not depend on `q`.
+  /// Returns how the frame behind joint `joint` moves per unit of its velocity, in that frame's own
+  /// axes and at its origin. It does not depend on `q`.
   SpatialVector screw(int joint) const;
 
-  /// Geometric Jacobian (6 x N) of the tool tip in the base frame: rows 0..2 linear velocity of the
-  /// tip point (m/s), rows 3..5 angular velocity (rad/s), per unit of joint velocity.
+  /// Returns the geometric Jacobian (6 x N) of the tool tip in the base frame: rows 0..2 are the
+  /// linear velocity of the tip point (m/s), rows 3..5 the angular velocity (rad/s), per unit of
+  /// joint velocity.
   Jacobian jacobian(const Joints& q) const { return posture(q).jacobian; }
 
   struct Posture {
     Eigen::Isometry3d tip;
     Jacobian jacobian;
   };
-  /// What forward() and jacobian() give, in one pass over the joints.
+  /// Returns what forward() and jacobian() return, in one pass over the joints.
   Posture posture(const Joints& q) const;
 
   const Joints& lower() const { return lower_; }
@@ -73,15 +75,15 @@ class Chain {
   }
 
  private:
-  // A link is before * motion(q) * after, whichever the convention; the joint moves about or along
-  // z of the frame that `before` leads to.
+  // A link is before * motion(q) * after in either convention; the joint moves about or along z of
+  // the frame to which `before` leads.
   struct Segment {
     Eigen::Isometry3d before;
     Eigen::Isometry3d after;
     Eigen::Isometry3d toNext;  // after * before of the next link, for one product less a joint
     JointKind kind;
   };
-  // The frame in which joint `i + 1` moves, or behind the last one the tool tip.
+  // Returns the frame in which joint `i + 1` moves, or behind the last one the tool tip.
   Eigen::Isometry3d beyond(const Eigen::Isometry3d& joint, const Joints& q, int i) const;
 
   std::array<Segment, std::size_t{N}> segments_;

@@ -9,12 +9,12 @@
 namespace robots::kinematics {
 namespace {
 
-// So small a step (rad or m) leads nowhere: the search stands at the nearest that the limits leave.
+// A step this small (rad or m) leads nowhere: the search stands at the nearest point that the
+// limits admit.
 constexpr double kStandstill = 1e-12;
 
 enum class Limits { Heeded, Ignored };
 
-// The damped step.
 template <int N>
 typename Chain<N>::Joints dampedStep(const Chain<N>& chain, const typename Chain<N>::Joints& q,
                                      const SpatialVector& error, Limits limits) {
@@ -48,7 +48,7 @@ InverseSolution<N> search(const Chain<N>& chain, const Eigen::Isometry3d& goal,
   }
 }
 
-// A joint rests against its limit.
+// Returns true if a joint is at its limit.
 template <int N>
 bool isAtLimit(const Chain<N>& chain, const typename Chain<N>::Joints& q) {
   return (q.array() <= chain.lower().array()).any() || (q.array() >= chain.upper().array()).any();

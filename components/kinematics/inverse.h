@@ -1,5 +1,5 @@
 #pragma once
-// Inverse kinematics by damped least squares.
+// This is inverse kinematics by damped least squares.
 
 #include "kinematics/chain.h"
 
@@ -11,8 +11,9 @@ struct InverseOptions {
   double orientation_tolerance = 1e-9;  ///< rad
 };
 
-/// The answer of `inverse`: within the joint limits even when not found, then the nearest that was
-/// reached: where 0.1 m of position weigh as much as 1 rad of orientation.
+/// Is the answer of `inverse`. It is within the joint limits even if the goal was not found: then
+/// it is the nearest that was reached, where 0.1 m of position weigh as much as 1 rad of
+/// orientation.
 template <int N>
 struct InverseSolution {
   typename Chain<N>::Joints q;
@@ -20,37 +21,39 @@ struct InverseSolution {
   double orientation_error = 0;  ///< rad
   int iterations = 0;
   bool found = false;  ///< both errors are within tolerance
-  /// Only the joint limits keep the arm from the goal, and `q` is the nearest that is within them.
-  /// If the goal is neither found nor limited, no joint vector that the search finds reaches it.
+  /// Is true if only the joint limits keep the arm from the goal, and `q` is the nearest that is
+  /// within them. If the goal is neither found nor limited, no joint vector that the search finds
+  /// reaches it.
   bool limited = false;
 };
 
-/// Joint vector whose tip pose is `goal` (base frame), searched from `start`; the joints it need
-/// not move it leaves near there. Levenberg-Marquardt with the damping proportional to the squared
-/// error (Sugihara, "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method",
-/// IEEE Transactions on Robotics 27(5), 2011), so it neither blows up at a singularity nor out of
-/// reach. A joint that is pushed against its limit is held there for that iteration. A goal that is
-/// not finite is not found. Never allocates; time is bounded by twice max_iterations.
+/// Returns a joint vector whose tip pose is `goal` (base frame), searched from `start`; joints that
+/// need not move stay near there. It uses Levenberg-Marquardt with the damping proportional to the
+/// squared error (Sugihara, "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt
+/// method", IEEE Transactions on Robotics 27(5), 2011), so it diverges neither at a singularity nor
+/// out of reach. A joint that is pushed against its limit is held there for that iteration. A goal
+/// that is not finite is not found. Never allocates; time is bounded by twice max_iterations.
 template <int N>
 InverseSolution<N> inverse(const Chain<N>& chain, const Eigen::Isometry3d& goal,
                            const typename Chain<N>::Joints& start,
                            const InverseOptions& options = {});
 
-/// Which postures of the arm may be the answer.
+/// Says which postures of the arm may be the answer.
 enum class Postures {
-  All,  ///< whichever reaches the goal: for a move that is planned
-  /// Only such as lie within 1 rad and 0.1 m of the start with every joint: for a stream, which
-  /// slides along a limit where only another posture, or another turn of a joint, reaches the goal.
+  All,  ///< any that reaches the goal: for a move that is planned
+  /// Only postures that lie within 1 rad and 0.1 m of the start with every joint: for a stream,
+  /// which slides along a limit if only another posture, or another turn of a joint, reaches the
+  /// goal.
   Near,
 };
 
-/// How an arm solves its inverse kinematics: a closed form, or the search above.
+/// Is how an arm solves its inverse kinematics: by a closed form, or by the search above.
 template <int N>
 using InverseFunction = InverseSolution<N> (*)(const Chain<N>& chain, const Eigen::Isometry3d& goal,
                                                const typename Chain<N>::Joints& start,
                                                Postures postures);
 
-/// The search as such a function. It goes downhill from its start, whatever the postures.
+/// Is the search as such a function. It goes downhill from its start, whatever `postures` says.
 template <int N>
 InverseSolution<N> searched(const Chain<N>& chain, const Eigen::Isometry3d& goal,
                             const typename Chain<N>::Joints& start, Postures /*postures*/) {

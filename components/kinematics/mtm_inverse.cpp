@@ -15,13 +15,14 @@ namespace {
 using Eigen::Vector3d;
 using MtmJoints = Chain<7>::Joints;
 
-// The yaw that turns the arm's plane to the wrist; the opposite one does as well.
+// Returns the yaw that turns the arm's plane to the wrist; the opposite one does so too.
 double yawToward(const Vector3d& wrist, double otherwise) {
   if (std::hypot(wrist.x(), wrist.y()) <= kOpenLength) return otherwise;
   return std::atan2(wrist.y(), wrist.x()) + kHalfPi;
 }
 
-// Upper arm, and from the elbow to the wrist's centre: a triangle with the line between the ends.
+// Is the triangle of the upper arm, the line from the elbow to the wrist's centre, and the line
+// between their ends.
 struct Reach {
   double forearm = std::hypot(kMtmForearm, kMtmForearmDrop);  // m
   double bend;                                                // cosine of the outer angle between
@@ -32,8 +33,8 @@ struct Reach {
   bool isWithin() const { return std::abs(bend) <= 1 + kLimitSlack; }
 };
 
-// Joints of which the first three lead to the wrist's centre, or point at it where that is out of
-// reach; the wrist's are zero.
+// Returns joints of which the first three lead to the wrist's centre, or point at it if it is out
+// of reach; those of the wrist are zero.
 MtmJoints armAt(const Vector3d& wrist, const Reach& reach, double yaw, double elbowSide) {
   const double outward = wrist.x() * std::sin(yaw) - wrist.y() * std::cos(yaw);
   const double bend = elbowSide * std::acos(std::clamp(reach.bend, -1.0, 1.0));
@@ -71,7 +72,7 @@ MtmWrist wristOf(const Chain<7>& chain, const MtmJoints& arm, const Eigen::Isome
 
 double platformOf(const Chain<7>& chain, const MtmJoints& start) { return chain.clamp(start)[3]; }
 
-// A wrist that its limits do not admit keeps the platform.
+// Adds the joints of the wrist. If their limits admit none, the platform keeps its angle.
 MtmJoints withWrist(const Chain<7>& chain, MtmJoints arm, const Eigen::Isometry3d& goal,
                     const MtmJoints& start) {
   const MtmWrist wrist = wristOf(chain, arm, goal, start);

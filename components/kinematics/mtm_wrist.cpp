@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kPlatform = 3, kPitch = 4, kYaw = 5, kRoll = 6;  // in the chain
 
-// How the four joints move by the platform while the tool keeps its orientation.
+// Returns how the four joints move with the platform while the tool keeps its orientation.
 Eigen::Vector4d selfMotion(const Eigen::Vector4d& q) {
   const double pitchSine = std::sin(q[1]);
   const double yawCosine = std::cos(q[2]);
@@ -24,8 +24,8 @@ Eigen::Vector4d selfMotion(const Eigen::Vector4d& q) {
 
 }  // namespace
 
-// Platform angles at which a joint reaches a limit, the platform's own included: in ascending order
-// they part what is admissible from what is not.
+// Holds the platform angles at which a joint reaches a limit, including the platform's own: in
+// ascending order they separate admissible angles from the others.
 class MtmWrist::Boundaries {
  public:
   Boundaries(double lower, double upper) : lower_(lower), upper_(upper) {
@@ -60,7 +60,7 @@ MtmWrist::MtmWrist(const Chain<7>& chain, const Eigen::Matrix3d& orientation,
 
 MtmWrist::Joints MtmWrist::at(double platform) const {
   const double sine = std::sin(platform), cosine = std::cos(platform);
-  // The axis of the wrist pitch, and what the wrist does about it.
+  // This is the axis of the wrist pitch, and how the wrist turns about it.
   const Eigen::RowVector3d pitchAxis = sine * orientation_.row(0) - cosine * orientation_.row(1);
   const double along = orientation_(0, 2) * cosine + orientation_(1, 2) * sine;
   Joints q;
@@ -80,8 +80,9 @@ bool MtmWrist::isWithin(const Joints& q) const {
          (q.array() <= chain_.upper().tail<4>().array() + kLimitSlack).all();
 }
 
-// The sine of the wrist yaw is the tilt times the sine of the platform from the heading, and of the
-// wrist pitch the tangent is the height by the tilt times the cosine of it.
+// The sine of the wrist yaw is the tilt times the sine of the angle from the heading to the
+// platform. The tangent of the wrist pitch is the height divided by the tilt times the cosine of
+// that angle.
 MtmWrist::Boundaries MtmWrist::boundaries() const {
   Boundaries boundaries(chain_.lower()[kPlatform], chain_.upper()[kPlatform]);
   for (const double limit : {chain_.lower()[kYaw], chain_.upper()[kYaw]}) {
@@ -98,14 +99,14 @@ MtmWrist::Boundaries MtmWrist::boundaries() const {
     boundaries.add(heading_ - std::acos(cosine));
   }
   for (const double limit : {chain_.lower()[kRoll], chain_.upper()[kRoll]}) {
-    // Other turns remain beyond a limit, which is a boundary for who starts on its turn only.
+    // Other turns remain beyond a limit, so a limit is a boundary only if the start is on its turn.
     if (std::abs(limit - start_[kRoll]) < std::numbers::pi) boundaries.add(platformForRoll(limit));
   }
   return boundaries;
 }
 
-// At this roll the tool's axes have turned so far that one of them lies in the plane of the axes of
-// platform and roll.
+// Returns the platform angle for a roll: at this roll the tool's axes have turned so far that one
+// of them lies in the plane of the axes of platform and roll.
 double MtmWrist::platformForRoll(double roll) const {
   const Eigen::Vector3d inPlane =
       std::cos(roll) * orientation_.col(0) - std::sin(roll) * orientation_.col(1);
@@ -113,8 +114,8 @@ double MtmWrist::platformForRoll(double roll) const {
                      : std::atan2(-inPlane.y(), -inPlane.x());
 }
 
-// Between two neighbouring boundaries all angles are admissible or none is. If none is between any,
-// a boundary may be all that is left.
+// Between two neighbouring boundaries either all angles are admissible or none. If none is
+// admissible between any two, a boundary itself may be.
 std::optional<MtmWrist::Range> MtmWrist::nearestRange() const {
   std::optional<Range> nearest;
   double distance = std::numeric_limits<double>::infinity();
@@ -134,7 +135,7 @@ std::optional<MtmWrist::Range> MtmWrist::nearestRange() const {
   return nearest;
 }
 
-// Gauss and Newton's steps along the self-motion; one that does not come nearer is halved.
+// Makes Gauss-Newton steps along the self-motion; a step that does not come nearer is halved.
 std::optional<MtmWrist::Joints> MtmWrist::nearest() const {
   constexpr int kSteps = 8;
   constexpr double kSmallestStep = 1e-10;  // rad

@@ -1,5 +1,5 @@
 #pragma once
-// The four joints of a master's gimbal, which turn about one point.
+// These are the four joints of a master's gimbal, which turn about one point.
 
 #include <optional>
 
@@ -7,29 +7,29 @@
 
 namespace robots::kinematics {
 
-/// Platform, wrist pitch, wrist yaw and roll (joints 4 to 7 of mtmLeft() and mtmRight()) that give
-/// the tool one orientation: three of them follow in closed form from the platform. Chain and start
-/// are kept by reference; all seven joints, rad. Never allocates.
+/// Finds platform, wrist pitch, wrist yaw and roll (joints 4 to 7 of mtmLeft() and mtmRight()) that
+/// give the tool one orientation: three of them follow in closed form from the platform. Chain and
+/// start are kept by reference; they have all seven joints, in rad. Never allocates.
 class MtmWrist {
  public:
   using Joints = Eigen::Vector4d;
 
-  /// `orientation`: of the tool in the frame behind the elbow.
+  /// `orientation` is that of the tool in the frame behind the elbow.
   MtmWrist(const Chain<7>& chain, const Eigen::Matrix3d& orientation,
            const Chain<7>::Joints& start);
 
-  /// With the platform there, the others on the turn that their limits admit nearest to the start;
-  /// they may lie beyond their limits. The posture with the cosine of the wrist yaw below zero is
-  /// left out, for no limits admit it.
+  /// Returns the four joints with the platform at this angle, the others on the turn within their
+  /// limits that is nearest to the start; they may lie beyond their limits. The posture with the
+  /// cosine of the wrist yaw below zero is left out, because no limits admit it.
   Joints at(double platform) const;
 
-  /// Finds the joints within their limits that are nearest to the start, downhill from the
+  /// Returns the joints within their limits that are nearest to the start, downhill from the
   /// admissible platform angle nearest to the start's, in at most eight steps. There are none if
   /// the limits admit no platform angle.
   std::optional<Joints> nearest() const;
 
  private:
-  /// Platform angles.
+  /// Is a range of platform angles.
   struct Range {
     double lower, upper;
   };

@@ -10,10 +10,10 @@
 namespace robots::kinematics {
 namespace {
 
-// Newton's steps shrink by squares: behind one so small (rad or m) the next is nothing.
+// Newton's steps shrink by squares, so after a step this small (rad or m) the next is nothing.
 constexpr double kLastStep = 1e-7;
 
-// Where the search stands.
+// Is where the search stands.
 template <int N>
 struct Standpoint {
   typename Chain<N>::Joints q;
@@ -35,8 +35,8 @@ struct Standpoint {
   }
 };
 
-// What the curvature of a rotation's squared angle depends on: along the rotation's axis it is 1,
-// across it `across`, which is (angle / 2) / tan(angle / 2).
+// Holds what the curvature of a rotation's squared angle depends on: along the rotation's axis it
+// is 1, across it `across`, which is (angle / 2) / tan(angle / 2).
 struct RotationCurvature {
   double across;
   double along;  // (1 - across) / angle^2
@@ -53,8 +53,9 @@ struct RotationCurvature {
   }
 };
 
-// The second derivatives of the cost by the joints. A joint turns or moves all that lies behind it,
-// so that the tip's velocity by joint j changes by joint i <= j with axis_i x velocity_j.
+// Returns the second derivatives of the cost by the joints. A joint turns or moves all that lies
+// behind it, so that the tip's velocity by joint j changes by joint i <= j with axis_i x
+// velocity_j.
 template <int N>
 Eigen::Matrix<double, N, N> curvatureOf(const Standpoint<N>& at) {
   constexpr double kPositionWeight = 1 / (kLengthScale * kLengthScale);
@@ -80,7 +81,7 @@ Eigen::Matrix<double, N, N> curvatureOf(const Standpoint<N>& at) {
   return curvature;
 }
 
-// How steeply the cost falls along the joints that their limits leave free.
+// Returns how steeply the cost falls along the joints that their limits leave free.
 template <int N>
 double slope(const Chain<N>& chain, const Standpoint<N>& at,
              const typename Chain<N>::Joints& descent) {
@@ -91,9 +92,9 @@ double slope(const Chain<N>& chain, const Standpoint<N>& at,
   return std::sqrt(square);
 }
 
-// Newton's step, damped until its curvature is convex. The damping goes with the slope, so that it
-// dies out where the search ends; along a self-motion the curvature is concave by no more than
-// that.
+// Returns Newton's step, damped until its curvature is convex. The damping goes with the slope, so
+// that it vanishes where the search ends; along a self-motion the curvature is concave by no more
+// than that.
 template <int N>
 typename Chain<N>::Joints stepFrom(const Chain<N>& chain, const Standpoint<N>& at, double caution) {
   constexpr int kAttempts = 5;

@@ -15,17 +15,17 @@ Vector3d across(const Vector3d& axis, const Vector3d& vector) {
   return vector - vector.dot(axis) * axis;
 }
 
-// The unit vector across `axis` toward `wanted`; where that leads along the axis, toward
+// Returns the unit vector across `axis` toward `wanted`; if that leads along the axis, toward
 // `otherwise`, and else anywhere.
 Vector3d directionAcross(const Vector3d& axis, const Vector3d& wanted, const Vector3d& otherwise) {
   Vector3d direction = across(axis, wanted);
   if (direction.norm() <= kOpenLength) direction = across(axis, otherwise);
   if (direction.norm() <= kOpenLength) return axis.unitOrthogonal();
-  // What is left of a long vector is across only to its rounding error, which may be much of it.
+  // The rest of a long vector is across only to its rounding error, which may be much of it.
   return across(axis, direction.normalized()).normalized();
 }
 
-// The instrument as the goal has it (base frame). The tip's frame has x against the axis of the
+// Is the instrument as the goal has it (base frame). The tip's frame has x against the axis of the
 // wrist yaw, and y against x of that joint's frame (davinci.cpp).
 struct Instrument {
   Vector3d tip;
@@ -36,7 +36,7 @@ struct Instrument {
       : tip(goal.translation()), yawAxis(-goal.linear().col(0)), jaws(-goal.linear().col(1)) {}
 };
 
-// The link between the two axes of the wrist.
+// Is the link between the two axes of the wrist.
 struct Wrist {
   Vector3d link;       // from the axis of the wrist pitch to the one of the wrist yaw, a unit
   Vector3d pitchAxis;  // a unit across the link and the yaw axis
@@ -47,7 +47,8 @@ Wrist wristAlong(const Vector3d& link, const Instrument& instrument) {
   return {link, link.cross(instrument.yawAxis), instrument.tip - kPsmWrist * link};
 }
 
-// The joints for a wrist that is held by a shaft of this direction, a unit across its pitch axis.
+// Returns the joints for a wrist that is held by a shaft of this direction, a unit across its pitch
+// axis.
 PsmJoints jointsFor(const Chain<6>& chain, const Instrument& instrument, const Wrist& wrist,
                     const Vector3d& shaft, const PsmJoints& start) {
   PsmJoints q = PsmJoints::Zero();

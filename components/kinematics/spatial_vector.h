@@ -1,14 +1,14 @@
 #pragma once
-// Twists and wrenches as six numbers.
+// These are twists and wrenches as six numbers.
 
 #include <Eigen/Core>
 
 namespace robots::kinematics {
 
-/// The linear part (m/s, N) before the angular one (rad/s, N.m), along the axes of one frame.
+/// Holds the linear part (m/s, N) before the angular one (rad/s, N.m), along the axes of one frame.
 using SpatialVector = Eigen::Matrix<double, 6, 1>;
 
-/// The same at the same point, along the axes that `rotation` leads to.
+/// Returns the same at the same point, along the axes to which `rotation` leads.
 template <class Rotation>
 SpatialVector rotated(const Eigen::MatrixBase<Rotation>& rotation, const SpatialVector& vector) {
   SpatialVector result;

@@ -1,5 +1,5 @@
 #pragma once
-// One step of a search that respects joint limits.
+// This is one step of a search that respects joint limits.
 
 #include <Eigen/Cholesky>
 #include <optional>
@@ -12,7 +12,7 @@ namespace robots::kinematics {
 /// when the error is already tiny.
 constexpr double kMinimumDamping = 1e-9;
 
-/// The joint is at a limit, and `direction` leads it outward.
+/// Returns true if the joint is at a limit, and `direction` leads it outward.
 template <int N>
 bool leadsOut(const Chain<N>& chain, const typename Chain<N>::Joints& q,
               const typename Chain<N>::Joints& direction, int i) {
@@ -21,15 +21,15 @@ bool leadsOut(const Chain<N>& chain, const typename Chain<N>::Joints& q,
 }
 
 /// Solves `curvature` * step = `descent`, where joints at a limit that the descent or the step
-/// would push outward take no part. Nothing unless the curvature is positive definite. It factors
-/// at most N + 1 times, and never allocates.
+/// would push outward take no part. Returns nothing unless the curvature is positive definite. It
+/// factors at most N + 1 times, and never allocates.
 template <int N>
 std::optional<typename Chain<N>::Joints> stepWithinLimits(const Chain<N>& chain,
                                                           const typename Chain<N>::Joints& q,
                                                           Eigen::Matrix<double, N, N> curvature,
                                                           typename Chain<N>::Joints descent) {
   typename Chain<N>::Joints step = descent;
-  // Each turn but the last holds at least one joint more.
+  // Each iteration but the last holds at least one joint more.
   for (bool solved = false;; solved = true) {
     bool holdsMore = false;
     for (int i = 0; i < N; ++i) {

@@ -1,19 +1,20 @@
 #pragma once
-// Which turn of an angle a joint takes, and what the closed forms let pass as a rounding error.
+// This says which turn of an angle a joint takes, and which differences the closed forms accept as
+// rounding errors.
 
 #include <cmath>
 #include <numbers>
 
 namespace robots::kinematics {
 
-/// rad or m: so little beyond a limit is a rounding error of a closed form.
+/// In rad or m: a value this little beyond a limit is a rounding error of a closed form.
 constexpr double kLimitSlack = 1e-10;
 
-/// m: a length no longer than this leaves open which way it points.
+/// In m: a vector no longer than this has no direction.
 constexpr double kOpenLength = 1e-10;
 
-/// `angle` and whole turns (rad): of those within the limits the one nearest to `near`; if there is
-/// none, the one that lies the least beyond a limit.
+/// Returns `angle` plus whole turns (rad): of those within the limits the one nearest to `near`; if
+/// there is none, the one that lies the least beyond a limit.
 inline double nearestTurn(double angle, double near, double lower, double upper) {
   constexpr double kTurn = 2 * std::numbers::pi;
   double turned = angle + kTurn * std::round((near - angle) / kTurn);
