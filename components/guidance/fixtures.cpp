@@ -11,13 +11,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The last tenths of a millimetre need a least speed, or the knot would never arrive.
+// The last tenths of a millimetre need a minimum speed, or the knot would never arrive.
 constexpr double kCreep = 0.0005;  // m/s
 
 }  // namespace
 
-/// Rows as they are added: each says that its product with the steps is at least so much. No bound
-/// is above zero, so that standing still is permitted, whatever has happened.
+/// Holds the rows as they are added. Each says that its product with the steps is at least its
+/// bound. No bound is above zero, so that standing still is permitted, whatever has happened.
 struct KnotFixtures::Constraints {
   Program::Rows rows = Program::Rows::Zero();
   Program::Bounds bounds = Program::Bounds::Zero();
@@ -27,7 +27,7 @@ struct KnotFixtures::Constraints {
     rows.row(count) << left.transpose(), right.transpose();
     bounds[count++] = std::min(atLeast, 0.0);
   }
-  /// The same, for the mean of both steps.
+  /// Does the same for the mean of both steps.
   void requireOfMean(const Vector3d& direction, double atLeast) {
     require(direction / 2, direction / 2, atLeast);
   }
@@ -69,7 +69,7 @@ TipPair KnotFixtures::constrain(const TipPair& tips, const Vector3d& knot, const
   const Vector3d apart = between.normalized();
   constraints.require(apart, -apart, model_.separation - between.norm());
 
-  // The cone at the place where the knot will be, which is narrower there.
+  // Use the cone where the knot will be, because it is narrower there.
   const double ahead = std::max(distanceToTarget(knot), 0.0);
   for (int plane = 0; plane < kPlanes; ++plane) {
     const Vector3d out = outward(plane);

@@ -1,5 +1,5 @@
 #pragma once
-// The virtual fixtures of placing a knot with two arms.
+// These are the virtual fixtures of placing a knot with two arms.
 
 #include <Eigen/Core>
 
@@ -7,50 +7,52 @@
 
 namespace robots {
 
-/// In the frame of the scene.
+/// All are in the frame of the scene.
 struct FixtureModel {
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  ///< m: where the knot shall be
-  Eigen::Vector3d approach{0, 0, -1};                ///< unit: along which it comes there
-  double radius = 0.0003;                            ///< m: of the corridor at the target
-  double slope = 0.3;                                ///< by which the corridor widens before it
-  double speed = 0.1;                                ///< m/s: of each tip along each axis
-  double slowing = 4;        ///< 1/s: speed towards the target, for each metre to go
-  double separation = 0.01;  ///< m: tips come no nearer to each other
-  double tissue = -1;        ///< m: z of the tissue's surface, below which no tip gets
+  Eigen::Vector3d approach{0, 0, -1};  ///< unit: the direction in which it comes there
+  double radius = 0.0003;              ///< m: of the corridor at the target
+  double slope = 0.3;                  ///< by which the corridor widens before it
+  double speed = 0.1;                  ///< m/s: of each tip along each axis
+  double slowing = 4;                  ///< 1/s: speed towards the target, for each metre to go
+  double separation = 0.01;            ///< m: how near the tips may come to each other
+  double tissue = -1;                  ///< m: z of the tissue's surface, below which no tip may be
 };
 
-/// One vector for each of the two tips, m.
+/// Holds one vector for each of the two tips, in m.
 struct TipPair {
   Eigen::Vector3d left, right;
 
   Eigen::Vector3d mean() const { return (left + right) / 2; }
 };
 
-/// Constrained least squares in the manner of Funda, Taylor, Li and Kapoor: the nearest step to the
-/// one that the operator wishes which no fixture forbids. The knot is taken to move with the mean
-/// of the tips. The formulation is our own; the fixtures are
+/// Belongs to one thread; never allocates. Solves constrained least squares in the manner of Funda,
+/// Taylor, Li and Kapoor: it finds the step that is nearest to the one that the operator wishes and
+/// that no fixture forbids. The knot is taken to move with the mean of the tips. The formulation is
+/// our own; the fixtures are
 ///  - a corridor about the line of approach, narrower towards the target: eight planes for its
-///  cone,
+///    cone,
 ///  - the target, which the knot approaches ever slower and does not pass,
 ///  - the tissue, the distance between the tips, and a speed.
-/// A fixture only forbids: standing still is always permitted, and no arm is moved that its
-/// operator does not move. Never allocates; belongs to one thread.
+/// A fixture only forbids: standing still is always permitted, and no arm moves unless its operator
+/// moves it.
 class KnotFixtures {
  public:
   /// `approach` may have any length but zero.
   explicit KnotFixtures(const FixtureModel& model);
 
-  /// From now on the tissue's surface is at this z, m.
+  /// Sets the z of the tissue's surface from now on, in m.
   void setTissue(double z) { model_.tissue = z; }
 
-  /// The steps that the tips may make in `seconds`, m, of those that are `desired`; zero if the
-  /// solver finds none. `knot`: where the knot is now. All in the frame of the scene.
+  /// Returns the steps in m that the tips may make in `seconds`, nearest to those that are
+  /// `desired`; zero if the solver finds none. `knot` is where the knot is now. All are in the
+  /// frame of the scene.
   TipPair constrain(const TipPair& tips, const Eigen::Vector3d& knot, const TipPair& desired,
                     double seconds);
 
-  /// m along the line of approach, below zero behind the target.
+  /// Returns the distance in m along the line of approach; it is below zero behind the target.
   double distanceToTarget(const Eigen::Vector3d& knot) const;
-  /// m from the line of approach.
+  /// Returns the distance in m from the line of approach.
   double lateralError(const Eigen::Vector3d& knot) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Where the knot is between two sightings.
+// This estimates where the knot is between two sightings.
 
 #include <suture/base/time.h>
 
@@ -10,29 +10,30 @@
 
 namespace robots {
 
-/// The knot as it was seen, and by how much the tips have moved since: images come late and seldom.
-/// It keeps where the sightings put the knot from the mean of the tips: that changes slowly, so it
-/// is smoothed and the movement is not. Points are in one frame, m. Allocates only when it is made;
-/// belongs to one thread.
+/// Belongs to one thread; only the constructor allocates. Adds to the knot as it was seen by how
+/// much the tips have moved since, because images come late and seldom. It keeps where the
+/// sightings put the knot relative to the mean of the tips: that changes slowly, so it is smoothed,
+/// and the movement is not. Points are in one frame, in m.
 class KnotEstimate {
  public:
-  /// A sighting counts for `age`; tipsAt() is called once a `period`.
+  /// A sighting counts for `age`; tipsAt() must be called once in each `period`.
   KnotEstimate(suture::Duration age, suture::Duration period)
       : age_(age), history_(static_cast<std::size_t>(age / period) + 2) {}
 
-  /// Each cycle, by ascending `now`: where the mean of the tips is.
+  /// Call this in each cycle, by ascending `now`, with where the mean of the tips is.
   void tipsAt(suture::Time now, const Eigen::Vector3d& mean) {
     tips_ = mean;
     history_.add(now, mean);
   }
-  /// The knot was seen at `knot` when `stamp` was. The same sighting may be told again; one from
-  /// before the history begins is ignored.
+  /// Says that the knot was seen at `knot` at the time `stamp`. The same sighting may be passed
+  /// again; one from before the history begins is ignored.
   void seenAt(suture::Time stamp, const Eigen::Vector3d& knot) {
     if (offset_ && stamp == seen_) return;
     const auto mean = history_.at(stamp);
     if (!mean) return;
     const Eigen::Vector3d offset = knot - *mean;
-    // An offset from before a blindness does not count: the knot may have moved meanwhile.
+    // An offset from before the knot was out of sight does not count, because the knot may have
+    // moved meanwhile.
     const bool goesOn = offset_ && stamp - seen_ <= age_;
     offset_ = goesOn ? *offset_ + kShareOfNew * (offset - *offset_) : offset;
     seen_ = stamp;
@@ -42,15 +43,15 @@ class KnotEstimate {
     offset_.reset();
   }
 
-  /// None if it has not been seen lately.
+  /// Returns where the knot is; none if it has not been seen lately.
   std::optional<Eigen::Vector3d> knot(suture::Time now) const {
     if (!offset_ || now - seen_ > age_) return std::nullopt;
     return tips_ + *offset_;
   }
 
  private:
-  // With 15 sightings a second a change of the offset is followed within half a second, and their
-  // noise comes to a third.
+  // With 15 sightings a second the estimate follows a change of the offset within half a second,
+  // and the noise of the sightings is reduced to a third.
   static constexpr double kShareOfNew = 0.2;
 
   suture::Duration age_;

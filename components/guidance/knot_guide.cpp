@@ -54,11 +54,11 @@ void KnotGuide::enable() {
 }
 
 void KnotGuide::disable() {
-  enableAtFirstCycle_ = false;  // it may come before that
+  enableAtFirstCycle_ = false;  // disable() may come before the first cycle
   leave(GuidanceState::Disabled);
 }
 
-/// A guide that does not run must not say that it guides.
+/// Leaves guiding, because a guide that does not run must not say that it guides.
 void KnotGuide::onSuspend() {
   if (state_ == GuidanceState::Disabled) return;
   progress_.valid = false;
@@ -78,7 +78,7 @@ void KnotGuide::run() {
     return messages_.error(kGoalsRefused);
   }
   const bool missed = cycles_.missed(std::max(parameters_.max_age, 3 * period()));
-  if (missed) estimate_.forget();  // it does not know where the tips have been meanwhile
+  if (missed) estimate_.forget();  // where the tips have been meanwhile is not known
   if (!readArms()) {
     estimate_.forget();
     progress_.valid = false;
@@ -93,7 +93,8 @@ void KnotGuide::run() {
   enter(GuidanceState::Guiding);
 }
 
-/// False if it is not known where things stand. While it guides they stay where they were.
+/// Returns false if it is not known where things stand. While the guide guides, a scene that is
+/// lost stays as it was.
 bool KnotGuide::readScene() {
   const auto frames = registration_.frames();
   sceneIsKnown_ = frames && frames.age() <= parameters_.registration_age;
@@ -105,7 +106,7 @@ bool KnotGuide::readScene() {
   return true;
 }
 
-/// False unless all four arms and the registration may be acted on.
+/// Returns false unless the data of all four arms and the registration may be acted on.
 bool KnotGuide::readArms() {
   if (!readScene() || !read(left_) || !read(right_)) return false;
   setpoints_ = {frames_.left_base * left_.slavePose.pose.translation(),
@@ -129,7 +130,8 @@ void KnotGuide::lookForKnot() {
   const suture::Time now = suture::now();
   const auto sighting = vision_.sighting();
   if (sighting && sighting->valid) {
-    // Where the camera stood then, or nothing was seen: it may have moved since.
+    // This needs where the camera stood at that time, because it may have moved since; without that
+    // the sighting does not count.
     const auto then = registration_.frames.at(sighting->stamp);
     if (then && sighting->stamp - then.stamp() <= parameters_.registration_age) {
       estimate_.seenAt(sighting->stamp, then->camera * sighting->knot);
@@ -145,23 +147,24 @@ void KnotGuide::lookForKnot() {
 }
 
 bool KnotGuide::isRefused() {
-  const bool left = left_.slaveWatch.refuses();  // each has to be asked
+  const bool left = left_.slaveWatch.refuses();  // both must be asked
   return right_.slaveWatch.refuses() || left;
 }
 
-/// An arm that refuses goals, or slides along a joint limit, is not where it was sent.
+/// Returns true if a slave is not where it was sent, because it refuses goals or slides along a
+/// joint limit.
 bool KnotGuide::mustBeginAnew() {
   const bool leftBroke = left_.slaveWatch.hasBrokenOff();
   const bool rightBroke = right_.slaveWatch.hasBrokenOff();
   if (leftBroke || rightBroke || !left_.law) return true;
-  // A set-point may come back as late as max_age, and a cycle or two later it is looked at.
+  // A set-point may come back as late as max_age, and it is looked at a cycle or two later.
   const double most =
       std::numbers::sqrt3 * parameters_.speed * inSeconds(parameters_.max_age + 2 * period());
   return (setpoints_.left - tips_.left).norm() > most ||
          (setpoints_.right - tips_.right).norm() > most;
 }
 
-/// False if it is not known where things stand now.
+/// Returns false if it is not known where things stand now.
 bool KnotGuide::begin() {
   if (!sceneIsKnown_) return false;
   for (Side* side : {&left_, &right_}) side->anchor(side->slavePose.pose, parameters_.scale);
@@ -173,8 +176,8 @@ void KnotGuide::Side::anchor(const Isometry3d& slaveSetpoint, double scale) {
   law.emplace(masterPose.pose, slaveSetpoint, FollowSettings{.scale = scale, .view = view});
 }
 
-/// By another view it goes on from where the last cycle led it: a camera that moves does not move
-/// the slave.
+/// With another view it goes on from where the last cycle led it, because a camera that moves must
+/// not move the slave.
 void KnotGuide::Side::look(const Eigen::Matrix3d& newView, double scale) {
   if (newView.isApprox(view, 1e-12)) return;
   view = newView;
@@ -200,8 +203,8 @@ TipPair KnotGuide::permitted(const TipPair& desired) {
           desired.right.cwiseMin(most).cwiseMax(-most)};
 }
 
-/// Sends `goal` with its tip at `tip` (in the scene) instead. It keeps the stamp of the master's
-/// data, so its age is known wherever it arrives.
+/// Sends `goal` with its tip moved to `tip` (in the scene). It keeps the stamp of the master's
+/// data, so that its age is known wherever it arrives.
 bool KnotGuide::send(Side& side, const Isometry3d& goal, const Isometry3d& base,
                      const Vector3d& tip) {
   PoseStamped sent{goal, side.masterPose.stamp, true};

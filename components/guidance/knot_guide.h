@@ -76,12 +76,12 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   const GuidanceProgress& progress() const override { return progress_; }
 
   void run() override;
-  /// Whoever connects hears the first state too.
+  /// A client that connects receives the first state too.
   void onStart() override { guidance_.emit().guidance_state(state_); }
   void onSuspend() override;
 
  private:
-  /// One master, the slave that it drives, and how.
+  /// Is one master, the slave that it drives, and how it does so.
   struct Side {
     Side(KnotGuide& guide, const char* masterName, const char* slaveName)
         : master(guide, masterName), slave(guide, slaveName) {}
@@ -103,13 +103,13 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   void lookForKnot();
   bool mustBeginAnew();
   bool begin();
-  /// False if a slave did not take its goal.
+  /// Returns false if a slave did not take its goal.
   bool move();
   bool send(Side& side, const Eigen::Isometry3d& goal, const Eigen::Isometry3d& base,
             const Eigen::Vector3d& tip);
   TipPair permitted(const TipPair& desired);
   bool isRefused();
-  /// Follows no more: both slaves hold.
+  /// Stops following: both slaves hold.
   void leave(GuidanceState state);
   void enter(GuidanceState state);
 
@@ -127,9 +127,10 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   CycleWatch cycles_;
   KnotFixtures fixtures_;
   SceneFrames frames_;
-  bool sceneIsKnown_ = false;  // now, and not as it was when guiding began
-  TipPair setpoints_;          // where the slaves say that their tips shall be, in the scene
-  TipPair tips_;               // where they have been sent: what setpoints_ come to within max_age
+  bool sceneIsKnown_ =
+      false;           // by the present registration, and not only by that with which guiding began
+  TipPair setpoints_;  // where the slaves say that their tips shall be, in the scene
+  TipPair tips_;       // where they have been sent, which setpoints_ reach within max_age
   KnotEstimate estimate_;
   GuidanceState state_ = GuidanceState::Disabled;
   bool enableAtFirstCycle_;

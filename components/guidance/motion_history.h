@@ -10,8 +10,8 @@
 
 namespace robots {
 
-/// Where something was in the last cycles; m, in one frame. Stamps must ascend. Allocates only when
-/// it is made; belongs to one thread.
+/// Belongs to one thread; only the constructor allocates. Holds where something was in the last
+/// cycles, in m in one frame. Stamps must ascend.
 class MotionHistory {
  public:
   explicit MotionHistory(std::size_t cycles) : entries_(cycles) {}
@@ -21,7 +21,8 @@ class MotionHistory {
   }
   void clear() { count_ = 0; }
 
-  /// The last place at or before `stamp`; none if that is too long ago, or nothing is known.
+  /// Returns the last place at or before `stamp`; none if that is too long ago, or nothing is
+  /// known.
   std::optional<Eigen::Vector3d> at(suture::Time stamp) const {
     const std::size_t kept = std::min(count_, entries_.size());
     for (std::size_t back = 1; back <= kept; ++back) {

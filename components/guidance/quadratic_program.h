@@ -1,5 +1,5 @@
 #pragma once
-// Constrained least squares of fixed size: what a guided motion solves each millisecond.
+// This solves constrained least squares of fixed size, as a guided motion does each millisecond.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -10,23 +10,23 @@
 
 namespace robots {
 
-/// How a solution came about.
+/// Says how a solution came about.
 enum class SolveStatus : std::uint8_t {
   Optimal,
   Infeasible,      ///< no point meets all constraints
   IterationLimit,  ///< gave up; see the solver
-  Invalid,         ///< a figure is not finite or too large to compute with, or H is not definite
+  Invalid,         ///< a number is not finite or too large to compute with, or H is not definite
 };
 
+/// Belongs to one thread; never allocates; the number of iterations is bounded by kIterations.
 /// Minimises 1/2 x' H x + g' x subject to C x >= d, for a positive definite H: N unknowns and M
-/// rows. The dual active-set method of Goldfarb and Idnani (Mathematical Programming 27, 1983),
-/// which takes in one violated row after another. It begins with the rows that were active in the
-/// last solution, where that is a minimum of the new problem with those rows as equations, else at
-/// the unconstrained minimum: problems of consecutive cycles differ little.
+/// rows. It is the dual active-set method of Goldfarb and Idnani (Mathematical Programming 27,
+/// 1983), which takes in one violated row after another. It begins with the rows that were active
+/// in the last solution, if that is a minimum of the new problem with those rows as equations, else
+/// at the unconstrained minimum, because problems of consecutive cycles differ little.
 ///
-/// Never allocates; the number of iterations is bounded by kIterations. Belongs to one thread.
-/// Names of theirs: `free` is their z, `share` their r, `full` their t2, longestDualStep() their
-/// t1.
+/// Our names for theirs: `free` is their z, `share` their r, `full` their t2, longestDualStep()
+/// their t1.
 template <int N, int M>
 class QuadraticProgram {
  public:
@@ -35,9 +35,10 @@ class QuadraticProgram {
   using Rows = Eigen::Matrix<double, M, N>;
   using Bounds = Eigen::Matrix<double, M, 1>;
 
-  /// Far more than random problems of this kind need: about as many as rows are active.
+  /// Is far more than random problems of this kind need, which is about as many as rows are active.
   static constexpr int kIterations = 4 * (N + M);
-  /// A row that is missed by no more counts as met. The rows of C are to be of about length one.
+  /// A row that is violated by no more than this counts as met. The rows of C must be of about
+  /// length one.
   static constexpr double kTolerance = 1e-11;
 
   struct Solution {
@@ -47,7 +48,7 @@ class QuadraticProgram {
     int iterations = 0;
   };
 
-  /// Only an Optimal solution is one; what else is in it means nothing.
+  /// Returns the solution. Unless its status is Optimal, nothing else in it has a meaning.
   Solution solve(const Matrix& H, const Vector& g, const Rows& C, const Bounds& d) {
     Solution solution;
     // With H = L L' and y = L' x the problem is to find the point nearest to y0 = -L^-1 g.
@@ -73,8 +74,8 @@ class QuadraticProgram {
  private:
   using Normals = Eigen::Matrix<double, N, M>;
 
-  /// Moves `y`, the unconstrained minimum, to the nearest point that meets the rows active last as
-  /// equations. False, and `y` stays, if that is no minimum with them as constraints.
+  /// Moves `y`, the unconstrained minimum, to the nearest point that meets the last active rows as
+  /// equations. Returns false, and leaves `y`, if that is no minimum with them as constraints.
   bool resume(const Normals& normals, const Bounds& d, Vector& y) {
     const auto rows = rows_;
     const int before = active_;
@@ -102,7 +103,7 @@ class QuadraticProgram {
     while (true) {
       Eigen::Index row = 0;
       const Bounds slacks = normals.transpose() * y - d;
-      if (!slacks.allFinite()) return SolveStatus::Invalid;  // minCoeff() passes over what is NaN
+      if (!slacks.allFinite()) return SolveStatus::Invalid;  // minCoeff() ignores NaN
       if (slacks.minCoeff(&row) >= -kTolerance) return SolveStatus::Optimal;
       const SolveStatus status = takeIn(static_cast<int>(row), normals, d, y, iterations);
       if (status != SolveStatus::Optimal) return status;
@@ -111,7 +112,7 @@ class QuadraticProgram {
 
   using ActiveVector = Eigen::Matrix<double, N, 1>;  // its first active_ entries count
 
-  /// Moves until `row` is met and active, which may put others out of the active set.
+  /// Moves until `row` is met and active, which may remove others from the active set.
   SolveStatus takeIn(int row, const Normals& normals, const Bounds& d, Vector& y, int& iterations) {
     const Vector normal = normals.col(row);
     double multiplier = 0;
@@ -137,7 +138,8 @@ class QuadraticProgram {
     return SolveStatus::IterationLimit;
   }
 
-  /// A normal as the sum of what is orthogonal to all active normals, and a combination of basis_.
+  /// Is a normal as the sum of what is orthogonal to all active normals, and a combination of
+  /// basis_.
   struct Parts {
     Vector free;
     ActiveVector inBasis = ActiveVector::Zero();
@@ -146,7 +148,7 @@ class QuadraticProgram {
   Parts split(const Vector& normal) const {
     Parts parts{normal};
     const auto basis = basis_.leftCols(active_);
-    // It is done twice, since once loses digits where the normal is nearly a combination.
+    // It is done twice, because once loses digits if the normal is nearly a combination.
     for (int round = 0; round < 2; ++round) {
       const ActiveVector part = padded(basis.transpose() * parts.free);
       parts.free -= basis_ * part;
@@ -155,15 +157,15 @@ class QuadraticProgram {
     return parts;
   }
 
-  /// A normal that is a combination of the active ones, but for rounding.
+  /// Returns true if the normal is a combination of the active ones, but for rounding.
   static bool isDependent(const Parts& parts, const Vector& normal) {
     return !(parts.free.squaredNorm() > kDependentSquare * normal.squaredNorm());
   }
 
-  /// How fast the active rows' multipliers fall while that of the new row grows.
+  /// Returns how fast the active rows' multipliers fall while that of the new row grows.
   ActiveVector shareOf(const Parts& parts) const { return solved(parts.inBasis); }
 
-  /// It returns the shares of the active normals in a vector that is given in basis_.
+  /// Returns the shares of the active normals in a vector that is given in basis_.
   ActiveVector solved(ActiveVector inBasis) const {
     const auto triangle = triangle_.topLeftCorner(active_, active_);
     auto head = inBasis.head(active_);
@@ -178,7 +180,8 @@ class QuadraticProgram {
     return whole;
   }
 
-  /// How far the multipliers of the active rows stay >= 0, and which of them ends that.
+  /// Returns how far the multipliers of the active rows stay >= 0, and in `leaving` which of them
+  /// ends that.
   double longestDualStep(const ActiveVector& share, int& leaving) const {
     double longest = kInfinity;
     for (int i = 0; i < active_; ++i) {
@@ -201,7 +204,8 @@ class QuadraticProgram {
     ++active_;
   }
 
-  /// The factors of the rows behind it are made anew: few rows are ever active.
+  /// Removes a row. The factors of the rows behind it are computed anew, because few rows are ever
+  /// active.
   void drop(int leaving, const Normals& normals) {
     const auto rows = rows_;
     const ActiveVector multipliers = multipliers_;
@@ -212,7 +216,7 @@ class QuadraticProgram {
     }
   }
 
-  /// Only so many rows stay active.
+  /// Keeps only the first `first` rows active.
   void clearFrom(int first) {
     active_ = first;
     basis_.rightCols(N - first).setZero();
@@ -220,9 +224,10 @@ class QuadraticProgram {
   }
 
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // A normal of whose square no larger share is free is a combination of the active ones.
+  // A normal is a combination of the active ones if no larger share of its square than this is
+  // free.
   static constexpr double kDependentSquare = 1e-14;
-  // A multiplier that falls no faster does not fall, but for rounding.
+  // A multiplier that falls no faster than this falls only by rounding.
   static constexpr double kLeastShare = 1e-14;
 
   // The active rows' normals, in the order in which they were taken in, are basis_ * triangle_.

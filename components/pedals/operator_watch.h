@@ -1,5 +1,5 @@
 #pragma once
-// What a teleoperation knows of the surgeon at its console.
+// This is what a teleoperation knows of the surgeon at its console.
 
 #include <suture/component/required.h>
 
@@ -8,18 +8,18 @@
 
 namespace robots {
 
-/// A member of the component that owns both interfaces, declared after them; belongs to the same
-/// thread.
+/// Belongs to the thread of the component that owns both interfaces, which has it as a member
+/// declared after them.
 class OperatorWatch {
  public:
-  /// What is older than `maxAge` is not known.
+  /// Data that are older than `maxAge` count as unknown.
   OperatorWatch(suture::Required<FootPedals>& pedals, suture::Required<OperatorPresence>& presence,
                 suture::Duration maxAge)
       : pedals_(pedals), presence_(presence), maxAge_(maxAge) {}
 
-  /// The surgeon is there, and no pedal takes the masters from their slaves. A console without
-  /// pedals, or without anything that tells of presence, is not asked for it; one that is silent,
-  /// or not there yet, says no.
+  /// Returns true if the surgeon is there and no pedal takes the masters from their slaves. If
+  /// pedals or presence are not connected, they are not needed; if they are silent, or not there
+  /// yet, this returns false.
   bool teleoperates() {
     const auto pedals = pedals_.pedals();
     const bool isFree = isFresh(pedals) && !pedals->clutch && !pedals->camera;

@@ -3,7 +3,8 @@
 namespace robots {
 namespace {
 
-/// Whether what happens `after` a start and lasts `length` happens `since` it.
+/// Returns true if what happens `after` a start and lasts for `length` happens at `since` after the
+/// start.
 bool isNow(suture::Duration since, suture::Duration after, suture::Duration length) {
   return after > suture::Duration{0} && since >= after && since < after + length;
 }

@@ -14,8 +14,8 @@ namespace {
 constexpr suture::Duration kRegistrationPeriod = std::chrono::milliseconds(10);
 constexpr unsigned kRowsOfFrames = 128;
 
-/// With the nearest rotation: what follows takes its transpose for its inverse, and multiplies four
-/// of them, so six digits are not enough.
+/// Returns the frame with the nearest rotation, because others take its transpose for its inverse
+/// and multiply four of them, for which six digits are not enough.
 Eigen::Isometry3d exact(const Eigen::Isometry3d& frame) {
   Eigen::Isometry3d result = frame;
   result.linear() = Eigen::Quaterniond(frame.linear()).normalized().toRotationMatrix();

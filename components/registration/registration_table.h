@@ -1,5 +1,5 @@
 #pragma once
-// The task that holds the registration of a deployment.
+// This is the task that holds the registration of a deployment.
 
 #include <suture/annotate.h>
 #include <suture/component/provided.h>

@@ -7,13 +7,13 @@
 
 namespace robots {
 
-/// From directions in the scene to those at the console that look the same: what is to the right in
-/// the camera's picture is to the right at the display.
+/// Rotates directions in the scene to those at the console that look the same: what is to the right
+/// in the camera's picture is to the right at the display.
 inline Eigen::Matrix3d sceneAtConsole(const SceneFrames& frames) {
   return frames.display.linear() * frames.camera.linear().transpose();
 }
 
-/// From directions in the base frame of a master to those in the base frame of a slave that look
+/// Rotates directions in the base frame of a master to those in the base frame of a slave that look
 /// the same.
 inline Eigen::Matrix3d surgeonView(const SceneFrames& frames, Side master, Side slave) {
   const auto& masterBase = master == Side::Left ? frames.left_master : frames.right_master;

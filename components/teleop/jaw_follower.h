@@ -1,5 +1,5 @@
 #pragma once
-// The jaw's part of a teleoperation.
+// This is the jaw's part of a teleoperation.
 
 #include <suture/base/time.h>
 #include <suture/component/required.h>
@@ -14,18 +14,18 @@
 
 namespace robots {
 
-/// A member of the component that owns both interfaces, declared after them; belongs to the same
-/// thread. Does nothing in a deployment that does not connect both.
+/// Belongs to the thread of the component that owns both interfaces, which has it as a member
+/// declared after them. Does nothing in a deployment that does not connect both.
 class JawFollower {
  public:
-  /// Data older than `maxAge` are not acted on: the jaw stays where it is, and begins anew.
+  /// On data older than `maxAge` it does not act: the jaw stays where it is, and begins anew.
   JawFollower(suture::Required<Gripper>& gripper, suture::Required<Jaw>& jaw,
               const JawSettings& settings, suture::Duration maxAge)
       : gripper_(gripper), jaw_(jaw), settings_(settings), maxAge_(maxAge) {
     goal_.position.resize(1);
   }
 
-  /// Once a cycle in which the slave follows.
+  /// Call this once in each cycle in which the slave follows.
   void follow(suture::Time now) {
     const auto gripper = gripper_.measured_js(gripperState_);
     const auto jaw = jaw_.setpoint_js(jawState_);
@@ -38,7 +38,7 @@ class JawFollower {
     if (!jaw_.servo_jp(goal_)) end();
   }
 
-  /// It follows no more: the jaw stays where it is.
+  /// Ends following: the jaw stays where it is.
   void end() {
     law_.reset();
     last_.reset();
@@ -57,7 +57,7 @@ class JawFollower {
   JointState gripperState_, jawState_;  // keep their memory
   JointGoal goal_;
   std::optional<JawLaw> law_;
-  std::optional<suture::Time> last_;  // the cycle that it followed in
+  std::optional<suture::Time> last_;  // the last cycle in which it followed
 };
 
 }  // namespace robots

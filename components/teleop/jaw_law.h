@@ -1,5 +1,5 @@
 #pragma once
-// How a slave's jaw follows the gripper of its master.
+// This is the law by which a slave's jaw follows the gripper of its master.
 
 #include <algorithm>
 #include <cmath>
@@ -7,25 +7,26 @@
 namespace robots {
 
 struct JawSettings {
-  double scale;       ///< jaw radians a gripper radian
+  double scale;       ///< radians of the jaw for each radian of the gripper
   double offset;      ///< rad, of the jaw with the gripper at 0
   double rate;        ///< rad/s, while it follows
   double ghost_rate;  ///< rad/s, until it has caught up
-  double tolerance;   ///< rad: so near it has caught up
+  double tolerance;   ///< rad: when it is this near it has caught up
 };
 
-/// jaw = scale x gripper + offset, at a limited rate. At an entry gripper and jaw are apart: the
-/// jaw goes slowly to where the gripper is, as a ghost, so that nothing is dropped or crushed at
-/// once, and follows from there. The law of the da Vinci Research Kit (sawIntuitiveResearchKit,
-/// mtsTeleOperationPSM). No method allocates or throws.
+/// No method allocates or throws. The law is jaw = scale x gripper + offset, at a limited rate. At
+/// an entry gripper and jaw are apart, so the jaw goes slowly to where the gripper is, as a ghost,
+/// so that nothing is dropped or crushed at once, and follows from there. It is the law of the da
+/// Vinci Research Kit (sawIntuitiveResearchKit, mtsTeleOperationPSM).
 class JawLaw {
  public:
-  /// From `jaw`, its set-point, rad.
+  /// Begins from `jaw`, which is the set-point of the jaw, in rad.
   JawLaw(const JawSettings& settings, double jaw) : settings_(settings), jaw_(jaw) {}
 
   bool isGhost() const { return ghost_; }
 
-  /// Where the jaw shall be (rad) `seconds` after the last call, with the gripper at `gripper` rad.
+  /// Returns where the jaw shall be (rad) `seconds` after the last call, with the gripper at
+  /// `gripper` rad.
   double follow(double gripper, double seconds) {
     const double wanted = settings_.scale * gripper + settings_.offset;
     const double most = (ghost_ ? settings_.ghost_rate : settings_.rate) * seconds;

@@ -1,5 +1,5 @@
 #pragma once
-// How a master gets the orientation that its slave has, before that follows it.
+// This turns a master to the orientation of its slave, before the slave follows it.
 
 #include <suture/base/time.h>
 #include <suture/component/required.h>
@@ -12,16 +12,17 @@
 
 namespace robots {
 
-/// A member of the component that owns the required interface, declared after it and its watch;
-/// belongs to the same thread.
+/// Belongs to the thread of the component that owns the required interface, which has it as a
+/// member declared after that interface and its watch.
 class MasterAlignment {
  public:
-  /// `tolerance`, rad: a difference so small counts as none.
+  /// A difference of at most `tolerance`, in rad, counts as none.
   MasterAlignment(suture::Required<Arm>& master, const ArmWatch& watch, double tolerance)
       : master_(master), watch_(watch), tolerance_(tolerance) {}
 
-  /// Once a cycle: true if the master rests at `pose` with the orientation `wanted`; else turns it
-  /// to that about its tip. A master that somebody else moves, or that refuses, is asked again.
+  /// Call this once a cycle. Returns true if the master rests at `pose` with the orientation
+  /// `wanted`; otherwise turns it to that about its tip. A master that somebody else moves, or that
+  /// refuses, is asked again.
   bool align(const Eigen::Isometry3d& pose, const Eigen::Matrix3d& wanted, suture::Time now) {
     if (watch_.busy()) return false;
     if (Eigen::AngleAxisd(pose.linear().transpose() * wanted).angle() <= tolerance_) {
@@ -37,7 +38,7 @@ class MasterAlignment {
     return false;
   }
 
-  /// The master is no longer to be turned: it stays where it is.
+  /// Ends turning the master: it stays where it is.
   void end() {
     if (moving_) (void)master_.hold();
     moving_ = false;
@@ -50,7 +51,7 @@ class MasterAlignment {
   suture::Required<Arm>& master_;
   const ArmWatch& watch_;
   const double tolerance_;
-  bool moving_ = false;  // by this
+  bool moving_ = false;  // by this object
   suture::Time asked_;
 };
 

@@ -37,12 +37,13 @@ void Teleop::onStart() {
   teleoperation_.emit().settings(settings_);
 }
 
-/// Nobody looks after a motion that goes on.
+/// Stops, because nothing would watch a motion that went on.
 void Teleop::onSuspend() {
   if (state_ != TeleopState::Disabled) leave(TeleopState::Preparing);
 }
 
-/// The limit of preparation is for what it does, not for how long it rested.
+/// Restarts the limit of preparation, which counts the time that it works and not the time that it
+/// was suspended.
 void Teleop::onResume() { preparing_ = suture::now(); }
 
 void Teleop::enable() {
@@ -52,7 +53,7 @@ void Teleop::enable() {
 }
 
 void Teleop::disable() {
-  enableAtFirstCycle_ = false;  // it may come before that
+  enableAtFirstCycle_ = false;  // disable() may come before the first cycle
   leave(TeleopState::Disabled);
 }
 
@@ -62,7 +63,7 @@ void Teleop::set_scale(double scale) {
 }
 
 void Teleop::lock_rotation(bool lock) {
-  // The slave has not turned with its master meanwhile.
+  // The slave has not turned with its master while it was locked.
   if (settings_.rotation_locked && !lock) isTurned_ = true;
   settings_.rotation_locked = lock;
   settingsChanged();
@@ -113,8 +114,8 @@ void Teleop::step(suture::Time now) {
   if (state_ == TeleopState::Following) jawFollower_.follow(now);
 }
 
-/// False if there is a registration, or will be, that has not answered lately. Whoever follows goes
-/// on by what was registered.
+/// Returns false if there is a registration, or will be, that has not answered lately. A slave that
+/// follows goes on with the last one.
 bool Teleop::knowsView() {
   const auto frames = registration_.frames();
   if (!frames || frames.age() > parameters_.registration_age) {
@@ -134,11 +135,12 @@ bool Teleop::isAligned(const PoseStamped& master, const PoseStamped& slave, sutu
 
 void Teleop::follow(const PoseStamped& master, const PoseStamped& slave) {
   const bool begins = !law_ || lawIsOld_;
-  // By new settings it goes on from where it was sent: its set-point may be some cycles behind.
+  // With new settings it goes on from where the slave was sent, because the slave's set-point may
+  // be some cycles behind.
   const Eigen::Isometry3d from = law_ ? law_->follow(master.pose) : slave.pose;
   if (begins) law_.emplace(master.pose, from, lawSettings());
   lawIsOld_ = false;
-  // The goal keeps the stamp of the master's data, so its age is known wherever it arrives.
+  // The goal keeps the stamp of the master's data, so that its age is known wherever it arrives.
   if (!slave_.servo_cp({law_->follow(master.pose), master.stamp, true})) {
     return leave(TeleopState::Preparing);
   }
@@ -152,7 +154,7 @@ FollowSettings Teleop::lawSettings() const {
           .translation_locked = settings_.translation_locked};
 }
 
-/// It follows: the first goal is on its way to the slave.
+/// Announces that it follows: the first goal is on its way to the slave.
 void Teleop::announce(const PoseStamped& master, const Eigen::Isometry3d& slave) {
   anchors_ = {.master_stamp = master.stamp,
               .master = master.pose,
@@ -184,8 +186,8 @@ void Teleop::giveUp(const char* why) {
   messages_.error(why);
 }
 
-/// Follows no more. A slave that can obey holds where it is, and a master that is being turned
-/// too; whoever moves an arm that is not ready is not disturbed.
+/// Ends following. A slave that can obey holds where it is, and so does a master that is being
+/// turned. It does not disturb others who move an arm that is not ready.
 void Teleop::leave(TeleopState state) {
   law_.reset();
   if (state_ == TeleopState::Following && slaveWatch_.ready()) (void)slave_.hold();

@@ -85,7 +85,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   TeleopSettings settings() const override { return settings_; }
 
   void run() override;
-  /// Whoever connects hears the first state too.
+  /// A client that connects receives the first state too.
   void onStart() override;
   void onSuspend() override;
   void onResume() override;
@@ -128,7 +128,7 @@ class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Tele
   Eigen::Matrix3d view_ = Eigen::Matrix3d::Identity();
   FollowAnchors anchors_;
   std::optional<FollowLaw> law_;
-  bool lawIsOld_ = false;  // it follows by other settings now
+  bool lawIsOld_ = false;  // the settings have changed since the law was made
 };
 
 }  // namespace robots

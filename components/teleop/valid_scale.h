@@ -8,7 +8,8 @@
 
 namespace robots {
 
-/// `scale`, slave metres a master metre. Throws suture::SetupError if no slave can follow with it.
+/// Returns `scale`, which is how many metres the slave moves for each metre of the master. Throws
+/// suture::SetupError if no slave can follow with it.
 inline double requireValidScale(double scale) {
   if (FollowLaw::isValidScale(scale)) return scale;
   throw suture::SetupError("teleoperation with scale " + std::to_string(scale),

@@ -6,12 +6,13 @@
 
 namespace robots {
 
-/// Belongs to the task's thread: tells whether its cycles follow each other. A task that was frozen
-/// or suspended has not seen what its arms did meanwhile, though their data are fresh when it looks
-/// again: it must not go on as if nothing had happened.
+/// Belongs to the task's thread. Tells if its cycles follow each other. A task that was frozen or
+/// suspended has not seen what its arms did meanwhile, although their data are fresh when it looks
+/// again, so it must not go on as if nothing had happened.
 class CycleWatch {
  public:
-  /// Once a cycle. True if the last one was longer ago than `most`, or there was none.
+  /// Call this once a cycle. Returns true if the last cycle was longer ago than `most`, or there
+  /// was none.
   bool missed(suture::Duration most) {
     const suture::Time now = suture::now();
     return now - std::exchange(last_, now) > most;

@@ -10,7 +10,7 @@ inline double inSeconds(suture::Duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
-/// In seconds; negative if `to` is the earlier one.
+/// Returns the time in seconds; negative if `to` is the earlier one.
 inline double secondsBetween(suture::Time from, suture::Time to) { return inSeconds(to - from); }
 
 }  // namespace robots

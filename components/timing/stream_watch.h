@@ -1,5 +1,5 @@
 #pragma once
-// Tells when a command that has to be repeated is repeated no more.
+// This tells when a command that must be repeated is not repeated any more.
 
 #include <suture/base/time.h>
 
@@ -7,17 +7,17 @@
 
 namespace robots {
 
-/// It is confined to one thread.
+/// One thread.
 class StreamWatch {
  public:
   static constexpr suture::Duration kSilence = std::chrono::milliseconds(100);
 
-  /// The command has come, again or for the first time.
+  /// Says that the command has come, again or for the first time.
   void ask() { asked_ = active_ = true; }
-  /// The command need not come any more.
+  /// Says that the command need not come any more.
   void end() { asked_ = active_ = false; }
 
-  /// Counts a cycle; true: it has not come for too long.
+  /// Call this once a cycle. Returns true if the command has not come for too long.
   bool hasFallenSilent(suture::Time now) {
     if (asked_) lastAsked_ = now;
     asked_ = false;
@@ -27,7 +27,7 @@ class StreamWatch {
  private:
   bool active_ = false;
   bool asked_ = false;        // since the last cycle
-  suture::Time lastAsked_{};  // the cycle that it came in
+  suture::Time lastAsked_{};  // the cycle in which it came
 };
 
 }  // namespace robots
