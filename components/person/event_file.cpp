@@ -20,7 +20,8 @@ bool EventFile::open() {
   return isOpen();
 }
 
-// An ordinary file would be read again from its beginning each time that it is opened.
+// Returns false for an ordinary file, because it would be read again from its beginning each time
+// that it is opened.
 bool EventFile::isOfEvents() const {
   struct stat status {};
   return fstat(descriptor_, &status) == 0 && (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode));

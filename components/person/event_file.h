@@ -1,5 +1,5 @@
 #pragma once
-// The file that an input device's events come from.
+// This is the file from which an input device's events come.
 
 #include <linux/input.h>
 
@@ -11,9 +11,9 @@
 
 namespace robots {
 
-/// /dev/input/eventN, or a FIFO that somebody writes such events to. Confined to one thread; read()
-/// neither waits nor allocates, and may be called in a control loop. To open a device that is there
-/// may take the kernel some milliseconds.
+/// One thread; read() neither waits nor allocates, and may be called in a control loop. The file is
+/// /dev/input/eventN, or a FIFO into which somebody writes such events. Opening a device that is
+/// there may take the kernel some milliseconds.
 class EventFile {
  public:
   explicit EventFile(std::string path) : path_(std::move(path)) {}
@@ -21,15 +21,16 @@ class EventFile {
   EventFile(const EventFile&) = delete;
   EventFile& operator=(const EventFile&) = delete;
 
-  /// False if it cannot be; error() says why.
+  /// Opens the file. Returns false if it cannot be opened; error() says why.
   bool open();
   bool isOpen() const { return descriptor_ >= 0; }
 
-  /// The whole events that have come, up to 64, until the next call. What has come of another one
-  /// is kept until the rest has. Closes the file if its device, or whoever wrote to it, is gone.
+  /// Returns the whole events that have come, up to 64; they are valid until the next call. The
+  /// beginning of another event is kept until its rest has come. Closes the file if its device, or
+  /// the process that wrote to it, is gone.
   std::span<const input_event> read();
 
-  /// Why it is closed, as errno has it; 0: there is nobody to write to it.
+  /// Returns the errno that says why it is closed; 0 if no process writes to it.
   int error() const { return error_; }
 
  private:

@@ -23,7 +23,8 @@ void Gamepad::run() {
   held_.move(input());
 }
 
-// The hand rests while it is looked for, so it does no harm that the kernel may take its time.
+// The hand rests while the device is looked for, so it does no harm that the kernel may take its
+// time.
 void Gamepad::readEvents(suture::Time now) {
   if (!file_.isOpen()) {
     if (now - lookedFor_ < parameters_.retry) return;

@@ -11,7 +11,7 @@ namespace {
 
 bool isProper(const AxisRange& range) { return range.lowest < range.highest; }
 
-/// From 0 at the lowest to 1.
+/// Returns the share of the range, from 0 at the lowest to 1.
 double share(const AxisRange& range, std::int32_t value) {
   const double lowest = range.lowest;
   return std::clamp((value - lowest) / (range.highest - lowest), 0.0, 1.0);
@@ -34,7 +34,8 @@ void GamepadDecoder::take(const input_event& event) {
   if (event.type == EV_KEY && event.code == BTN_TL) next_.clutch = event.value != 0;
 }
 
-// The kernel has thrown events away: what comes up to the next report is of a state that is gone.
+// If the kernel has dropped events, those that come up to the next report are of a state that is
+// gone.
 void GamepadDecoder::takeSynchronisation(std::uint16_t code) {
   if (code == SYN_DROPPED) {
     forget();
@@ -52,7 +53,8 @@ void GamepadDecoder::forget() {
   state_ = next_;
 }
 
-// The device's y axes point down, and so does that of its directional pad, which says -1, 0 or 1.
+// The y axes of the device point down, and so does that of its directional pad, which has the
+// values -1, 0 and 1.
 void GamepadDecoder::takeAxis(std::uint16_t code, std::int32_t value) {
   switch (code) {
     case ABS_X: next_.push.x() = deflection(value); break;

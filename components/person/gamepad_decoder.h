@@ -1,5 +1,5 @@
 #pragma once
-// What the events of a gamepad say.
+// This decodes the events of a gamepad.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -18,29 +18,30 @@ struct GamepadCalibration {
   double dead_zone = 0.15;
 };
 
-/// The state of sticks and buttons. Axes go from -1 to 1; forward, right and up are positive.
+/// Is the state of sticks and buttons. Axes go from -1 to 1; forward, right and up are positive.
 struct GamepadState {
   Eigen::Vector3d push = Eigen::Vector3d::Zero();
   Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-  /// It goes from 0, released, to 1; there is none until it has been touched.
+  /// Goes from 0, which is released, to 1; there is none until it has been touched.
   std::optional<double> trigger;
   bool clutch = false;
 };
 
+/// One thread; only the constructor throws, nothing allocates.
+///
 /// Reads the events of Linux's gamepad protocol (Documentation/input/gamepad.rst of the kernel):
 /// the left stick pushes along x and y, the right one along z and turns about z, the directional
 /// pad turns about x and y, the right trigger is the gripper and the left shoulder the clutch.
 /// Events count once their SYN_REPORT has come, all of them together.
-///
-/// Confined to one thread; only the constructor throws, nothing allocates.
 class GamepadDecoder {
  public:
-  /// Throws suture::SetupError unless both ranges and what the dead zone leaves are longer than 0.
+  /// Throws suture::SetupError unless both ranges, and the part of them that the dead zone leaves,
+  /// are longer than 0.
   explicit GamepadDecoder(const GamepadCalibration& calibration);
 
   void take(const input_event& event);
-  /// The caller has missed events. Sticks are at rest until they tell of themselves; the clutch
-  /// counts as pressed until somebody has pressed and released it, for it might be.
+  /// Says that the caller has missed events. Sticks are at rest until their next events; the clutch
+  /// counts as pressed, because it might be, until somebody has pressed and released it.
   void forget();
 
   const GamepadState& state() const { return state_; }

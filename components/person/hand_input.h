@@ -5,12 +5,12 @@
 
 namespace robots {
 
-/// What a person asks of the hand that holds a master, in the directions of the master's reference
-/// frame.
+/// Holds what a person asks of the hand that holds a master, in the directions of the master's
+/// reference frame.
 struct HandInput {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< m/s
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< rad/s
-  /// How far the gripper shall be open, from 0 to 1; none: nobody has said so yet.
+  /// Is how far the gripper shall be open, from 0 to 1; none until the person has said so.
   std::optional<double> opening;
 
   bool isAtRest() const { return velocity.isZero(0) && angular_velocity.isZero(0); }

@@ -1,5 +1,5 @@
 #pragma once
-// The master that a person's hand holds.
+// This is the master that a person's hand holds.
 
 #include <suture/base/time.h>
 #include <suture/component/required.h>
@@ -16,23 +16,24 @@
 
 namespace robots {
 
-/// Makes goals of a person's velocities, beginning from the arm's set-point each time. It moves the
-/// arm only while that is ready and its set-point is fresh, and, connected to a teleoperation,
-/// while that follows or its clutch is pressed: whoever moves a master that is being aligned fights
-/// with it. When it has not been so, or the task was held up, the person has to let go first, for a
-/// stick that is held meanwhile was not meant for what is there then.
+/// Belongs to the thread of the component that owns the three interfaces, which has it as a member
+/// declared after them. Never allocates.
 ///
-/// A member of the component that owns the three interfaces, declared after them; belongs to the
-/// same thread. Never allocates.
+/// Makes goals of a person's velocities, beginning from the arm's set-point each time. It moves the
+/// arm only while that is ready and its set-point is fresh, and, if it is connected to a
+/// teleoperation, only while that follows or its clutch is pressed, because moving a master that is
+/// being aligned would work against it. After an interruption of these, or a delay of the task, the
+/// person has to let go first, because a stick that was held meanwhile was not meant for the new
+/// situation.
 class HeldMaster {
  public:
-  /// `opening`: rad, of the gripper when it is open.
+  /// `opening` is the angle of the gripper when it is open, in rad.
   HeldMaster(suture::Required<Arm>& master, suture::Required<Teleoperation>& teleoperation,
              suture::Required<GripperHand>& hand, double opening);
   HeldMaster(const HeldMaster&) = delete;
   HeldMaster& operator=(const HeldMaster&) = delete;
 
-  /// Once a cycle.
+  /// Call this once a cycle.
   void move(const HandInput& input);
 
  private:
@@ -48,7 +49,7 @@ class HeldMaster {
   CycleWatch cycles_;
   suture::Time last_;                      // cycle
   std::optional<Eigen::Isometry3d> goal_;  // while it moves
-  bool mayBeMoved_ = false;                // by the teleoperation
+  bool mayBeMoved_ = false;                // the teleoperation permits it
   bool hasRested_ = false;                 // since it may move
 };
 

@@ -3,7 +3,7 @@
 namespace robots {
 namespace {
 
-// A direction stands beside its opposite, and pairs in the order of the axes.
+// Each direction stands beside its opposite, and the pairs are in the order of the axes.
 constexpr std::string_view kDirections = "adswfrkijluo";
 constexpr std::size_t kTurns = 6;  // the first of those that turn
 constexpr char kEscape = '\x1b';
@@ -23,8 +23,8 @@ void KeyMotion::take(char key, suture::Time now) {
   ends_[direction ^ 1U] = {};
 }
 
-// ESC [ or ESC O, any number of parameters, and a letter or ~: an arrow. ESC and a letter: that
-// with the key Alt.
+// Returns true for a key of an escape sequence. ESC [ or ESC O, any number of parameters, and a
+// letter or ~ is an arrow or a function key. ESC and a letter is that letter with the key Alt.
 bool KeyMotion::isOfEscape(char key) {
   const Escape before = escape_;
   const bool isFinal = key >= '@' && key <= '~';

@@ -1,5 +1,5 @@
 #pragma once
-// How the keys of a terminal move a hand.
+// This says how the keys of a terminal move a hand.
 
 #include <suture/base/time.h>
 
@@ -22,16 +22,16 @@ struct KeyMotionRates {
   suture::Duration hold = std::chrono::milliseconds(150);
 };
 
-/// While a key repeats the hand moves at constant speed; it stops when the key's last repeat is
-/// `hold` ago, when the key of the opposite direction comes, and at once at a space. The clutch has
-/// a key that presses it and releases it by turns, since a terminal does not tell how long a key is
+/// One thread; never allocates.
+///
+/// While a key repeats, the hand moves at constant speed. It stops when the key's last repeat is
+/// `hold` ago, when the key of the opposite direction comes, and at once at a space. One key
+/// presses the clutch and releases it by turns, because a terminal does not say how long a key is
 /// held. Keys that have no meaning, and what a terminal sends for arrows and function keys, are
 /// ignored.
-///
-/// Confined to one thread; never allocates.
 class KeyMotion {
  public:
-  /// What each key does, for people.
+  /// Says for people what each key does.
   static constexpr std::string_view kHelp =
       "keys, backward and forward: a d along x, s w along y, f r along z; k i about x, j l about "
       "y, "
@@ -40,24 +40,24 @@ class KeyMotion {
 
   explicit KeyMotion(const KeyMotionRates& rates) : rates_(rates) {}
 
-  /// A key has come, by ascending `now`.
+  /// Says that a key has come, by ascending `now`.
   void take(char key, suture::Time now);
-  /// No key counts any more.
+  /// Forgets all keys.
   void stop() { ends_ = {}; }
 
   HandInput at(suture::Time now) const;
-  /// Whether the clutch is pressed.
+  /// Returns true if the clutch is pressed.
   bool clutch() const { return clutch_; }
 
  private:
   static constexpr std::size_t kKeys = 12;
-  /// What of an escape sequence is still to come.
+  /// Says which part of an escape sequence is still to come.
   enum class Escape : std::uint8_t { None, Second, Final };
 
   bool isOfEscape(char key);
 
   const KeyMotionRates rates_;
-  std::array<suture::Time, kKeys> ends_{};  // when each direction's motion does
+  std::array<suture::Time, kKeys> ends_{};  // when the motion of each direction ends
   std::optional<double> opening_;
   bool clutch_ = false;
   Escape escape_ = Escape::None;

@@ -24,7 +24,8 @@ void Keyboard::run() {
   held_.move(keys_.at(now));
 }
 
-// Keys that waited while the task did not run were not meant for what is there now.
+// Discards the keys that waited while the task did not run, because they were not meant for the
+// present situation.
 void Keyboard::readKeys(suture::Time now) {
   if (!terminal_.isOpen()) return;
   if (cycles_.missed(kLongestPause)) {

@@ -9,8 +9,8 @@
 
 namespace robots {
 
-// It is opened anew, for a file that is not waited for is so for all who share it: others may print
-// to the one of standard input.
+// Opens the terminal anew, because O_NONBLOCK holds for all who share an open file, and others may
+// print to that of standard input.
 Terminal::Terminal(const std::string& path)
     : descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)),
       before_(std::make_unique<termios>()),
@@ -33,7 +33,8 @@ Terminal::~Terminal() {
   close();
 }
 
-// A terminal that is not the one which controls this process has no foreground.
+// Returns true in the foreground, and for a terminal that does not control this process, which has
+// no foreground.
 bool Terminal::isInForeground() const {
   const pid_t group = tcgetpgrp(descriptor_);
   return group == -1 || group == getpgrp();

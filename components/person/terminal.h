@@ -1,5 +1,5 @@
 #pragma once
-// The keys of a terminal, one by one.
+// This reads the keys of a terminal, one by one.
 
 #include <array>
 #include <cstddef>
@@ -11,23 +11,24 @@ struct termios;
 
 namespace robots {
 
-/// Has a terminal hand over keys as they are pressed, without showing them, until it is destroyed.
-/// Ctrl-C and Ctrl-Z work as always. Confined to one thread; but for the constructor nothing
-/// allocates or waits, and it may be used in a control loop.
+/// One thread; only the constructor allocates or waits, so it may be used in a control loop. Until
+/// it is destroyed, the terminal delivers keys as they are pressed, without showing them. Ctrl-C
+/// and Ctrl-Z work as always.
 class Terminal {
  public:
-  /// Throws suture::SetupError unless `path` is a terminal, and this process is not one of those in
-  /// the background there, which the kernel would stop.
+  /// Throws suture::SetupError unless `path` is a terminal and this process is not in the
+  /// background there, where the kernel would stop it.
   explicit Terminal(const std::string& path);
-  /// It is as it was before.
+  /// Restores the terminal.
   ~Terminal();
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Before the first read, and after this process was stopped for a while, when a shell has had
-  /// the terminal: what has been typed up to here does not count.
+  /// Call this before the first read, and after this process was stopped for a while, during which
+  /// a shell has had the terminal. It discards what has been typed up to here.
   void takeOver();
-  /// The keys that have come, up to 64, until the next call. Closes the terminal if that is gone.
+  /// Returns the keys that have come, up to 64; they are valid until the next call. Closes the
+  /// terminal if it is gone.
   std::span<const char> read();
   bool isOpen() const { return descriptor_ >= 0; }
 

@@ -6,12 +6,13 @@
 namespace robots {
 namespace {
 
-// The links' directions change while they are drawn to their lengths: that often they are found
-// anew in a step.
+// The links' directions change while they are drawn to their lengths, so they are computed anew
+// this many times in a step.
 constexpr int kRounds = 3;
-// As little of the strand stays on each side: the knot does not run off.
+// At least this much of the strand stays on each side, so that the knot does not run off.
 constexpr double kShortestSide = 0.01;  // m
-// The strand slips no faster than this, however hard it is pulled: else a step would overshoot.
+// The strand slips no faster than this, however hard it is pulled, because a step would overshoot
+// otherwise.
 constexpr double kFastestSlip = 0.1;  // m/s
 
 }  // namespace
@@ -73,13 +74,15 @@ void Strand::step(double h) {
   slip(h);
 }
 
-/// Draws the links to their lengths. What a link's multiplier is per step squared is its tension.
+/// Draws the links to their lengths. A link's multiplier divided by the square of the step is its
+/// tension.
 void Strand::projectConstraints(const Nodes& before, double h) {
   const double compliance = 1 / (model_.stiffness * kLinks * h * h);
   std::array<double, kLinks> multiplier{};
   for (int round = 0; round < kRounds; ++round) {
     std::array<Eigen::Vector3d, kLinks> direction;
-    std::array<double, kLinks> upper, change;  // of the tridiagonal system, swept from the left
+    std::array<double, kLinks> upper,
+        change;  // of the tridiagonal system, which is swept from the left
     const auto inverseMass = [&](int node) {
       return held_[static_cast<std::size_t>(node)] ? 0.0 : 1 / mass_[node];
     };
@@ -88,7 +91,7 @@ void Strand::projectConstraints(const Nodes& before, double h) {
       const auto at = static_cast<std::size_t>(i);
       const Eigen::Vector3d span = nodes_.col(i + 1) - nodes_.col(i);
       const double length = span.norm();
-      // A link without a length pulls nowhere: two nodes lie in one place.
+      // A link without a length, whose two nodes lie in one place, pulls in no direction.
       direction[at] = length > 0 ? Eigen::Vector3d(span / length) : Eigen::Vector3d::Zero();
       double pivot = inverseMass(i) + inverseMass(i + 1) + compliance;
       double right = length - restLength(i) - compliance * multiplier[at];

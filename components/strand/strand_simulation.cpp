@@ -9,11 +9,13 @@ namespace {
 
 static_assert(Strand::kNodes == decltype(StrandState::nodes)::ColsAtCompileTime);
 
-// However long the task did not run: the strand need not catch up with a debugger.
+// Bounds a step, however long the task did not run, because the strand need not catch up with a
+// debugger.
 constexpr double kLongestStep = 0.02;  // s
-// Nearer tips are those of arms that nobody has registered: a strand between them has no direction.
+// Tips that are nearer than this belong to arms that are not registered, and a strand between them
+// has no direction.
 constexpr double kLeastSpan = 0.001;  // m
-// The table keeps so many rows for cameras whose images are late: half a second, by default.
+// The table keeps this many rows for cameras whose images are late: half a second by default.
 constexpr unsigned kStrandRows = 512;
 
 }  // namespace

@@ -19,7 +19,7 @@ std::size_t cyclesOf(const CrossoverParameters& parameters, suture::Duration per
         "the crossover model: frequency and period must be positive, delay and remnant not "
         "negative");
   }
-  // With some to spare, since after a late cycle others may follow sooner than a period.
+  // There is some room to spare, because after a late cycle others may follow sooner than a period.
   return static_cast<std::size_t>(parameters.delay / period * 5 / 4) + 8;
 }
 
@@ -30,7 +30,7 @@ CrossoverModel::CrossoverModel(const CrossoverParameters& parameters, suture::Du
       delay_(parameters.delay),
       staying_(std::exp(-kRemnantBandwidth * inSeconds(period))),
       // Low-pass noise of the variance s^2 has the density 2 s^2 / bandwidth at low frequencies,
-      // which is to be pi * remnant.
+      // which must be pi * remnant.
       coming_(std::sqrt((1 - staying_ * staying_) * std::numbers::pi * parameters.remnant *
                         kRemnantBandwidth / 2)),
       random_(parameters.seed),

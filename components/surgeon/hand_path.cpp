@@ -10,13 +10,13 @@ namespace {
 using Eigen::Array3d;
 using Eigen::Vector3d;
 
-// Relative to the shape's amplitude, turn and frequency.
+// These are relative to the shape's amplitude, turn and frequency.
 const Array3d kReach{1.0, 0.8, 0.6};
 const Array3d kTurn{1.0, 0.7, 0.9};
 const Array3d kReachFrequency{1.0, 0.743, 0.547};
 const Array3d kTurnFrequency{0.931, 0.619, 0.867};
 
-// Ramps that it takes to come to the centre.
+// Is how many ramps it takes to come to the centre.
 constexpr double kReturn = 2;
 
 Vector3d sines(const Array3d& frequency, double t) {

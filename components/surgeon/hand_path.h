@@ -1,5 +1,5 @@
 #pragma once
-// The path of a scripted surgeon's hand.
+// This is the path of a scripted surgeon's hand.
 
 #include <Eigen/Geometry>
 
@@ -12,23 +12,23 @@ struct HandPathShape {
   double ramp;       ///< s, until the full amplitude is reached
 };
 
-/// Around `centre`: three sines of incommensurable frequencies along, and three about, the axes of
-/// the frame that `centre` is expressed in, faded in by a minimum-jerk blend. Another one leads
-/// from `start` to the centre meanwhile, in twice that time. So position, velocity and acceleration
-/// are continuous and the last two are zero at t = 0; speed never exceeds maxSpeed().
+/// Goes around `centre`: three sines of incommensurable frequencies along, and three about, the
+/// axes of the frame in which `centre` is given, faded in by a minimum-jerk blend. Another blend
+/// leads from `start` to the centre meanwhile, in twice that time. So position, velocity and
+/// acceleration are continuous, and the last two are zero at t = 0; speed never exceeds maxSpeed().
 class HandPath {
  public:
-  /// Its centre is where it starts.
+  /// The centre is where the path starts.
   HandPath(const Eigen::Isometry3d& start, const HandPathShape& shape)
       : HandPath(start, start, shape) {}
   HandPath(const Eigen::Isometry3d& start, const Eigen::Isometry3d& centre,
            const HandPathShape& shape)
       : start_(start), centre_(centre), shape_(shape) {}
 
-  /// The hand `t` seconds (>= 0) after it set out.
+  /// Returns the hand `t` seconds (>= 0) after it started.
   Eigen::Isometry3d at(double t) const;
 
-  /// m/s
+  /// Returns the bound of the speed in m/s.
   double maxSpeed() const;
 
  private:

@@ -46,14 +46,14 @@ void KnotSurgeon::interrupt() {
   start_.reset();
 }
 
-/// How much of the rest is done, 0 to 1.
+/// Returns how much of the rest is done, from 0 to 1.
 double KnotSurgeon::doneAfter(double t) const {
   return smoothStep(t / std::max(rest_ * parameters_.duration, 1e-3));
 }
 
 Eigen::Vector3d KnotSurgeon::moved(double t) const {
   const double done = doneAfter(t);
-  // Faded in, so that it begins at rest.
+  // The sway fades in, so that it begins at rest.
   const double sway = smoothStep(t / kFade) * parameters_.sway *
                       std::sin(2 * std::numbers::pi * parameters_.sway_frequency * t);
   return done * rest_ * parameters_.carry + sway * Eigen::Vector3d(1, 0.5, 0);

@@ -37,10 +37,10 @@ class SUTURE_COMPONENT() KnotSurgeon final : public suture::PeriodicTask {
   void run() override;
 
  private:
-  /// From where the hands set out, `t` seconds later.
+  /// Returns how far the hands are from where they started, `t` seconds later.
   Eigen::Vector3d moved(double t) const;
   double doneAfter(double t) const;
-  /// The hands stay; what they have carried so far is not carried again.
+  /// Stops the hands; the way that they have gone so far is not repeated.
   void interrupt();
 
   const KnotSurgeonParameters parameters_;
@@ -50,7 +50,7 @@ class SUTURE_COMPONENT() KnotSurgeon final : public suture::PeriodicTask {
   ArmWatch leftWatch_{left_}, rightWatch_{right_};
   CycleWatch cycles_;
   bool guided_ = false;
-  double rest_ = 1;  // share of the way, and of the time that it takes, that is left
+  double rest_ = 1;  // share of the way, and of the time that it takes, which is left
   struct Start {
     Eigen::Isometry3d left, right;
     suture::Time at;

@@ -46,9 +46,10 @@ Operator::Operator(const OperatorParameters& parameters)
 void Operator::run() {
   const suture::Time now = suture::now();
   const double seconds = secondsBetween(std::exchange(last_, now), now);
-  const Vector3d error = seenError(now);  // looks while it holds, so that it knows when it begins
+  const Vector3d error =
+      seenError(now);  // looks even while it holds, so that it knows the error when it begins
   const bool missed = cycles_.missed(kLongestPause);
-  const bool leftBrokeOff = left_.watch.hasBrokenOff();  // each has to be asked
+  const bool leftBrokeOff = left_.watch.hasBrokenOff();  // both must be asked
   const bool brokeOff = right_.watch.hasBrokenOff() || leftBrokeOff;
   const bool ready =
       guided_ && guidance_.connected() && left_.watch.ready() && right_.watch.ready();
@@ -63,7 +64,7 @@ void Operator::begin() {
   holds_ = orient() && left_.begin() && right_.begin();
 }
 
-/// False if it is not known where things stand.
+/// Returns false if it is not known where things stand.
 bool Operator::orient() {
   const auto frames = registration_.frames();
   if (!frames) return false;
@@ -115,7 +116,7 @@ bool Operator::Side::begin() {
   return true;
 }
 
-/// What the hand feels begins anew where the slave is in another picture.
+/// If the slave is at another place in the picture, what the hand feels begins anew.
 void Operator::Side::orient(const Eigen::Matrix3d& newFromMaster,
                             const Eigen::Matrix3d& newFromSlave) {
   fromMaster = newFromMaster;
@@ -124,7 +125,7 @@ void Operator::Side::orient(const Eigen::Matrix3d& newFromMaster,
   slaveStart.reset();
 }
 
-/// The master goes where the hand goes. False if it did not take its goal.
+/// Makes the master go where the hand goes. Returns false if it did not take its goal.
 bool Operator::Side::follow(suture::Time now, double seconds, const Vector3d& intended) {
   hand.advance(seconds, intended, felt(seconds));
   const Eigen::Translation3d moved(fromMaster.transpose() * hand.position());

@@ -80,13 +80,13 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
 
   void run() override;
 
-  /// J, of the axis that has least: what the left hand has given to the motors that push it, and
-  /// the right one. The operator's thread.
+  /// The operator's thread. Return the energy in J that each hand has given to the motors that push
+  /// it, along the axis that has least.
   double leftEnergy() const { return left_.feedback.energy().minCoeff(); }
   double rightEnergy() const { return right_.feedback.energy().minCoeff(); }
 
  private:
-  /// A hand and the master that it holds.
+  /// Is a hand and the master that it holds.
   struct Side {
     Side(Operator& self, const char* masterName, const char* slaveName,
          const OperatorParameters& parameters, std::uint32_t number);
@@ -94,27 +94,27 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
     bool begin();
     void orient(const Eigen::Matrix3d& newFromMaster, const Eigen::Matrix3d& newFromSlave);
     bool follow(suture::Time now, double seconds, const Eigen::Vector3d& intended);
-    /// N: what the motors push the hand with for the next `seconds`.
+    /// Returns the force in N with which the motors push the hand for the next `seconds`.
     Eigen::Vector3d felt(double seconds);
 
     const OperatorParameters& parameters;
     suture::Required<Arm> master, slave;  // the slave is needed for force feedback alone
     ArmWatch watch{master};
     Eigen::Isometry3d start = Eigen::Isometry3d::Identity();  // of the master, in its base frame
-    // To directions at the console: from those in the master's base frame, and from those in the
-    // slave's base frame that look the same.
+    // These rotate to directions at the console: from those in the master's base frame, and from
+    // those in the slave's base frame that look the same.
     Eigen::Matrix3d fromMaster = Eigen::Matrix3d::Identity();
     Eigen::Matrix3d fromSlave = Eigen::Matrix3d::Identity();
     Hand hand;  // from where it began, m in the console's directions
     PositionPosition feedback;
     RateFilter<3> slaveRate;
-    // Where the slave was while the hand was at its origin, to the scale of the master, m; none
-    // while it is not felt.
+    // Is where the slave was while the hand was at its origin, to the scale of the master, in m;
+    // none while it is not felt.
     std::optional<Eigen::Vector3d> slaveStart;
   };
 
-  /// The way of the knot to its target as it looks at the console, m; zero if the operator does
-  /// not see it.
+  /// Returns the way of the knot to its target as it looks at the console, in m; zero if the
+  /// operator does not see it.
   Eigen::Vector3d seenError(suture::Time now);
   bool orient();
   void begin();
@@ -128,7 +128,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
   CycleWatch cycles_;
   CrossoverModel model_;
   bool guided_ = false;
-  bool holds_ = false;  // both masters, since the hands began where they were
+  bool holds_ = false;  // both masters, since the hands began where those were
   Eigen::Vector3d intended_ = Eigen::Vector3d::Zero();  // of both hands, m as Side::hand
   suture::Time last_;                                   // cycle
 };

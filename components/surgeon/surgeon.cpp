@@ -22,7 +22,7 @@ Surgeon::Surgeon(const SurgeonParameters& parameters)
       [this](const TeleopState& state) { follows_ = state == TeleopState::Following; });
 }
 
-/// Whoever moves a master that is being aligned fights with it.
+/// Returns false while the master is being aligned, because moving it would work against that.
 bool Surgeon::mayMove() {
   const bool followed = teleoperation_.isAbsent() || (teleoperation_.connected() && follows_);
   return followed && watch_.ready() && master_.connected();
@@ -45,8 +45,8 @@ void Surgeon::run() {
   squeeze(t);
 }
 
-/// The fingers open and close as the hand swings; they come there evenly, for the path may have
-/// begun anew while they were open.
+/// Opens and closes the fingers as the hand swings. They come there evenly, because the path may
+/// have begun anew while they were open.
 void Surgeon::squeeze(double t) {
   const double wanted = opening_ * (1 - std::cos(2 * std::numbers::pi * shape_.frequency * t)) / 2;
   const double most = kFingerRate * inSeconds(period());

@@ -53,7 +53,7 @@ class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
   SUTURE_REQUIRED(optional()) suture::Required<GripperHand> hand_{*this, "Hand"};
   ArmWatch watch_{master_};
   CycleWatch cycles_;
-  std::optional<Eigen::Isometry3d> centre_;  // of the path, or it would walk out of reach
+  std::optional<Eigen::Isometry3d> centre_;  // of the path, which would walk out of reach otherwise
   std::optional<HandPath> path_;
   suture::Time setOut_;
   double opened_ = 0;     // rad, the gripper by the fingers
