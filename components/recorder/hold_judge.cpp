@@ -13,8 +13,8 @@ constexpr double kStill = 1e-9;  // m
 constexpr double kSoon = 0.5;    // s
 constexpr double kJump = 0.003;  // m
 
-/// m that an arm may move from one row to the next, at the speed of a fast hand. Rows that are far
-/// apart permit no more than a few cycles: between them somebody stood still.
+/// Returns how far in m an arm may move from one row to the next, at the speed of a fast hand. Rows
+/// that are far apart permit no more than a few cycles, because somebody stood still between them.
 double due(const ArmRow& before, const ArmRow& after) {
   constexpr double kFastest = 0.25;   // m/s
   constexpr double kLongest = 0.025;  // s

@@ -1,5 +1,5 @@
 #pragma once
-// Decides from a recording whether an arm held while a part of its system was cut off, or the
+// This decides from a recording if an arm held while a part of its system was cut off, or the
 // emergency stop was pressed.
 
 #include <suture/base/time.h>
@@ -13,22 +13,23 @@
 namespace robots {
 
 struct HoldJudgement {
-  /// s from its last motion before the break until that; none if it never moved before.
+  /// In s: is the time from its last motion before the break until the break; none if it never
+  /// moved before.
   std::optional<double> rested_before;
   double held_after = 0;  ///< s from the break until the set-point moved for the last time
-  /// s from the mending until it moved again; none if it did not.
+  /// In s: is the time from the mending until it moved again; none if it did not.
   std::optional<double> resumed_after;
-  /// m, since the break: by how much the set-point moved farther from one row to the next than a
-  /// fast hand does.
+  /// In m, since the break: is by how much the set-point moved farther from one row to the next
+  /// than a fast hand does.
   double largest_jump = 0;
 };
 
-/// Rows come by ascending stamp; `broken` and `mended` are on their clock.
+/// Rows must come by ascending stamp; `broken` and `mended` are on their clock.
 HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, suture::Time mended);
 
-/// Each bound that is missed, in words. Bounds: it moves until the break, holds within half a
-/// second, moves again, and jumps by no more than 3 mm, which is what an arm's data may lag behind
-/// at the demo's speeds.
+/// Returns each bound that is missed, in words. The bounds are that it moves until the break, holds
+/// within half a second, moves again, and jumps by no more than 3 mm, which is how far an arm's
+/// data may lag behind at the demo's speeds.
 std::vector<std::string> violations(const HoldJudgement& judgement);
 
 }  // namespace robots

@@ -7,7 +7,7 @@
 
 namespace robots {
 
-/// A stamp as a recording has it: ns of the steady clock.
+/// Returns a stamp of a recording, where it is in ns of the steady clock.
 inline suture::Time stampOf(const nlohmann::json& json) {
   return suture::fromNanoseconds(json.get<std::int64_t>());
 }

@@ -14,11 +14,12 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using suture::Time;
 
-// A hole in the master's recording that interpolation must not bridge.
+// Is the shortest gap in the master's recording that interpolation must not bridge.
 constexpr double kLongestGap = 0.05;  // s
-// How much later than the row of its stamp a record may be written.
+// Is how much later than the row of its stamp a record may be written.
 constexpr auto kPatience = std::chrono::milliseconds(200);
-// The law's speed is measured over twice that; over a cycle it would be the encoders' noise.
+// The law's speed is measured over twice this; over one cycle it would be the noise of the
+// encoders.
 constexpr auto kHalfBase = std::chrono::milliseconds(10);
 
 }  // namespace
@@ -31,7 +32,7 @@ Judge::Pose Judge::blend(const Pose& from, const Pose& to, double share) {
   return {from.p + share * (to.p - from.p), from.q.slerp(share, to.q)};
 }
 
-// Written down a second time on purpose: this is what the component's own is checked against.
+// This is the law a second time on purpose, because it checks that of the component.
 Judge::Pose Judge::law(const FollowAnchors& anchors, const Pose& master) {
   const Pose master0 = toPose(anchors.master), slave0 = toPose(anchors.slave_setpoint);
   const Quaterniond view(anchors.view);
@@ -41,7 +42,7 @@ Judge::Pose Judge::law(const FollowAnchors& anchors, const Pose& master) {
           anchors.rotation_locked ? slave0.q : turned * slave0.q};
 }
 
-/// The recorded master at `stamp`, between the two rows around it.
+/// Returns the recorded master at `stamp`, between the two rows around it.
 std::optional<Judge::Pose> Judge::masterAt(Time stamp) const {
   const auto after = std::lower_bound(master_.begin(), master_.end(), stamp,
                                       [](const ArmRow& row, Time t) { return row.stamp < t; });
@@ -55,14 +56,15 @@ std::optional<Judge::Pose> Judge::masterAt(Time stamp) const {
                secondsBetween(before->stamp, stamp) / gap);
 }
 
-/// The first time after `stamp` that following began.
+/// Returns the first entry after `stamp` at which following began.
 Judge::Entry Judge::entryAfter(Time stamp) const {
   return std::upper_bound(followed_.begin(), followed_.end(), stamp,
                           [](Time t, const FollowAnchors& a) { return t < a.master_stamp; });
 }
 
-/// False before following began, and while the slave is not enabled, until following begins anew.
-/// That may have a stamp from before the slave was enabled, for the master's data are older.
+/// Returns false before following began, and while the slave is not enabled, until following begins
+/// anew. That may have a stamp from before the slave was enabled, because the master's data are
+/// older.
 bool Judge::isFollowing(const ArmRow& row) {
   const auto next = entryAfter(row.goal_stamp);
   if (wasEnabled_ && !row.enabled) disabled_ = row.stamp;
@@ -70,7 +72,7 @@ bool Judge::isFollowing(const ArmRow& row) {
   return next != followed_.begin() && row.enabled && (!disabled_ || next != entryAfter(*disabled_));
 }
 
-/// Where the slave was told to be by data of time `stamp`.
+/// Returns where the slave was told to be by data of time `stamp`.
 std::optional<Judge::Pose> Judge::targetAt(Time stamp) const {
   const auto next = entryAfter(stamp);
   if (next == followed_.begin()) return std::nullopt;
@@ -101,7 +103,8 @@ void Judge::advance() {
   }
 }
 
-// A set-point that is held keeps an old stamp; a later one may be a little older than the last.
+// Keeps older rows for a while: a set-point that is held keeps an old stamp, and a later one may be
+// a little older than the last.
 void Judge::forgetMasterBefore(Time stamp) {
   while (!master_.empty() && master_.front().stamp + kPatience < stamp) master_.pop_front();
 }
@@ -127,7 +130,8 @@ void Judge::follow(const ArmRow& row, const Pose& measured) {
   expected_ = blend(*expected_, *target_, share);
   position_.push_back((measured.p - expected_->p).norm());
   orientation_.push_back(measured.q.angularDistance(expected_->q));
-  // So far behind an even motion is what goes this share of the way to its goal each cycle.
+  // A pose that goes this share of the way to its goal in each cycle is this far behind an even
+  // motion.
   const double behind = seconds / share;
   if (isNewTarget_) {
     compareAtEqualTime(row, measured, secondsBetween(targetStamp_, last_) + behind);

@@ -1,7 +1,7 @@
 #pragma once
-// Decides from recordings whether a slave did what the law asks of it. Nothing is fitted: the path
-// is the recorded master's, the times are the stamps that travelled with the data, the lag is the
-// declared one.
+// This decides from recordings if a slave did what the law asks of it. It fits no parameters: the
+// path is the recorded master's, the times are the stamps that travelled with the data, the lag is
+// the declared one.
 
 #include <cstddef>
 #include <deque>
@@ -15,27 +15,29 @@
 namespace robots {
 
 struct Judgement {
-  ErrorSummary position;     ///< m, from where the slave should be by the goals that it has got
+  ErrorSummary position;     ///< m, from where the slave should be by the goals that it received
   ErrorSummary orientation;  ///< rad, likewise
-  /// m, from where the law has it for the master of that very moment. It is no fault: a slave is
-  /// late by the way of the data and by its drives, and so is off by its speed times that.
+  /// In m, from where the law has it for the master at the same moment. It is no fault: a slave is
+  /// late by the time that the data travel and by its drives, and so is off by its speed times
+  /// that.
   ErrorSummary equal_time;
   double speed_times_latency = 0;  ///< m: the mean of what explains the mean of equal_time
   double travel = 0;         ///< m: how far the slave got from where it was when following began
   std::size_t compared = 0;  ///< slave cycles
-  /// Slave cycles whose master pose is not in the master's recording; they are not compared.
+  /// Counts the slave cycles whose master pose is not in the master's recording; they are not
+  /// compared.
   std::size_t unmatched = 0;
 };
 
-/// Judges a slave while it is recorded. Rows come by ascending stamp, all on one clock. From the
-/// first announcement of the teleoperation on, the law x_s = x_s0 + s V (x_m - x_m0), R_s = V
+/// Judges a slave while it is recorded. Rows must come by ascending stamp, all on one clock. From
+/// the first announcement of the teleoperation on, the law x_s = x_s0 + s V (x_m - x_m0), R_s = V
 /// R_m (V R_m0)^T R_s0, without what is locked, gives the target of each slave cycle from the
-/// recorded master at the stamp of the set-point; a first-order filter of `timeConstant` (s) in
+/// recorded master at the stamp of the set-point. A first-order filter of `timeConstant` (s) in
 /// Cartesian space, on the slave's own cycle times, gives where the slave should be. With 0, as for
-/// drives that declare no lag, that is the target of the cycle before. Rate limits
-/// are not modelled: a slave that met one is late, and that shows. Of a slave that is not enabled
-/// the law asks for nothing, until following begins anew. At equal time it is compared while goals
-/// arrive: one that is held has no latency.
+/// drives that declare no lag, that is the target of the previous cycle. Rate limits are not
+/// modelled: a slave that met one is late, and that is visible. While a slave is not enabled the
+/// law asks for nothing, until following begins anew. The comparison at equal time is made only
+/// while goals arrive, because a slave that is held has no latency.
 class Judge {
  public:
   explicit Judge(double timeConstant) : timeConstant_(timeConstant) {}
@@ -44,12 +46,12 @@ class Judge {
   void addFollowed(const std::vector<FollowAnchors>& followed);
   void addSlave(const std::vector<ArmRow>& rows);
 
-  /// Judges every slave cycle whose master is known by now, with some patience for records that
-  /// come late.
+  /// Judges every slave cycle whose master is known by now, and waits a while for records that come
+  /// late.
   void advance();
-  /// The position error of what was judged since the last call.
+  /// Returns the position error of what was judged since the last call.
   ErrorSummary recentPosition();
-  /// Judges what is left, with or without its master.
+  /// Judges the rest, with or without its master.
   Judgement finish();
 
  private:
@@ -74,10 +76,10 @@ class Judge {
   void forgetMasterBefore(suture::Time stamp);
 
   const double timeConstant_;
-  std::deque<ArmRow> master_, waiting_;  // waiting: the slave's
+  std::deque<ArmRow> master_, waiting_;  // waiting_: the slave's
   std::vector<FollowAnchors> followed_;
   std::optional<Pose> target_;    // what acts on the slave since its last cycle
-  suture::Time targetStamp_;      // of the master's pose that it is made of
+  suture::Time targetStamp_;      // of the master's pose from which it is computed
   bool isNewTarget_ = false;      // the cycle before had another one
   std::optional<Pose> expected_;  // where the slave should be
   suture::Time last_;
@@ -90,7 +92,7 @@ class Judge {
   std::vector<double> equalTime_, speedTimesLatency_;  // m, one each after a new target
 };
 
-/// A whole run at once.
+/// Judges a whole run at once.
 Judgement judge(const std::vector<ArmRow>& master, const std::vector<FollowAnchors>& followed,
                 const std::vector<ArmRow>& slave, double timeConstant);
 
@@ -101,7 +103,7 @@ struct JudgementBounds {
   double unmatched = 0.05;  ///< share of cycles, at most: recorders do not stop at one instant
 };
 
-/// Each bound that is missed, in words; empty: the slave did well.
+/// Returns each bound that is missed, in words; nothing if the slave kept all of them.
 std::vector<std::string> violations(const Judgement& judgement, const JudgementBounds& bounds = {});
 
 }  // namespace robots

@@ -1,5 +1,6 @@
 #pragma once
-// The judges of recordings share how errors are summed up, and how a missed bound is told.
+// The judges of recordings share this: how errors are summed up, and how a missed bound is
+// reported.
 
 #include <algorithm>
 #include <cstddef>
@@ -14,7 +15,7 @@ struct ErrorSummary {
   double p50 = 0, p99 = 0, max = 0, mean = 0;
 };
 
-/// All zero if there are no errors.
+/// Returns all zeros if there are no errors.
 inline ErrorSummary summarise(std::vector<double> errors) {
   if (errors.empty()) return {};
   const double count = static_cast<double>(errors.size());
@@ -26,7 +27,8 @@ inline ErrorSummary summarise(std::vector<double> errors) {
   return {at(0.5), at(0.99), errors.back(), mean};
 }
 
-/// `format` is that of printf, for two doubles: what was found, and its bound.
+/// Returns a sentence about a missed bound. `format` is that of printf, for two doubles: what was
+/// found, and its bound.
 inline std::string sentence(const char* format, double found, double bound) {
   char text[128];
   std::snprintf(text, sizeof text, format, found, bound);

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using Rows = std::vector<KnotRow>;
 
-// m: of the knot from its target, and of a sighting from the truth.
+// In m: is the bound on the distance of the knot from its target, and of a sighting from the truth.
 constexpr double kFarthest = 0.001;
 constexpr double kLeastWay = 0.01;  // m
 // Cameras may lose the knot for moments, but not for long.
@@ -33,7 +33,7 @@ Rows::const_iterator firstSince(const Rows& rows, suture::Time stamp) {
       [](const KnotRow& row, suture::Time wanted) { return row.strand.stamp < wanted; });
 }
 
-/// The true knot at a stamp between two rows; none outside them.
+/// Returns the true knot at a stamp between two rows; none outside them.
 std::optional<Vector3d> knotAt(const Rows& rows, suture::Time stamp) {
   const auto after = firstSince(rows, stamp);
   if (after == rows.begin() || after == rows.end()) return std::nullopt;

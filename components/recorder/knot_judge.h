@@ -1,5 +1,5 @@
 #pragma once
-// Decides from a recording whether a knot came to its target.
+// This decides from a recording if a knot came to its target.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -19,13 +19,14 @@ struct KnotJudgement {
   std::size_t rows = 0;       ///< guided ones
 };
 
-/// Rows come by ascending stamp; `target` is in the scene, m. Judges by the true strand, not by
-/// what the cameras saw.
+/// Rows must come by ascending stamp; `target` is in the scene, in m. Judges by the true strand,
+/// not by what the cameras saw.
 KnotJudgement judgeKnot(const std::vector<KnotRow>& rows, const Eigen::Vector3d& target);
 
-/// Each bound that is missed, in words; empty: the knot was placed. Bounds: 1 mm from the target,
-/// after at least 10 mm of the way, and guided for half of the last half second; the cameras saw it
-/// for nine tenths of the guided rows, within 1 mm.
+/// Returns each bound that is missed, in words; nothing if the knot was placed. The bounds are that
+/// it is within 1 mm of the target, after at least 10 mm of the way, that it was guided for half of
+/// the last half second, and that the cameras saw it for nine tenths of the guided rows, within 1
+/// mm.
 std::vector<std::string> violations(const KnotJudgement& judgement);
 
 }  // namespace robots

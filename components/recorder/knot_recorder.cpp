@@ -3,7 +3,7 @@
 namespace robots {
 namespace {
 
-// The ring holds five seconds at 50 rows a second, longer than a disk stalls.
+// The ring holds five seconds at 50 rows a second, which is longer than a disk stalls.
 constexpr std::size_t kRows = 256;
 
 }  // namespace
@@ -23,7 +23,7 @@ void KnotRecorder::run() {
   const auto sighting = vision_.sighting();
   row_.sighting = sighting ? *sighting : KnotSighting{};
   row_.guiding = guiding_ && guidance_.connected();
-  (void)writer_.push(row_);  // it counts what it has no room for
+  (void)writer_.push(row_);  // it counts the rows for which it has no room
 }
 
 }  // namespace robots

@@ -33,7 +33,8 @@ class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
 
   void run() override;
 
-  /// Any thread: records that are not in the file, since it was too slow or its disk is full.
+  /// Any thread. Returns how many records are not in the file, because it was too slow or its disk
+  /// is full.
   std::uint64_t dropped() const { return writer_.lost(); }
 
  private:
@@ -43,7 +44,7 @@ class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
   suture::Required<Guidance> guidance_{*this, "Guidance"};
   suture::Required<Registration> registration_{*this, "Registration"};
   KnotRow row_;
-  bool guiding_ = false;  // by the last event; a guide that is lost sends none
+  bool guiding_ = false;  // by the last event; a lost guide sends none
 };
 
 }  // namespace robots

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps how a knot was placed: the truth, what the cameras saw, and whether it was guided.
+// This records how a knot was placed: the truth, what the cameras saw, and if it was guided.
 
 #include <Eigen/Geometry>
 #include <filesystem>
@@ -12,22 +12,22 @@
 
 namespace robots {
 
-/// One moment; truth in the scene's frame, the sighting in the camera's.
+/// Is one moment. The truth is in the scene's frame, the sighting in the camera's.
 struct KnotRow {
   StrandState strand;
   Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();  ///< in the scene
   KnotSighting sighting;                                     ///< the last one at that moment
   bool guiding = false;
 
-  /// The true place of the knot, in the scene, m.
+  /// Returns the true place of the knot, in the scene, in m.
   Eigen::Vector3d knot() const { return strand.nodes.col(Strand::kKnot); }
 };
 
 /// Writes one row, whose strand is valid, as one line of JSON. Stamps are ns of the steady clock.
 void write(std::ostream& out, const KnotRow& row);
 
-/// All of a recording that nobody writes any more. Throws suture::SetupError that names the file
-/// and the line.
+/// Returns a whole recording, which must not be written any more. Throws suture::SetupError that
+/// names the file and the line.
 std::vector<KnotRow> readKnotRecording(const std::filesystem::path& file);
 
 }  // namespace robots

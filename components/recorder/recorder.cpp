@@ -3,7 +3,7 @@
 namespace robots {
 namespace {
 
-// Four seconds of one arm at 1 kHz.
+// The ring holds four seconds of one arm at 1 kHz.
 constexpr std::size_t kRecords = 4096;
 
 }  // namespace
@@ -25,7 +25,7 @@ void Recorder::run() {
 }
 
 void Recorder::keep(const Record& record) {
-  (void)writer_.push(record);  // it counts what it has no room for
+  (void)writer_.push(record);  // it counts the records for which it has no room
 }
 
 }  // namespace robots

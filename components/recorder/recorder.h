@@ -34,7 +34,8 @@ class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
 
   void run() override;
 
-  /// Any thread: records that are not in the file, since it was too slow or its disk is full.
+  /// Any thread. Returns how many records are not in the file, because it was too slow or its disk
+  /// is full.
   std::uint64_t dropped() const { return writer_.lost(); }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
-// A recording keeps of a run one arm's poses, the moments when a teleoperation began to follow, and
-// those when an emergency stop was pressed or released.
+// A recording holds one arm's poses during a run, the moments when a teleoperation began to follow,
+// and those when an emergency stop was pressed or released.
 
 #include <suture/base/time.h>
 
@@ -17,11 +17,11 @@
 
 namespace robots {
 
-/// One cycle of an arm, in its base frame, m.
+/// Is one cycle of an arm, in its base frame, in m.
 struct ArmRow {
   suture::Time stamp;  ///< of the measured pose: the arm's cycle
   Eigen::Isometry3d measured = Eigen::Isometry3d::Identity();
-  suture::Time goal_stamp;  ///< of the data that the set-point was made from
+  suture::Time goal_stamp;  ///< of the data from which the set-point was made
   Eigen::Isometry3d setpoint = Eigen::Isometry3d::Identity();
   bool enabled = true;  ///< it obeys motion commands
 };
@@ -38,23 +38,23 @@ struct Recording {
 /// z.
 void write(std::ostream& out, const Record& record);
 
-/// Reads what write() wrote, also while it is being written. One thread.
+/// One thread. Reads what write() wrote, even while it is being written.
 class RecordingReader {
  public:
   explicit RecordingReader(std::filesystem::path file) : lines_(std::move(file)) {}
 
-  /// The whole records that are new since the last call; none before the file exists. Throws
-  /// suture::SetupError that names the file and the line.
+  /// Returns the whole records that are new since the last call; none before the file exists.
+  /// Throws suture::SetupError that names the file and the line.
   Recording next();
-  /// Returns the rest, once nobody writes any more. Also throws if the file was never there, or
-  /// ends within a record.
+  /// Returns the rest, once the file is not written any more. Also throws if the file was never
+  /// there, or ends within a record.
   Recording rest();
 
  private:
   RecordingLines lines_;
 };
 
-/// All of a recording that nobody writes any more.
+/// Returns a whole recording, which must not be written any more.
 Recording readRecording(const std::filesystem::path& file);
 
 }  // namespace robots

@@ -8,7 +8,7 @@ namespace robots {
 
 void RecordingLines::next(const Take& take) {
   if (!in_.is_open()) in_.open(file_);
-  in_.clear();  // more may have come behind the end
+  in_.clear();  // more lines may have come behind the end
   std::string text;
   while (std::getline(in_, text)) {
     unfinished_ += text;

@@ -1,5 +1,5 @@
 #pragma once
-// Takes the lines of a recording from its file, whatever they hold.
+// This reads the lines of a recording from its file, whatever they hold.
 
 #include <cstddef>
 #include <filesystem>
@@ -11,18 +11,18 @@
 
 namespace robots {
 
-/// Reads the lines of JSON that a RecordingWriter writes, also while it does. One thread.
+/// One thread. Reads the lines of JSON that a RecordingWriter writes, even while it does.
 class RecordingLines {
  public:
   using Take = std::function<void(const nlohmann::json& line)>;
 
   explicit RecordingLines(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Gives `take` each whole line that is new since the last call; none before the file exists.
-  /// Throws suture::SetupError that names the file and the line if it is not what `take` reads.
+  /// Calls `take` with each whole line that is new since the last call; with none before the file
+  /// exists. Throws suture::SetupError that names the file and the line if `take` cannot read it.
   void next(const Take& take);
-  /// Takes what is left, once nobody writes any more. Also throws if the file was never there, or
-  /// ends within a line.
+  /// Reads the rest, once the file is not written any more. Also throws if the file was never
+  /// there, or ends within a line.
   void rest(const Take& take);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Takes rows from a control loop to a file.
+// This writes rows of a control loop to a file.
 
 #include <suture/base/errors.h>
 #include <suture/component/task/periodic_task.h>
@@ -14,9 +14,9 @@
 
 namespace robots {
 
-/// A ring that a task fills, and a task of its own that writes to the file, twenty times a second.
-/// The destructor writes what is left. A row has a function write(std::ostream&, row) in its own
-/// namespace, and is copied without an allocation.
+/// Has a ring that a task fills, and a task of its own that writes it to the file, twenty times a
+/// second. The destructor writes what is left. A row must have a function write(std::ostream&, row)
+/// in its own namespace, and must be copied without an allocation.
 template <class Row>
 class RecordingWriter final : private suture::PeriodicTask {
  public:
@@ -39,8 +39,8 @@ class RecordingWriter final : private suture::PeriodicTask {
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  /// From one task's thread. Never blocks, never allocates; false if the row was dropped because
-  /// the file is so far behind that the ring is full.
+  /// One task's thread. Never blocks or allocates. Returns false if the row was dropped because the
+  /// file is so far behind that the ring is full.
   bool push(const Row& row) {
     const std::size_t pushed = pushed_.load(std::memory_order_relaxed);
     if (pushed - written_.load(std::memory_order_acquire) == ring_.size()) {
@@ -52,8 +52,9 @@ class RecordingWriter final : private suture::PeriodicTask {
     return true;
   }
 
-  /// Any thread: how many rows are not in the file, since it was too far behind, or the file system
-  /// did not take them. After the first that it did not take it is given no more.
+  /// Any thread. Returns how many rows are not in the file, because it was too far behind, or
+  /// because the file system did not take them. After the first row that it did not take, it gets
+  /// no more.
   std::uint64_t lost() const { return lost_.load(std::memory_order_relaxed); }
 
  private:
@@ -69,8 +70,8 @@ class RecordingWriter final : private suture::PeriodicTask {
   }
 
   std::ofstream out_;
-  // Reused in turn; the counts never wrap. Only the pushing thread writes pushed_, only the writing
-  // one written_.
+  // The entries are reused in turn; the counts never wrap. Only the pushing thread writes pushed_,
+  // only the writing one written_.
   std::vector<Row> ring_;
   std::atomic<std::size_t> pushed_{0};
   std::atomic<std::size_t> written_{0};
