@@ -8,16 +8,17 @@
 namespace robots {
 namespace {
 
-// A pixel has a marker's colour by at least so much of 255, which is more than noise makes of any
-// other colour. Where a marker is darkest it still has the second.
+// A pixel has a marker's colour if the difference is above kLeast of 255, which is more than noise
+// makes of any other colour. Where a marker is darkest the difference is still kWhole.
 constexpr int kLeast = 20, kWhole = 95;
-// A difference of green and blue by less than so much of 255 is noise.
+// A difference of green and blue of less than this, of 255, is noise.
 constexpr int kNothing = 8;
-// px: a quarter of the knot at 120 mm, and far more than what noise makes.
+// In px: is a quarter of the knot at 120 mm, and far more than noise makes.
 constexpr int kLeastArea = 25;
-// px: an edge is as wide, with its blur.
+// In px: is the width of an edge, with its blur.
 constexpr int kEdge = 2;
-// px between the heights of a point in both images: far more than a centroid's error.
+// In px: is the largest difference between the heights of a point in both images, far more than a
+// centroid's error.
 constexpr double kLargestSkew = 2;
 
 bool isComplete(const ImageFrame& image) {
@@ -27,7 +28,8 @@ bool isComplete(const ImageFrame& image) {
 
 using Channels = std::array<cv::Mat1b, 3>;
 
-/// What is greener than red and blue (the knot), bluer, or yellow.
+/// Returns the pixels of a marker's colour: those that are greener than red and blue (the knot),
+/// bluer, or yellow.
 cv::Mat1b hasColourOf(Marker marker, const Channels& channels) {
   const auto& [red, green, blue] = channels;
   switch (marker) {
@@ -38,11 +40,11 @@ cv::Mat1b hasColourOf(Marker marker, const Channels& channels) {
   return {};
 }
 
-/// By how much of a pixel a marker covers: what else there is has as much green as blue. At
-/// kWhole and beyond it covers all of it, in light or shade.
+/// Returns how much of each pixel a marker covers, because everything else has as much green as
+/// blue. At kWhole and beyond the marker covers all of the pixel, in light or shade.
 cv::Mat1b cover(Marker marker, const cv::Mat1b& green, const cv::Mat1b& blue) {
   const bool isBlue = marker == Marker::LeftTip;
-  const cv::Mat1b more = isBlue ? blue - green : green - blue;  // none is below zero
+  const cv::Mat1b more = isBlue ? blue - green : green - blue;  // cut at zero
   return cv::min(more, kWhole) - kNothing;
 }
 
@@ -50,7 +52,8 @@ cv::Rect grown(const cv::Rect& box, int by) {
   return {box.x - by, box.y - by, box.width + 2 * by, box.height + 2 * by};
 }
 
-/// Where the largest spot of a mask is, and its pixels there; no pixels if none is large enough.
+/// Is where the largest spot of a mask is, and its pixels there; there are no pixels if none is
+/// large enough.
 struct Spot {
   cv::Rect box;
   cv::Mat1b pixels;
@@ -79,7 +82,7 @@ std::optional<Eigen::Vector2d> centreOf(Marker marker, const Channels& channels)
   const Spot spot = largestSpot(hasColourOf(marker, channels));
   const cv::Rect box = grown(spot.box, kEdge);
   if (spot.pixels.empty() || (box & cv::Rect({}, channels[0].size())) != box) return std::nullopt;
-  // With the edge, where it covers parts of pixels.
+  // This includes the edge, where the marker covers parts of pixels.
   cv::Mat1b near, weights;
   cv::copyMakeBorder(spot.pixels, near, kEdge, kEdge, kEdge, kEdge, cv::BORDER_CONSTANT, 0);
   cv::dilate(near, near, {}, {-1, -1}, kEdge);
@@ -124,7 +127,7 @@ MarkerPoints locate(const CameraPair& cameras, const Detections& left, const Det
     if (std::abs(left[i]->y() - right[i]->y()) > kLargestSkew) continue;
     Eigen::Vector3d& point = points[i].emplace(triangulate(cameras, *left[i], *right[i]));
     // The outline of a ball is that of a cone about it, whose middle is farther from the axis than
-    // the ball's centre, by 1 / (1 - r^2 / z^2): so it seems nearer by r^2 / z.
+    // the ball's centre, by 1 / (1 - r^2 / z^2), so the ball seems nearer by r^2 / z.
     const double radius = radiusOf(static_cast<Marker>(i));
     point.z() += radius * radius / point.z();
   }

@@ -5,7 +5,8 @@
 namespace robots {
 namespace {
 
-// By so many places the noise of one image lies beside that of another: nobody finds a pattern.
+// The noise of one image is shifted by up to this many places against that of another, so that
+// nobody finds a pattern.
 constexpr std::size_t kOffsets = 1 << 16;
 
 }  // namespace
@@ -24,8 +25,8 @@ void ImageSensor::blur(ImageFrame& image) const {
   cv::GaussianBlur(pixels, pixels, {}, blur_);
 }
 
-/// To make new noise for each image would take longer than to draw it: each takes the same from
-/// another place on.
+/// Adds noise. To make new noise for each image would take longer than to draw it, so each takes
+/// the same from another place on.
 void ImageSensor::addNoise(ImageFrame& image) {
   const std::size_t size = image.data.size();
   cv::RNG random(random_);

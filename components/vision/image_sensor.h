@@ -1,5 +1,5 @@
 #pragma once
-// What a camera makes of an image that is exact and sharp.
+// This is what a camera makes of an image that is exact and sharp.
 
 #include <cstdint>
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace robots {
 
-/// Blurs an image and adds noise. Belongs to one thread; OpenCV allocates.
+/// Belongs to one thread; OpenCV allocates. Blurs an image and adds noise.
 class ImageSensor {
  public:
-  /// `noise`: standard deviation of a channel, of 255. `blur`: that of a point's light, px. The
-  /// same seed gives the same noise.
+  /// `noise` is the standard deviation of a channel, of 255. `blur` is that of a point's light, in
+  /// px. The same seed gives the same noise.
   ImageSensor(double noise, double blur, std::uint64_t seed = 1);
 
-  /// In place; an image of three channels.
+  /// Changes an image of three channels in place.
   void expose(ImageFrame& image);
 
  private:

@@ -20,14 +20,15 @@ void KnotTracker::run() {
 
 void KnotTracker::look() {
   const auto exposed = images_.exposed();
-  if (exposed && *exposed == suture::Time{}) return see({});  // a pair is megabytes
+  if (exposed && *exposed == suture::Time{})
+    return see({});  // the pair is not read, because it is megabytes
   if (exposed && *exposed == sighting_.stamp) return;
   if (!images_.images(pair_) || !isPairOfTheCameras()) return see({});
   sighting_.stamp = pair_.left.stamp;
   see(locate(cameras_, detect(pair_.left), detect(pair_.right)));
 }
 
-/// Each of them, or none, at the stamp of the sighting.
+/// Passes each point to its track, or none, at the stamp of the sighting.
 void KnotTracker::see(const MarkerPoints& points) {
   for (std::size_t i = 0; i < kMarkers; ++i) {
     tracks_[i].seenAt(sighting_.stamp, cameras_, points[i]);
@@ -40,7 +41,8 @@ void KnotTracker::see(const MarkerPoints& points) {
   sighting_.right_tip = *right;
 }
 
-/// Images of another size, or of two moments, would give a wrong depth.
+/// Returns false for images of another size, or of two moments, because they would give a wrong
+/// depth.
 bool KnotTracker::isPairOfTheCameras() const {
   const auto fits = [this](const ImageFrame& image) {
     return image.valid && image.width == static_cast<std::uint32_t>(cameras_.width) &&

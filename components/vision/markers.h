@@ -1,5 +1,5 @@
 #pragma once
-// The colours and sizes by which the parts of the scene are told from each other in an image.
+// These are the colours and sizes by which the parts of the scene are distinguished in an image.
 
 #include <array>
 #include <cstddef>
@@ -27,7 +27,8 @@ constexpr Colour colourOf(Marker marker) {
   return {};
 }
 
-/// m. These sizes are ours: a knot of several throws, and tips like the jaws of a needle driver.
+/// Returns the radius in m. These sizes are our own: a knot of several throws, and tips like the
+/// jaws of a needle driver.
 constexpr double radiusOf(Marker marker) { return marker == Marker::Knot ? 0.002 : 0.0025; }
 
 }  // namespace robots

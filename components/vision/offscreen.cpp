@@ -3,7 +3,7 @@
 // Mesa declares what is newer than OpenGL 1.1 only if this is defined.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/osmesa.h>
-// It needs what the one above declares.
+// This header needs what the one above declares.
 #include <GL/glext.h>
 #include <suture/base/errors.h>
 
@@ -14,7 +14,7 @@
 namespace robots {
 namespace {
 
-constexpr int kSamples = 4;  // a pixel: what Mesa's renderer has
+constexpr int kSamples = 4;  // for each pixel: what Mesa's renderer has
 constexpr int kFiner = 2;    // times as many pixels each way, where squares are drawn
 constexpr int kChannels = 3;
 
@@ -53,7 +53,7 @@ void Offscreen::makeCurrent() {
   OSMesaPixelStore(OSMESA_Y_UP, 0);  // the upper row first
 }
 
-/// It belongs to the context, and goes with it.
+/// Returns a framebuffer that belongs to the context, which frees it.
 unsigned Offscreen::makeFramebuffer(int width, int height) {
   unsigned framebuffer = 0;
   glGenFramebuffers(1, &framebuffer);
@@ -73,7 +73,7 @@ bool Offscreen::isPossible(const Square& square) const {
 
 void Offscreen::draw(const Parts& parts, ImageFrame& image) {
   makeCurrent();
-  // They pass through a corner of the image's memory, so they come before the image.
+  // The squares pass through a corner of the image's memory, so they are drawn before the image.
   std::vector<std::pair<Square, std::vector<std::uint8_t>>> exact;
   for (const Square& square : parts.squares) {
     if (isPossible(square)) exact.emplace_back(square, drawExact(parts.all, square));
@@ -92,7 +92,7 @@ void Offscreen::draw(const Parts& parts, ImageFrame& image) {
   }
 }
 
-/// Draws it finer, and has each pixel add up what is in it. OpenGL counts rows from below.
+/// Draws the square finer, and lets each pixel add up what is in it. OpenGL counts rows from below.
 std::vector<std::uint8_t> Offscreen::drawExact(const std::function<void()>& all,
                                                const Square& square) {
   const int bottom = height_ - square.top - square.size, size = kFiner * square.size;

@@ -1,5 +1,5 @@
 #pragma once
-// Where OpenGL draws without a screen.
+// Here OpenGL draws without a screen.
 
 #include <cstdint>
 #include <functional>
@@ -12,31 +12,32 @@ struct osmesa_context;
 
 namespace robots {
 
-/// Rows of an image, from the upper one on; `last` is the first that is not among them.
+/// Is a range of rows of an image, from the upper one on; `last` is the first that does not belong
+/// to it.
 struct Rows {
   int first, last;
 };
 
-/// A part of an image, px; `left` and `top` are its first column and row.
+/// Is a part of an image, in px; `left` and `top` are its first column and row.
 struct Square {
   int left, top, size;
 };
 
-/// A framebuffer in memory that Mesa's software renderer fills. It is made in the thread that
-/// draws, and draws in that thread alone.
+/// One thread: it draws only in the thread in which it was made. Is a framebuffer in memory that
+/// Mesa's software renderer fills.
 class Offscreen {
  public:
-  /// px. Throws suture::SetupError if Mesa has none.
+  /// The size is in px. Throws suture::SetupError if Mesa cannot make it.
   Offscreen(int width, int height);
 
-  /// What to draw where. To have smooth edges takes several times as long, so the rows are to be no
-  /// more than need them, and the squares small.
+  /// Says what to draw where. Smooth edges take several times as long, so there should be no more
+  /// rows than need them, and the squares should be small.
   struct Parts {
     std::function<void()> background;  ///< draws the whole image while OpenGL draws here
     std::function<void()> all;         ///< draws it too, with all that has edges
     Rows rows;                         ///< have smooth edges, of four samples a pixel
-    /// These have the light of each pixel as a sensor adds it up, of sixteen samples. One that is
-    /// larger than kLargestSquare, or reaches beyond the image, is as its rows are.
+    /// These have the light of each pixel as a sensor adds it up, of sixteen samples. A square that
+    /// is larger than kLargestSquare, or reaches beyond the image, is drawn as its rows are.
     std::vector<Square> squares;
   };
   static constexpr int kLargestSquare = 64;  ///< px

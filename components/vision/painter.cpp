@@ -17,16 +17,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-// m. These sizes are ours but that of the shaft, which is the 8 mm of da Vinci instruments.
+// In m: these sizes are our own, except that of the shaft, which is the 8 mm of da Vinci
+// instruments.
 constexpr double kStrandRadius = 0.0004, kJawRadius = 0.0006, kShaftRadius = 0.004;
 constexpr double kJawLength = 0.009, kShaftLength = 0.08;
 constexpr double kGroundReach = 0.2, kFarthest = 1;
 
-// The shares of the light. Enough comes from all around that no side of a marker looks like
-// something else.
+// These are the shares of the light. Enough comes from all around that no side of a marker looks
+// like something else.
 constexpr float kAround = 0.7F, kFromEyes = 0.3F;
 
-/// OpenGL looks along -z with y upward, and pixels are whole between their edges.
+/// Sets the view of an eye. OpenGL looks along -z with y upward, and pixels are whole between their
+/// edges.
 void look(const CameraPair& cameras, Eye eye) {
   constexpr double kNear = CameraPair::kNearest;
   const double x = kNear * cameras.width / 2 / cameras.focal;
@@ -39,7 +41,7 @@ void look(const CameraPair& cameras, Eye eye) {
   glLoadMatrixd(view.data());
 }
 
-/// The endoscope's own, between the eyes.
+/// Sets the light of the endoscope, which is between the eyes.
 void light(const CameraPair& cameras) {
   const std::array<float, 4> around{kAround, kAround, kAround, 1};
   const std::array<float, 4> fromEyes{kFromEyes, kFromEyes, kFromEyes, 1};
@@ -58,7 +60,7 @@ void drawStrand(const Solids& solids, const Strand::Nodes& strand) {
   }
 }
 
-/// It comes from the side that is away from the other tip.
+/// Is an instrument, which comes from the side that is away from the other tip.
 struct Instrument {
   Instrument(const Vector3d& its, const Vector3d& other)
       : tip(its),
@@ -94,7 +96,8 @@ void drawThings(const Solids& solids, const View& view) {
   mark(Marker::RightTip, Strand::kNodes - 1);
 }
 
-/// Where anything but ground is: all rows, if a part of that is beside or behind the camera.
+/// Returns the rows where anything but ground is: all rows, if a part of that is beside or behind
+/// the camera.
 Rows rowsOfThings(const CameraPair& cameras, Eye eye, const View& view) {
   double upper = cameras.height, lower = 0;
   const auto add = [&](const Vector3d& centre) {
@@ -115,7 +118,7 @@ Rows rowsOfThings(const CameraPair& cameras, Eye eye, const View& view) {
           static_cast<int>(std::clamp<double>(lower, 0, cameras.height))};
 }
 
-/// About each marker, with what the blur of the image brings from beside it.
+/// Returns a square about each marker, including what the blur of the image brings from beside it.
 std::vector<Square> squaresOfMarkers(const CameraPair& cameras, Eye eye, const View& view) {
   constexpr double kBlur = 4;  // px, and more than it reaches
   std::vector<Square> squares;

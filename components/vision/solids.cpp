@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// So many corners about an axis that the outline is round to a hundredth of a pixel.
+// With this many corners about an axis the outline is round to a hundredth of a pixel.
 constexpr int kCorners = 24, kTubeCorners = 12;
 constexpr int kGround = 24;  // squares along a side, each lit at its corners
 
@@ -19,7 +19,8 @@ Vector3d onCircle(int corner, int corners) {
   return {std::cos(angle), std::sin(angle), 0};
 }
 
-/// Rings from one pole to the other, half as many as they have corners.
+/// Returns a corner of a ring; the rings go from one pole to the other, and are half as many as
+/// they have corners.
 Vector3d onBall(int ring, int corner) {
   const double angle = 2 * std::numbers::pi * ring / kCorners;
   Vector3d point = std::sin(angle) * onCircle(corner, kCorners);
@@ -71,7 +72,8 @@ void callAt(unsigned list, const Eigen::Affine3d& place, Colour colour) {
   glPopMatrix();
 }
 
-/// The share of its brightness that the ground has at `x` and `y` m: folds of some millimetres.
+/// Returns the share of its brightness that the ground has at `x` and `y` m: it has folds of some
+/// millimetres.
 double shade(double x, double y) {
   return 0.9 + 0.06 * std::sin(260 * x + 2 * std::sin(150 * y)) + 0.04 * std::sin(410 * y - 90 * x);
 }

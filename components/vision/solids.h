@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that OpenGL draws.
+// These are bodies that OpenGL draws.
 
 #include <Eigen/Geometry>
 
@@ -7,20 +7,20 @@
 
 namespace robots {
 
-/// Shapes of one colour, lit by what light there is, and to be seen from outside alone, the ground
-/// from the side of its normal. All points are in the frame that the model
-/// view matrix is for, m. Belongs to the context of OpenGL in which it was made, and draws while
-/// that is current.
+/// Belongs to the context of OpenGL in which it was made, and draws while that is current. Draws
+/// shapes of one colour, lit by the present light, which can be seen only from outside, and the
+/// ground only from the side of its normal. All points are in the frame of the model view matrix,
+/// in m.
 class Solids {
  public:
   Solids();
 
   void ball(const Eigen::Vector3d& centre, double radius, Colour colour) const;
-  /// Without its ends.
+  /// Draws a tube without its ends.
   void tube(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius,
             Colour colour) const;
-  /// A square of a plane about the point that is nearest to `centre`, not of one brightness all
-  /// over. Its sides are twice `reach`, m.
+  /// Draws a square of a plane about the point that is nearest to `centre`; its brightness varies.
+  /// Its sides are twice `reach`, in m.
   void ground(const Eigen::Hyperplane<double, 3>& plane, const Eigen::Vector3d& centre,
               double reach, Colour colour) const;
 

@@ -3,7 +3,7 @@
 namespace robots {
 namespace {
 
-// The table keeps few pairs, since a row is megabytes and nobody reads an old one.
+// The table keeps few pairs, because a row is megabytes and nobody reads an old one.
 constexpr unsigned kPairs = 4;
 
 }  // namespace
@@ -18,7 +18,7 @@ SyntheticEndoscope::SyntheticEndoscope(const EndoscopeParameters& parameters)
 }
 
 void SyntheticEndoscope::run() {
-  if (lost_(random_)) return;  // nobody hears of it: the last pair stays the last
+  if (lost_(random_)) return;  // no client is told: the last pair stays the last
   const auto strand = strand_.strand.delayed(parameters_.latency);
   const auto frames = registration_.frames.delayed(parameters_.latency);  // the camera may move
   pair_.left.valid = pair_.right.valid = false;

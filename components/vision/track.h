@@ -1,5 +1,5 @@
 #pragma once
-// One of the things that a tracker follows.
+// This is one of the things that a tracker follows.
 
 #include <suture/component/provided.h>
 
@@ -11,16 +11,17 @@
 
 namespace robots {
 
-/// Follows a marker from image to image, and is its interface of the tracker.
+/// Follows a marker from image to image, and provides its interface of the tracker.
 class Track final : public TrackedObject {
  public:
   Track(suture::Component& tracker, const char* name, double acceleration)
       : filter_(acceleration), provided_(tracker, name, *this) {}
 
-  /// The last pair showed it there, in the frame of the left camera, m; none: it did not.
+  /// Says where the last pair showed it, in the frame of the left camera, in m; none if it did not.
   void seenAt(suture::Time stamp, const CameraPair& cameras,
               const std::optional<Eigen::Vector3d>& place);
-  /// Once a cycle: what the contract answers now. What was seen longer ago than `age` is not valid.
+  /// Call this once a cycle. Computes what the contract answers now. A marker that was seen longer
+  /// ago than `age` is not valid.
   void publish(suture::Time now, suture::Duration age);
 
   const PoseStamped& measured_cp() const override { return pose_; }

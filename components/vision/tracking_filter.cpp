@@ -5,7 +5,7 @@
 namespace robots {
 namespace {
 
-// m/s: about as fast as instruments move, which is all that is known of a velocity before the
+// In m/s: is about as fast as instruments move, which is all that is known of a velocity before the
 // second sighting.
 constexpr double kSpeed = 0.1;
 
@@ -36,7 +36,8 @@ void TrackingFilter::seenAt(suture::Time stamp, const Eigen::Vector3d& place,
   places_ *= 1 - gain;
 }
 
-/// An acceleration that is constant until then, and another one after that.
+/// Predicts the state at `stamp`, with an acceleration that is constant until then, and another one
+/// after that.
 void TrackingFilter::predictTo(suture::Time stamp) {
   const double t = secondsBetween(seen_, stamp);
   const double variance = acceleration_ * acceleration_;
