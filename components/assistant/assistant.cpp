@@ -34,7 +34,8 @@ void Assistant::hear(const StopNews& news) {
   }
 }
 
-// A step ends when the stop is heard to be as it was asked for: a command may be lost.
+// A step ends when the stop reports that it is as it was asked to be, because a command may be
+// lost.
 void Assistant::followScript(suture::Time now) {
   const suture::Duration since = now - stepped_;
   switch (step_) {
@@ -50,7 +51,8 @@ void Assistant::followScript(suture::Time now) {
     case Step::Pressed:
       if (pressesHeard_ > 1 || (pressesHeard_ == 1 && !pressed_)) return enter(Step::Done, now);
       if (since < parameters_.release_after) return;
-      if (pressesHeard_ == 0) return enter(Step::Done, now);  // it has not got there
+      if (pressesHeard_ == 0)
+        return enter(Step::Done, now);  // the command to press has not arrived
       if (mayAskAgain(now)) (void)stop_.release();
       return;
     case Step::Done: return;

@@ -42,7 +42,7 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
 
   void hear(const StopNews& news);
 
-  /// Since when something waits for its arms; none: it does not.
+  /// Is the time since when something waits for its arms; none if it does not.
   using Waiting = std::optional<suture::Time>;
 
   void followScript(suture::Time now);
@@ -59,8 +59,8 @@ class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
   SUTURE_REQUIRED(optional()) suture::Required<Guidance> guidance_{*this, "Guidance"};
 
   Step step_ = Step::Begin;
-  suture::Time stepped_;       // when that began
-  suture::Time asked_;         // when it asked last for what ends that
+  suture::Time stepped_;       // when this step began
+  suture::Time asked_;         // when it last asked for what ends this step
   bool pressed_ = true;        // by anybody
   suture::Time released_;      // when power was permitted last
   unsigned pressesHeard_ = 0;  // since it has pressed itself

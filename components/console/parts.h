@@ -1,6 +1,7 @@
 #pragma once
-// The parts of a system as its console sees them. Each is a member of the component that owns its
-// required interface, declared after it, and belongs to the same thread.
+// These are the parts of a system as its console sees them. Each belongs to the thread of the
+// component that owns its required interface, which has it as a member declared after that
+// interface.
 
 #include <suture/component/required.h>
 
@@ -13,7 +14,7 @@
 
 namespace robots {
 
-/// An arm: it gets power, homes, and is disabled.
+/// Is an arm, which gets power, homes, and is disabled.
 class ArmPart {
  public:
   explicit ArmPart(suture::Required<Arm>& arm) : arm_(arm) {
@@ -29,23 +30,24 @@ class ArmPart {
 
   const std::string& name() const { return arm_.name(); }
 
-  /// Once a cycle: what an arm has told counts only as long as it is connected.
+  /// Call this once a cycle. What an arm has reported counts only as long as it is connected.
   void look() {
     if (arm_.connected()) return;
     state_ = ArmState::Undefined;
     homed_ = busy_ = false;
   }
-  /// It has told its state, and may have power.
+  /// Returns true if it has reported its state, and may have power.
   bool isThere() const { return state_ != ArmState::Undefined; }
   bool isEnabled() const { return state_ == ArmState::Enabled; }
   bool isHomed() const { return isEnabled() && homed_; }
   bool isReady() const { return isHomed() && !busy_; }
   bool isDown() const { return !isThere() || state_ == ArmState::Disabled; }
 
-  /// A bring-up begins.
+  /// Says that a bring-up begins.
   void begin() { hasMoved_ = false; }
   void enable() { (void)arm_.enable(); }
-  /// An arm that has begun to move is not asked again: somebody may have stopped it.
+  /// Asks the arm to home. One that has begun to move is not asked again, because somebody may have
+  /// stopped it.
   void home() {
     if (!homed_ && !hasMoved_) (void)arm_.home();
   }
@@ -59,7 +61,7 @@ class ArmPart {
   bool hasMoved_ = false;  // since the bring-up began
 };
 
-/// What moves arms: a teleoperation or a guide.
+/// Is what moves arms: a teleoperation or a guide.
 class MoverPart {
  public:
   explicit MoverPart(suture::Required<Teleoperation>& teleoperation)
@@ -81,7 +83,7 @@ class MoverPart {
 
   const std::string& name() const { return interface_.name(); }
 
-  /// Once a cycle, as an arm's.
+  /// Call this once a cycle, as for an arm.
   void look() {
     if (!interface_.connected()) heard_ = false;
   }

@@ -119,7 +119,7 @@ void SystemConsole::run() {
   }
 }
 
-// One after the other: the next gets power when the one before it holds.
+// Enables one arm after the other: the next gets power when the one before it holds.
 void SystemConsole::enableNext() {
   if (isBroken()) return;
   if (done_ == arms_.size()) return enter(ConsoleState::Homing);
@@ -133,8 +133,8 @@ void SystemConsole::enableNext() {
   judge(next.name(), "enabled");
 }
 
-// All at once: each moves by itself. Once they all are home they may be moved: by what is enabled
-// next.
+// All arms home at the same time, each by itself. Once all are home they may move again, because
+// what is enabled next moves them.
 void SystemConsole::awaitHome() {
   done_ = arms_.size();
   if (isBroken()) return;
@@ -185,8 +185,8 @@ void SystemConsole::leaveNext() {
   enter(ConsoleState::Down);
 }
 
-// A part that is not there any more cannot be asked, and is as good as down. One that does not obey
-// must not keep the others from it.
+// A part that is not there any more cannot be asked, and counts as down. One that does not obey
+// must not keep the others from being left.
 template <class Part>
 void SystemConsole::leave(Part& part) {
   const bool gaveUp = suture::now() >= deadline_;

@@ -48,7 +48,8 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
  private:
   void choose(const std::string& name);
   void look();
-  /// What keeps it from being brought up, for people; empty: nothing. Valid until the next call.
+  /// Returns for people what keeps the system from being brought up; "" if nothing does. It is
+  /// valid until the next call.
   std::string_view missing();
   void nameMissing(std::string_view name, std::string_view what);
   void enableNext();
@@ -87,10 +88,10 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   std::size_t done_ = 0;             // parts that are enabled, or have been left
   bool allHome_ = false;             // in this bring-up
   suture::Time deadline_;            // for what is asked now
-  const void* askedPart_ = nullptr;  // of whom
+  const void* askedPart_ = nullptr;  // which part was asked
   suture::Time asked_;               // when that was asked last
   std::string text_;                 // keeps its memory
-  std::size_t unnamed_ = 0;          // reasons for which it has no room
+  std::size_t unnamed_ = 0;          // reasons for which the text has no room
   suture::Provided<Console> console_{*this, "Console", *this};
   suture::MessageSender<Console> messages_{console_};
 };

@@ -7,13 +7,13 @@ namespace robots {
 Coordinator::Coordinator(const CoordinatorParameters& parameters)
     : PeriodicTask({.period = parameters.period}) {}
 
-// A stop that is released in the cycle that it was pressed in withholds one permit all the same.
+// A stop that is released in the cycle in which it was pressed withholds one permit all the same.
 void Coordinator::run() {
   permit_ = {!pressed_ && !std::exchange(wasPressed_, false), suture::now()};
 }
 
-// Tells it at once, also what is so already: the event is not to wait for the next permit, and
-// whoever missed one is put right.
+// Emits the event at once, so that it does not wait for the next permit, and even if nothing
+// changes, so that a client that missed one is corrected.
 void Coordinator::set(bool pressed) {
   pressed_ = pressed;
   wasPressed_ = wasPressed_ || pressed;

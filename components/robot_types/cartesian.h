@@ -1,7 +1,7 @@
 #pragma once
-// Motion and force of a tool tip: what CRTK's _cv, _cf and _cs carry, and the goals with
+// These are motion and force of a tool tip: what CRTK's _cv, _cf and _cs carry, and the goals with
 // feed-forward that the cisst libraries' prm types have. Frames are named by suture::frameId(),
-// since strings would cost too much in control loops; 0: not named.
+// because strings would cost too much in control loops; 0 means that a frame is not named.
 
 #include <suture/annotate.h>
 #include <suture/base/frames.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Buttons, analogue and digital inputs, inertial sensors.
+// These are buttons, analogue and digital inputs, and inertial sensors.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>

@@ -1,7 +1,7 @@
 #pragma once
-// Joint vectors of drivers and planners: the cisst libraries' prm types beside joints.h. Units are
-// those of a revolute joint; a prismatic joint has m, m/s, m/s2 and N in their place. Lists are in
-// chain order; an optional one is empty or as long as the first.
+// These are joint vectors of drivers and planners: the cisst libraries' prm types beside joints.h.
+// Units are those of a revolute joint; a prismatic joint has m, m/s, m/s2 and N in their place.
+// Lists are in chain order; an optional one is empty or as long as the first.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>

@@ -1,6 +1,6 @@
 #pragma once
-// Joint vectors. Units are those of a revolute joint; a prismatic joint has m, m/s and N in their
-// place.
+// These are joint vectors. Units are those of a revolute joint; a prismatic joint has m, m/s and N
+// in their place.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>

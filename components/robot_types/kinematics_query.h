@@ -1,5 +1,5 @@
 #pragma once
-// Kinematics as questions, with the reason where there is no answer: the cisst libraries'
+// These are kinematics as questions, with the reason if there is no answer: the cisst libraries'
 // prmForwardKinematicsRequest and its relatives.
 
 #include <suture/annotate.h>

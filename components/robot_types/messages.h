@@ -1,5 +1,6 @@
 #pragma once
-// How components say how they are. What they say in words: <suture/standard/messages.h>.
+// With these, components say how they are. What they say in words is in
+// <suture/standard/messages.h>.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>

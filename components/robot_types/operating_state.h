@@ -1,5 +1,5 @@
 #pragma once
-// What an arm is ready for.
+// This says what an arm is ready for.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>

@@ -1,5 +1,5 @@
 #pragma once
-// Poses: of and in the frames that their interface declares, unless they name others.
+// These are poses: of and in the frames that their interface declares, unless they name others.
 
 #include <suture/annotate.h>
 #include <suture/base/frames.h>

@@ -1,6 +1,6 @@
 #pragma once
-// What trackers and cameras see. An image's bytes are bounded by the largest that a contract here
-// carries; a camera that needs more provides a contract of its own.
+// This is what trackers and cameras see. An image's bytes are bounded by the largest that a
+// contract here carries; a camera that needs more provides a contract of its own.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
