@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Two masters drive two slaves: installs what is missing, builds, runs. Options: see --help.
+# Two masters drive two slaves. This script installs what is missing, builds and runs. For options see --help.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -45,7 +45,7 @@ build() (
 for argument in "$@"; do
   case "$argument" in -h | --help) usage; exit 0 ;; esac
 done
-# suturec's LLVM 19 is not needed: without it, what is committed in generated/ is compiled.
+# suturec's LLVM 19 is not needed: without it the committed generated/ is compiled.
 "$root/.ci/install" build
 build
 exec "$root"/build/release/bin/suture-demo "$@"

@@ -1,5 +1,5 @@
 #pragma once
-// The client: knows the contract, and nothing of where the provider is.
+// This is the client. It knows the contract, and does not know where the provider is.
 
 #include <suture/component/task/periodic_task.h>
 

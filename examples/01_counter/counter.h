@@ -1,5 +1,5 @@
 #pragma once
-// The contract that a provider and its clients share.
+// This is the contract that a provider and its clients share.
 
 #include <suture/annotate.h>
 

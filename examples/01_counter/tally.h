@@ -1,5 +1,5 @@
 #pragma once
-// The provider: an ordinary class that implements the contract, in a thread of its own.
+// This is the provider: an ordinary class that implements the contract, in a thread of its own.
 
 #include <suture/component/task/event_task.h>
 

@@ -1,5 +1,5 @@
-// Runs any process of any deployment of the counter's components. What runs where, and what is
-// connected to what, stands in the deployment file alone.
+// This runs any process of any deployment of the counter's components. Only the deployment file
+// says what runs where, and what is connected to what.
 
 #include <suture/deploy/workstation.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The provider: a simulated camera.
+// This is the provider: a simulated camera.
 
 #include <suture/annotate.h>
 #include <suture/component/task/periodic_task.h>

@@ -1,5 +1,5 @@
 #pragma once
-// The client: prints what the tracker at the other end sees.
+// This is the client. It prints what the tracker at the other end sees.
 
 #include <suture/annotate.h>
 #include <suture/component/task/periodic_task.h>

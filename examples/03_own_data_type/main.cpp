@@ -1,4 +1,4 @@
-// Runs either process of deployment.json, or both components in one process of another file.
+// This runs either process of deployment.json, or both components in one process of another file.
 
 #include <suture/deploy/workstation.h>
 

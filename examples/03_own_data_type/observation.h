@@ -1,5 +1,6 @@
 #pragma once
-// The data type of this example: a plain struct. Nobody writes how it goes over a wire.
+// This is the data type of this example: a plain struct. Nobody writes code for how it goes over a
+// wire.
 
 #include <suture/annotate.h>
 

@@ -1,7 +1,7 @@
 #pragma once
-// The contract: whoever tracks an instrument tells what it sees. The read answers a reference,
-// since a value that owns memory would be allocated in each cycle of the provider; suturec insists
-// on it.
+// This is the contract of a component that tracks an instrument. The read returns a reference,
+// because a value that owns memory would be allocated in each cycle of the provider; suturec
+// insists on it.
 
 #include <suture/annotate.h>
 

@@ -7,17 +7,17 @@ namespace following {
 
 Follower::Follower() : PeriodicTask({.period = std::chrono::milliseconds(10)}) {}
 
-// What a read answers is decided by the contract of the connection: this code asks only whether it
-// may act on the answer.
+// The contract of the connection decides what a read answers; this code asks only if it may act on
+// the answer.
 void Follower::run() {
   const auto angle = joystick_.angle();
   if (angle.error() != told_) tell(angle.error(), angle ? "follows from" : "holds at");
-  constexpr double kGain = 0.1;  // of what is missing, in each cycle
+  constexpr double kGain = 0.1;  // of the difference, in each cycle
   if (angle) position_ += kGain * (*angle - position_);
 }
 
-// Printing may take its time. It is done at a change only, and a real controller would leave it to
-// somebody who hears an event.
+// Printing may take its time, so it is done only at a change. A real controller would leave it to a
+// client that receives an event.
 void Follower::tell(suture::Errc state, const char* reaction) {
   told_ = state;
   const bool good = state == suture::Errc{};

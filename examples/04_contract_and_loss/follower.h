@@ -1,6 +1,6 @@
 #pragma once
-// The client: an axis that follows the stick while it may rely on what it reads, and holds still
-// while it may not.
+// This is the client: an axis that follows the stick while it may rely on what it reads, and holds
+// still while it may not.
 
 #include <suture/annotate.h>
 #include <suture/base/errors.h>
@@ -20,7 +20,7 @@ class SUTURE_COMPONENT() Follower final : public suture::PeriodicTask {
   void tell(suture::Errc state, const char* reaction);
 
   double position_ = 0;                             // rad
-  suture::Errc told_ = suture::Errc::NotConnected;  // what was printed last; it begins so
+  suture::Errc told_ = suture::Errc::NotConnected;  // what was printed last
   bool lost_ = false;                               // and nothing fresh has come since
   suture::Required<Joystick> joystick_{*this, "Joystick"};
 };

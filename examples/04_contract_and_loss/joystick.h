@@ -1,5 +1,5 @@
 #pragma once
-// The contract of the two components.
+// This is the contract of the two components.
 
 #include <suture/annotate.h>
 

@@ -1,4 +1,4 @@
-// Runs either process of deployment.json.
+// This runs either process of deployment.json.
 
 #include <suture/deploy/workstation.h>
 

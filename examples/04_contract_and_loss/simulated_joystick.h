@@ -1,5 +1,5 @@
 #pragma once
-// The provider: somebody turns the stick slowly and steadily.
+// This is the provider. It simulates somebody who turns the stick slowly and steadily.
 
 #include <suture/annotate.h>
 #include <suture/component/task/periodic_task.h>

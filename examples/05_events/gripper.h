@@ -1,5 +1,5 @@
 #pragma once
-// The contract: two commands, and two kinds of event.
+// This is the contract: two commands, and two kinds of event.
 
 #include <suture/annotate.h>
 

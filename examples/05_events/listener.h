@@ -1,6 +1,6 @@
 #pragma once
-// A client outside of any component, as a script or a window is. It belongs to one thread, which
-// hears events only while it listens.
+// This is a client outside of any component, such as a script or a window. It belongs to one
+// thread, which receives events only while it listens.
 
 #include <suture/manager/handle.h>
 #include <suture/manager/manager.h>
@@ -18,11 +18,11 @@ class Listener {
   Listener(suture::Manager& manager, const std::string& name);
 
   suture::Required<Gripper>& gripper() { return gripper_; }
-  /// What it has heard last of the jaws; none: nothing so far.
+  /// Returns the last state of the jaws that it has received; none if there was none so far.
   std::optional<Jaws> jaws() const { return jaws_; }
 
-  /// Sleeps until something arrives, and hears it. Throws std::runtime_error if nothing arrives for
-  /// two seconds.
+  /// Sleeps until something arrives, and handles it. Throws std::runtime_error if nothing arrives
+  /// for two seconds.
   void listen();
 
  private:

@@ -1,5 +1,5 @@
-// A gripper, a listener that is there from the start, and one that comes late. The gripper has a
-// thread of its own; both listeners belong to this one.
+// There are a gripper, a listener that is there from the start, and one that comes late. The
+// gripper has a thread of its own; both listeners belong to this one.
 
 #include <suture/base/errors.h>
 #include <suture/manager/manager.h>
@@ -19,7 +19,7 @@ using gripping::Jaws;
 using gripping::Listener;
 
 void grasp(Listener& early) {
-  // It waits from here on, before the command is sent, so that no touch is missed in between.
+  // The wait begins here, before the command is sent, so that no touch is missed in between.
   auto touch = early.gripper().on().touched.next();
   if (const auto sent = early.gripper().grasp(); !sent) {
     throw std::runtime_error(std::string("grasp: ") + toString(sent.error()));
@@ -49,7 +49,7 @@ void run() {
   Listener early(manager, "early");
   grasp(early);
 
-  Listener late(manager, "late");  // is told the state, and nothing of the touches that are over
+  Listener late(manager, "late");  // receives the state, and none of the touches that are over
   while (!late.jaws()) late.listen();
   release(late);
   while (early.jaws() != Jaws::Open) early.listen();

@@ -6,7 +6,8 @@ namespace gripping {
 
 SimulatedGripper::SimulatedGripper() : PeriodicTask({.period = std::chrono::milliseconds(50)}) {}
 
-// The state is told from the start on, although nobody may have subscribed yet: it is latched.
+// Emits the state from the start on, although nobody may have subscribed yet, because it is
+// latched.
 void SimulatedGripper::onStart() { become(Jaws::Open); }
 
 void SimulatedGripper::grasp() {

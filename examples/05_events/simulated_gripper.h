@@ -1,5 +1,6 @@
 #pragma once
-// The provider: jaws that close on something soft, and touch it three times before they hold it.
+// This is the provider: jaws that close on something soft, and touch it three times before they
+// hold it.
 
 #include <suture/annotate.h>
 #include <suture/component/task/periodic_task.h>

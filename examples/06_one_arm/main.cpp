@@ -1,5 +1,5 @@
-// Runs any process of any deployment of these arms: those of 07_swapped_slaves and
-// 09_three_namespaces, too.
+// This runs any process of any deployment of these arms, including those of 07_swapped_slaves and
+// 09_three_namespaces.
 
 #include <suture/deploy/workstation.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-// The client that this example adds: prints how far a master and a slave have moved.
+// This is the client that this example adds. It prints how far a master and a slave have moved.
 
 #include <suture/annotate.h>
 #include <suture/component/required.h>
@@ -15,7 +15,7 @@
 
 namespace watching {
 
-/// Twice a second; counts from where both arms were when the slave last began to follow.
+/// Prints twice a second, and counts from where both arms were when the slave last began to follow.
 class SUTURE_COMPONENT() MotionDisplay final : public suture::PeriodicTask {
  public:
   MotionDisplay();
@@ -23,7 +23,7 @@ class SUTURE_COMPONENT() MotionDisplay final : public suture::PeriodicTask {
   void run() override;
 
  private:
-  /// m; none if the arm does not tell where its tip is, which is printed.
+  /// Returns where the tip is, in m; none, and prints so, if the arm does not say.
   std::optional<Eigen::Vector3d> tipOf(suture::Required<robots::Arm>& arm);
   void print(const std::string& text) const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// The client that this example adds: prints how far a knot is from its target.
+// This is the client that this example adds. It prints how far a knot is from its target.
 
 #include <suture/annotate.h>
 #include <suture/component/required.h>
@@ -9,7 +9,7 @@
 
 namespace watching {
 
-/// Twice a second, as the guide knows it: by what the cameras have seen.
+/// Prints twice a second, as the guide knows it from what the cameras have seen.
 class SUTURE_COMPONENT() KnotDisplay final : public suture::PeriodicTask {
  public:
   KnotDisplay();

@@ -1,4 +1,4 @@
-// Runs deployment.json: two hands, two arms, two cameras and a guide.
+// This runs deployment.json: two hands, two arms, two cameras and a guide.
 
 #include <suture/deploy/workstation.h>
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# run.sh [SECONDS [PROGRAMS]]: each process of deployment.json in a network namespace of its own, with a cable to a bridge.
-# A namespace is to the programs a machine of its own. All of it is gone when this script ends.
+# run.sh [SECONDS [PROGRAMS]] runs each process of deployment.json in a network namespace of its own, with a cable to a bridge.
+# To the programs a namespace is a machine of its own. All of it is gone when this script ends.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 seconds=${1:-5}
@@ -23,8 +23,8 @@ ip link add bridge type bridge
 ip addr add 10.213.9.1/24 dev bridge
 ip link set bridge up
 
-# lay NAME ADDRESS: a namespace, kept by a file, and a cable NAME from it to the bridge.
-lay() {
+# add_machine NAME ADDRESS makes a namespace, which a file keeps, and a cable NAME from it to the bridge.
+add_machine() {
   touch "$work/$1.net"
   unshare --net="$work/$1.net" ip link set lo up
   nsenter --net="$work/$1.net" ip link add eth0 type veth peer name "$1" netns $$
@@ -32,15 +32,15 @@ lay() {
   nsenter --net="$work/$1.net" ip link set eth0 up
   ip link set "$1" master bridge up
 }
-lay console 10.213.9.2
-lay arm 10.213.9.3
-lay screen 10.213.9.4
+add_machine console 10.213.9.2
+add_machine arm 10.213.9.3
+add_machine screen 10.213.9.4
 
-# TLS between machines: everybody proves who they are. The keys lie beside the deployment.
+# Machines talk by TLS, so each process must prove who it is. The keys lie beside the deployment.
 cp "$here/deployment.json" "$work"
 "$programs/suture" keys --deployment "$work/deployment.json" --out "$work/keys" >/dev/null
 
-# start NAME OPTION...: this shell becomes that process, in that namespace.
+# start NAME OPTION... makes this shell that process, in that namespace.
 start() {
   exec nsenter --net="$work/$1.net" "$programs/06_one_arm" --deployment "$work/deployment.json" --process "$@"
 }

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using robots::Colour;
 
-// OpenCV takes places in parts of a pixel, by so many bits.
+// OpenCV takes places in parts of a pixel, with this many bits.
 constexpr int kFraction = 4;
 constexpr double kLetters = 0.45;  // of the font's own size
 
@@ -20,7 +20,7 @@ cv::Scalar scalar(Colour colour) {
   return {double(colour[0]), double(colour[1]), double(colour[2])};
 }
 
-/// False for what is so far outside that it fits no integer, and for NaN.
+/// Returns false for a place so far outside that it fits no integer, and for NaN.
 bool isNear(const Vector2d& place) { return (place.array().abs() < 1e5).all(); }
 
 cv::Point exact(const Vector2d& place) {
@@ -72,7 +72,7 @@ void Canvas::text(const Vector2d& lowerLeft, const std::string& words, Colour co
               1, cv::LINE_AA);
 }
 
-// OpenCV's own writer of images would bring a hundred further packages.
+// This uses libpng, because OpenCV's own writer of images would bring a hundred further packages.
 void Canvas::write(const std::filesystem::path& file) const {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;

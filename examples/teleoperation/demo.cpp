@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 constexpr int kInterrupted = 130;  // what a shell says of a program that Ctrl-C ended
 
-/// Where a run records; gone with it.
+/// Is the folder where a run records; it is removed with this object.
 class RunFolder {
  public:
   RunFolder() {
@@ -109,7 +109,8 @@ void declare(CLI::App& app, demo::Options& options) {
       "went between them");
 }
 
-/// Since the last call, of the slave that was farthest off, m at p99; none if none follows.
+/// Returns the error since the last call of the slave that was farthest off, in m at p99; none if
+/// none follows.
 std::optional<double> worstError(std::vector<demo::FollowingWatch>& watches) {
   if (watches.empty()) return std::nullopt;
   double worst = 0;
@@ -117,7 +118,7 @@ std::optional<double> worstError(std::vector<demo::FollowingWatch>& watches) {
   return worst;
 }
 
-/// False, with the reason on standard error, if `work` throws.
+/// Returns false, with the reason on standard error, if `work` throws.
 bool succeeds(const std::function<void()>& work) {
   try {
     work();

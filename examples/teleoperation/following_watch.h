@@ -1,5 +1,5 @@
 #pragma once
-// Judges the slaves while they are recorded.
+// This judges the slaves while they are recorded.
 
 #include <string>
 #include <vector>
@@ -10,16 +10,17 @@
 
 namespace demo {
 
-/// One slave that follows one master. One thread.
+/// One thread. Judges one slave that follows one master.
 class FollowingWatch {
  public:
   explicit FollowingWatch(const Following& following);
 
   const Following& following() const { return following_; }
-  /// How far off the slave was since the last call, by what has been recorded until now. Throws
-  /// suture::SetupError if a recording cannot be read.
+  /// Returns how far off the slave was since the last call, by what has been recorded until now.
+  /// Throws suture::SetupError if a recording cannot be read.
   robots::ErrorSummary recent();
-  /// The whole run, once the recorders have ended. Throws as recent(), also if one never recorded.
+  /// Judges the whole run, once the recorders have ended. Throws as recent() does, and also if one
+  /// never recorded.
   robots::Judgement finish();
 
  private:

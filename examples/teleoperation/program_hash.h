@@ -1,12 +1,12 @@
 #pragma once
-// Which program a process runs.
+// This says which program a process runs.
 
 #include <filesystem>
 #include <string>
 
 namespace demo {
 
-/// A file, and what tells whether two are the same, byte by byte.
+/// Is a file, and a hash that tells if two files are the same, byte by byte.
 struct ProgramHash {
   std::string name;    ///< of the file, without its folder
   std::string sha256;  ///< in hexadecimal digits

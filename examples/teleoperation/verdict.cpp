@@ -35,7 +35,7 @@ Check checkProcesses(const CrewResult& result) {
                             result.outage ? "had every connection again" : "lost nothing")};
 }
 
-/// "" if the connection had the lane that it was given.
+/// Returns what is wrong with the lane of a connection; "" if it had the one that it was given.
 std::string laneProblem(const std::string& name, const std::string& lane,
                         const std::vector<ConnectionReport>& connections) {
   const auto found = std::find_if(connections.begin(), connections.end(),
@@ -50,7 +50,7 @@ std::string laneProblem(const std::string& name, const std::string& lane,
   return "";
 }
 
-/// The topology is not in the program, so one program has to do for all processes.
+/// Checks that one program ran all processes, because the topology must not be in the program.
 Check checkPrograms(const std::vector<ProgramHash>& programs) {
   std::vector<std::string> texts;
   for (const ProgramHash& one : programs) {
@@ -105,12 +105,12 @@ Check checkKnot(const KnotPlacing& placing, std::optional<robots::KnotJudgement>
                             1e3 * figures->sighting_error)};
 }
 
-/// These words tell what happened: "with vision cut off", and when it was over: "that was mended".
+/// These words say what happened: "with vision cut off", and when it was over: "that was mended".
 struct Happening {
   std::string during, over;
 };
 
-/// Judges whether a slave held from `begin` to `end`; fills its figures.
+/// Judges if a slave held from `begin` to `end`; fills its figures.
 Check judgeHeld(const std::string& slave, const std::vector<robots::ArmRow>& rows,
                 suture::Time begin, suture::Time end, const Happening& happening,
                 std::vector<HeldSlave>& held) {

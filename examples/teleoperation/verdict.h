@@ -1,5 +1,6 @@
 #pragma once
-// What the run is worth: the figures of each connection and arm, and whether they are good enough.
+// This is the verdict on a run: the figures of each connection and arm, and if they are good
+// enough.
 
 #include <suture/observe/report.h>
 
@@ -22,7 +23,7 @@ struct ArmFigures {
   std::optional<robots::Judgement> following;  ///< of a slave whose run could be judged
 };
 
-/// A slave that had to hold, while a process was cut off or the emergency stop was pressed.
+/// Is a slave that had to hold, while a process was cut off or the emergency stop was pressed.
 struct HeldSlave {
   std::string name;
   robots::HoldJudgement judgement;

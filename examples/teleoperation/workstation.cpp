@@ -1,4 +1,4 @@
-// suture-workstation: runs any process of any deployment of these arms.
+// This is suture-workstation, which runs any process of any deployment of these arms.
 
 #include <suture/deploy/workstation.h>
 

@@ -39,7 +39,7 @@ bool seesAll(const robots::CameraPair& cameras, const robots::Strand::Nodes& nod
   return true;
 }
 
-/// One eye's view of a scene, on the canvas.
+/// Is one eye's view of a scene, on the canvas.
 class View {
  public:
   View(Canvas& canvas, const Eigen::Isometry3d& camera, Eye eye)
@@ -48,7 +48,7 @@ class View {
         eye_(eye),
         left_(eye == Eye::Left ? 0 : cameras_.width) {}
 
-  /// False if a part of it is not before the camera.
+  /// Returns false if a part of it is not before the camera.
   bool paint(const robots::Strand::Nodes& inScene) {
     const robots::View view = robots::seenFrom(toScene(), inScene, robots::SceneFrames{}.tissue);
     if (!seesAll(cameras_, view.strand)) return false;
@@ -58,7 +58,7 @@ class View {
     canvas_.text({left_ + 12.0, 22}, eye_ == Eye::Left ? "left eye" : "right eye", kWhite);
     return true;
   }
-  /// These are in the frame of the scene, m.
+  /// Points and lengths here are in the frame of the scene, in m.
   void cross(const Vector3d& point, double size, Colour colour) {
     if (const auto place = placeOf(point)) canvas_.cross(*place, size, colour);
   }
@@ -86,7 +86,7 @@ class View {
   const int left_;
 };
 
-/// Rings about the line of approach, as wide as the knot may be off there.
+/// Draws rings about the line of approach, as wide as the knot may be off there.
 void drawCorridor(View& view, const KnotPlacing& placing) {
   constexpr int kRings = 6, kCorners = 36;
   const Vector3d approach = placing.approach.normalized();
@@ -118,7 +118,7 @@ void drawView(Canvas& canvas, const KnotPlacing& placing, const KnotRow& row, Ey
   }
 }
 
-/// Where the rows are in a field of the canvas: time to the right, distance upward.
+/// Says where the rows are in a field of the canvas: time to the right, distance upward.
 class Axes {
  public:
   Axes(const std::vector<KnotRow>& rows, const Vector3d& target, int width, int top)
@@ -153,7 +153,7 @@ void fillTimes(Canvas& canvas, const Axes& axes, double from, double to, Colour 
               axes.at(std::min(to, axes.seconds()), 0), colour);
 }
 
-/// 1, 2, 5, 10 and so on: the first that makes at most 20 of `length`.
+/// Returns the first of 1, 2, 5, 10 and so on that makes at most 20 steps of `length`.
 int stepOf(double length) {
   for (int power = 1;; power *= 10) {
     for (const int step : {1, 2, 5}) {

@@ -23,7 +23,7 @@ using robots::Colour;
 constexpr Colour kInk{0, 0, 0}, kBoxes{215, 225, 245}, kPaper{255, 255, 255}, kWires{120, 120, 120};
 constexpr double kLetter = 8, kLine = 18;  // px: a letter's width, and from line to line
 constexpr double kTitle = 30;              // px, above the graph
-// With more processes there is no room for what each link has carried.
+// With more processes than this there is no room for what each link has carried.
 constexpr std::size_t kMostWithFigures = 6;
 
 using Ends = std::pair<std::size_t, std::size_t>;
@@ -42,7 +42,7 @@ void add(ProcessGraph::Link& link, const suture::ConnectionReport& report) {
   if (report.commandAge.count > 0) link.commands = std::max(link.commands, report.commandAge.p99);
 }
 
-/// On an ellipse, the first one at the left.
+/// Returns the place of a process on an ellipse, of which the first is at the left.
 Vector2d placeOf(std::size_t process, const ProcessGraph& graph, const Canvas& canvas, int top) {
   const auto count = static_cast<double>(graph.processes.size());
   const double angle = std::numbers::pi * (1 + 2 * static_cast<double>(process) / count);
@@ -51,7 +51,7 @@ Vector2d placeOf(std::size_t process, const ProcessGraph& graph, const Canvas& c
   return middle + reach.cwiseProduct(Vector2d(std::cos(angle), std::sin(angle)));
 }
 
-/// Centred about a place, on a field of that colour.
+/// Writes lines centred about a place, on a field of that colour.
 void label(Canvas& canvas, const Vector2d& middle, const std::vector<std::string>& lines,
            Colour colour) {
   std::size_t longest = 0;

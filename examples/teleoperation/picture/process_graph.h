@@ -1,5 +1,5 @@
 #pragma once
-// The processes of a run, what lies between them, and how old it was when it arrived.
+// These are the processes of a run, what lies between them, and how old it was when it arrived.
 
 #include <suture/base/time.h>
 #include <suture/observe/report.h>
@@ -19,7 +19,7 @@ struct ProcessGraph {
     std::string name;
     std::size_t components = 0;
   };
-  /// All connections between two processes, whoever is the client.
+  /// Holds all connections between two processes, in either direction.
   struct Link {
     std::size_t first = 0, second = 0;  ///< of `processes`
     std::size_t connections = 0;
@@ -31,10 +31,10 @@ struct ProcessGraph {
   std::vector<Link> links;
 };
 
-/// Connections within a process are left out, since nothing lies between their ends.
+/// Leaves out connections within a process, because nothing lies between their ends.
 ProcessGraph processGraph(const Plan& plan, const std::vector<suture::ConnectionReport>& reports);
 
-/// Draws it into the rows from `top` on, all of the canvas's width.
+/// Draws the graph into the rows from `top` on, over the whole width of the canvas.
 void drawGraph(picture::Canvas& canvas, const ProcessGraph& graph, int top);
 constexpr int kGraphHeight = 300;  ///< px
 

@@ -18,7 +18,7 @@
 namespace demo {
 namespace {
 
-/// Two ends of a line by which parent and child wait for each other.
+/// Is a line with two ends by which parent and child wait for each other.
 struct Line {
   explicit Line(const std::string& title) {
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0) return;
@@ -31,7 +31,7 @@ struct Line {
   Line& operator=(const Line&) = delete;
 
   void tell(int end) const { [[maybe_unused]] const ssize_t sent = write(ends[end], "", 1); }
-  /// False if the other end is gone.
+  /// Waits for the other end. Returns false if it is gone.
   bool hear(int end) {
     close(std::exchange(ends[1 - end], -1));
     char byte;
@@ -45,7 +45,7 @@ struct Line {
 };
 constexpr int kParent = 0, kChild = 1;
 
-/// Returns when the parent has laid the cable.
+/// Enters a network namespace of its own, and returns when the parent has connected it.
 void enterOwnNetwork(Line& line, const std::string& title) {
   if (unshare(CLONE_NEWNET) != 0) {
     std::fprintf(stderr, "%s gets no network namespace: %s\n", title.c_str(), std::strerror(errno));
@@ -56,8 +56,8 @@ void enterOwnNetwork(Line& line, const std::string& title) {
 }
 
 [[noreturn]] void becomeProgram(const ChildProcess::Start& start, int pipe, pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);   // one that is frozen hears no other
-  if (getppid() != parent) _exit(1);  // it died before it could be watched
+  prctl(PR_SET_PDEATHSIG, SIGKILL);   // a frozen process handles no other signal
+  if (getppid() != parent) _exit(1);  // the parent died before it could be watched
   setpgid(0, 0);
   sigset_t none;
   sigemptyset(&none);
@@ -97,7 +97,7 @@ ChildProcess::ChildProcess(const Start& start) : title_(start.title) {
   output_ = ends[0];
   fcntl(output_, F_SETFL, O_NONBLOCK);
   if (pid_ < 0) throw std::system_error(error, std::generic_category(), "starting " + title_);
-  if (!start.connect || !line.hear(kParent)) return;  // one that has ended is noticed later
+  if (!start.connect || !line.hear(kParent)) return;  // the end of a child is noticed later
   try {
     start.connect(pid_);
   } catch (...) {

@@ -1,5 +1,5 @@
 #pragma once
-// A program that the demo starts, watches and ends.
+// This is a program that the demo starts, watches and ends.
 
 #include <sys/types.h>
 
@@ -10,8 +10,8 @@
 
 namespace demo {
 
-/// Ends with this program, however this one ends; does not hear Ctrl-C, which is this one's to
-/// handle.
+/// Is a process that ends with this program, however this one ends. It does not receive Ctrl-C,
+/// which this program handles.
 class ChildProcess {
  public:
   struct Start {
@@ -19,7 +19,7 @@ class ChildProcess {
     std::vector<std::string> arguments;  ///< the program's path first
     std::filesystem::path directory;     ///< where it runs
     int reportsTo;                       ///< the child's file descriptor whose output is read here
-    /// If there is one, the child gets a network namespace of its own, and this is called with its
+    /// If it is set, the child gets a network namespace of its own, and this is called with its
     /// process id before its program begins.
     std::function<void(pid_t)> connect;
   };
@@ -33,17 +33,18 @@ class ChildProcess {
 
   const std::string& title() const { return title_; }
   pid_t pid() const { return pid_; }
-  /// To wait on; -1 once it has been read to its end.
+  /// Returns the descriptor to wait on; -1 once it has been read to its end.
   int output() const { return output_; }
-  /// The complete lines that have arrived. Does not block.
+  /// Returns the complete lines that have arrived. Does not block.
   std::vector<std::string> readLines();
 
   void signal(int number) const;
-  /// Takes notice of its end, if it has ended. Does not block.
+  /// Returns true if it still runs, and keeps how it ended if it has. Does not block.
   bool running();
-  /// Once it has ended: true for exit status 0.
+  /// Call this once it has ended. Returns true for exit status 0.
   bool succeeded() const;
-  /// Once it has ended: "ended with status 1", "was killed by signal 9 (Killed)".
+  /// Call this once it has ended. Returns for example "ended with status 1", or "was killed by
+  /// signal 9 (Killed)".
   std::string ending() const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// How reports call a connection.
+// This is the name of a connection in reports.
 
 #include <suture/deploy/document/deployment.h>
 
@@ -7,7 +7,7 @@
 
 namespace demo {
 
-/// "left:TeleopL/Slave -> right:PSM1/Arm".
+/// Returns for example "left:TeleopL/Slave -> right:PSM1/Arm".
 std::string nameOf(const suture::ConnectionEntry& connection);
 
 }  // namespace demo

@@ -15,7 +15,8 @@ constexpr Duration kReady = 2s;
 constexpr Duration kShortest = 1s;
 constexpr Duration kJudgedAfter = 3s;
 
-/// As parseMoment() takes it: six digits at most, which fit any duration.
+/// Returns a duration that parseMoment() has accepted: it has at most six digits, which fit any
+/// duration.
 Duration durationOf(const std::string& number, const std::string& unit) {
   const double seconds = std::stod(number) * (unit == "ms" ? 1e-3 : 1);
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));

@@ -15,7 +15,7 @@
 namespace demo {
 namespace {
 
-// Nothing of it leaves the namespace: the addresses only must differ from each other.
+// No packet leaves the namespace, so the addresses must only differ from each other.
 constexpr const char* kHere = "10.213.7.1";
 constexpr std::size_t kFirstCable = 2;
 
@@ -23,7 +23,7 @@ bool succeeds(const std::string& command) {
   return std::system(("{ " + command + "; } >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// The first of the commands that fails; "" if none does.
+/// Returns which of the commands fails first; "" if none does.
 std::string firstFailure(std::initializer_list<std::string> commands) {
   for (const std::string& command : commands) {
     if (!succeeds(command)) return "the command '" + command + "' fails";
@@ -31,7 +31,7 @@ std::string firstFailure(std::initializer_list<std::string> commands) {
   return "";
 }
 
-/// Moves this process to a network namespace with a switch. "" or why that cannot be.
+/// Moves this process to a network namespace with a switch. Returns "", or why that cannot be done.
 std::string moveToNamespace() {
   if (geteuid() != 0) return "network namespaces need root";
   if (const auto missing = firstFailure({"ip -V", "bridge -V", "nsenter -V"}); !missing.empty())
@@ -42,7 +42,7 @@ std::string moveToNamespace() {
     if (before >= 0) close(before);
     return "the kernel refuses a network namespace: " + why;
   }
-  // With a cable that is laid for once: connect() lays the others.
+  // One cable is laid and removed to see if that works; connect() lays the others.
   const std::string failure =
       firstFailure({"ip link set lo up", "ip link add switch type bridge",
                     "ip addr add " + std::string(kHere) + "/24 dev switch", "ip link set switch up",
@@ -123,8 +123,8 @@ void Network::connect(const std::string& process, pid_t child) {
                            "the command 'ip' has failed", "Try --network tcp");
 }
 
-// The switch passes nothing on to it and from it, of which neither end is told. Of a link that is
-// set down and up again Linux takes notice up to a second late, so it would be away for longer.
+// The switch passes nothing on to the cable or from it, which neither end is told. If a link is set
+// down and up again, Linux takes up to a second to notice, so the process would be away for longer.
 void Network::setCable(const std::string& process, bool plugged) const {
   const std::string state = plugged ? "forwarding" : "disabled";
   if (succeeds("bridge link set dev " + cables_.at(process) + " state " + state)) return;

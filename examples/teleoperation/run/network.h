@@ -1,5 +1,5 @@
 #pragma once
-// What the processes of a run talk over.
+// This is the network between the processes of a run.
 
 #include <sys/types.h>
 
@@ -10,30 +10,31 @@
 
 namespace demo {
 
-/// One run's network. Belongs to one thread.
+/// Belongs to one thread. Is the network of one run.
 class Network {
  public:
   /// `asked` is auto, unix, tcp, tls or namespaces; `lane` is that of all connections. With auto
-  /// each process gets a network namespace of its own where this one may make them, else TCP on
-  /// loopback; shared memory needs Unix sockets. Throws suture::SetupError for shared memory over
-  /// anything else.
+  /// each process gets a network namespace of its own if this process may make them, else they use
+  /// TCP on loopback; shared memory needs Unix sockets. Throws suture::SetupError for shared memory
+  /// over anything else.
   Network(std::string asked, std::string lane);
-  /// To be called if processes are to talk, before one or a thread is started: namespaces move this
-  /// process as well. Throws suture::SetupError for namespaces that cannot be made.
+  /// Call this if processes are to talk, before any process or thread is started, because
+  /// namespaces move this process as well. Throws suture::SetupError for namespaces that cannot be
+  /// made.
   void open();
 
-  /// As it is asked for: "tcp"; "none" until it is open.
+  /// Returns the word by which it is asked for, such as "tcp"; "none" until it is open.
   std::string name() const;
-  /// A sentence's end: what a message between two processes crosses.
+  /// Returns the end of a sentence: what a message between two processes crosses.
   std::string description() const;
-  /// Where the global manager is to listen. Port 0 lets it choose one.
+  /// Returns where the global manager is to listen. Port 0 lets it choose one.
   std::string managerAddress(const std::filesystem::path& folder) const;
   bool needsKeys() const { return kind_ == Kind::Tls || kind_ == Kind::Namespaces; }
-  /// Between two processes.
+  /// Returns the fastest lane between two processes.
   const char* fastestLane() const { return kind_ == Kind::Unix ? "shm" : "frame"; }
 
   bool hasNamespaces() const { return kind_ == Kind::Namespaces; }
-  /// Lays a cable from the switch to a child, the process of that name, that has a network
+  /// Lays a cable from the switch to a child, which is the process of that name and has a network
   /// namespace of its own. Throws suture::SetupError.
   void connect(const std::string& process, pid_t child);
   /// Pulls that cable, or puts it back. Throws suture::SetupError.

@@ -23,9 +23,9 @@ using suture::ComponentEntry;
 using suture::ConnectionEntry;
 using suture::ProcessEntry;
 
-// s: of each task that controls an arm, in the topologies' files; drives have less. A slower task,
-// such as a camera, keeps its period: how old its data may be is in the file too, and does not
-// follow the rate.
+// In s: is the period of each task that controls an arm, in the topologies' files; that of drives
+// is shorter. A slower task, such as a camera, keeps its period: how old its data may be is in the
+// file too, and does not follow the rate.
 constexpr double kControlPeriod = 0.001;
 
 void setRate(json& component, double rate) {
@@ -39,12 +39,12 @@ void setDynamics(json& component, const std::string& dynamics) {
   if (kind.ends_with("Drives")) component["parameters"]["dynamics"] = dynamics;
 }
 
-/// How old the permit of the emergency stop may be without real-time priorities: on a busy machine
-/// a thread may wait for so long for its processor.
+/// Is how old the permit of the emergency stop may be without real-time priorities: on a busy
+/// machine a thread may wait that long for its processor.
 constexpr double kPatientPermit = 0.25;  // s
 
-/// Takes from a process what the topology's file says of the scheduling of its threads, which this
-/// user may not have, and lets its drives be more patient.
+/// Removes from a process what the topology's file says of the scheduling of its threads, which
+/// this user may not have, and lets its drives accept older permits.
 void giveUpRealTime(json& process) {
   process.erase("scheduling");
   for (json& component : process.at("components")) {
@@ -63,7 +63,8 @@ void setStop(json& component, const Moment& stop) {
   component["parameters"]["release_after"] = seconds(stop.length);
 }
 
-/// An arm and its drives exchange more than all others do, and mostly within a process.
+/// Sets the lane of a connection, except between an arm and its drives, which exchange more than
+/// all others and mostly within a process.
 void setLane(json& connection, const std::string& lane) {
   if (!connection.at("to").get<std::string>().ends_with("/Drives")) connection["lane"] = lane;
 }
@@ -81,7 +82,8 @@ void makeKeys(nlohmann::json& system, const std::filesystem::path& folder) {
 std::filesystem::path write(const Options& options, const std::optional<Moment>& stop,
                             bool realTime, Network& network, const std::filesystem::path& topology,
                             const std::filesystem::path& folder) {
-  // Checked before it is changed, so that a message names the topology's own file and line.
+  // The file is checked before it is changed, so that a message names the topology's own file and
+  // line.
   json system = suture::Deployment(suture::JsonDocument::read(topology)).document().value();
   system.erase("$schema");
   system.erase("manager");
@@ -105,7 +107,7 @@ std::filesystem::path write(const Options& options, const std::optional<Moment>&
   return file;
 }
 
-/// "" if this demo may have that priority.
+/// Returns why this demo may not have that priority; "" if it may.
 std::string whyNotWith(int priority, RealTimeTurn& turn) {
   if (priority == 0) return "";
   if (!rt::grantedOf("the demo", {rt::Policy::Fifo, priority}).refusals.empty()) {
@@ -114,7 +116,7 @@ std::string whyNotWith(int priority, RealTimeTurn& turn) {
   return turn.take() ? "" : "another demo has the real-time priorities of this machine";
 }
 
-/// 0 if the file gives none.
+/// Returns the highest priority in the file; 0 if it gives none.
 int highestPriorityIn(const std::filesystem::path& topology) {
   const suture::Deployment deployment(suture::JsonDocument::read(topology));
   int highest = 0;
@@ -132,8 +134,8 @@ std::string nameOf(const suture::Endpoint& endpoint) {
   return endpoint.process + ":" + endpoint.component;
 }
 
-/// A parameter by which the run is judged: it cannot be left to the class's default, which only the
-/// workstation knows.
+/// Returns a parameter by which the run is judged. It cannot be left to the class's default, which
+/// only the workstation knows.
 template <class Value>
 Value parameterOf(const ComponentEntry& component, const char* name) {
   try {
@@ -146,8 +148,8 @@ Value parameterOf(const ComponentEntry& component, const char* name) {
   }
 }
 
-/// s: by how much drives declare that their joints trail. Those that move bodies with mass declare
-/// nothing: what their controllers leave is an error.
+/// Returns in s by how much drives declare that their joints trail. Drives that move bodies with
+/// mass declare nothing: what their controllers leave is an error.
 double lagOf(const ComponentEntry& drives) {
   const auto dynamics = drives.parameters.find("dynamics");
   const bool haveMass = dynamics != drives.parameters.end() && *dynamics == "RigidBody";
@@ -195,7 +197,8 @@ void Plan::setManager(const std::string& address) {
   deployment_ = suture::Deployment(suture::JsonDocument::read(file_));
 }
 
-/// Whoever drives the slave has a connection between that process and another one.
+/// Returns true if the component that drives the slave has a connection between that process and
+/// another one.
 bool Plan::driverCrosses(const std::string& slave, const std::string& process) const {
   const auto& all = deployment_.connections();
   return std::any_of(all.begin(), all.end(), [&](const ConnectionEntry& drive) {

@@ -1,5 +1,6 @@
 #pragma once
-// What one run of the demo consists of: a deployment, and what must be true of it afterwards.
+// This is what one run of the demo consists of: a deployment, and what must be true of it
+// afterwards.
 
 #include <suture/deploy/document/deployment.h>
 
@@ -30,67 +31,69 @@ struct Options {
   std::vector<std::string> compare;  // two topologies; empty: not wanted
 };
 
-/// How long the run shall last.
+/// Returns how long the run shall last.
 suture::Duration lengthOf(const Options& options);
 
-/// One slave that shall follow one master, and where the two are recorded.
+/// Is one slave that shall follow one master, and where the two are recorded.
 struct Following {
   std::string master, slave, teleop;  ///< "process:component"
   std::filesystem::path masterRecording, slaveRecording, teleopRecording;
   double timeConstant;  ///< s, as declared for the slave's drives
 };
 
-/// A slave whose cycles are recorded.
+/// Is a slave whose cycles are recorded.
 struct RecordedSlave {
   std::string name;  ///< "process:component"
   std::filesystem::path recording;
 };
 
-/// A knot that shall be placed, and where that is recorded; in the frame of the scene.
+/// Is a knot that shall be placed, and where that is recorded; in the frame of the scene.
 struct KnotPlacing {
   std::filesystem::path recording;
   Eigen::Vector3d target, approach;  ///< m; a direction
-  double radius, slope;  ///< of the corridor: m at the target, and by which it widens before it
+  double radius, slope;  ///< of the corridor: its radius in m at the target, and by how much it
+                         ///< widens before that
 };
 
-/// The topology's deployment file with the run's rate, lane, stop, manager and keys, written into
-/// the run's folder. The rate is that of each task whose period the topology's file states as 1 ms;
-/// one with a shorter period, as drives have, runs faster in proportion. All others keep theirs.
-/// For a user without real-time priorities, and while another demo has them, drives take an older
-/// permit of the emergency stop.
+/// Is the topology's deployment file with the run's rate, lane, stop, manager and keys, written
+/// into the run's folder. The rate is that of each task whose period the topology's file states as
+/// 1 ms; one with a shorter period, such as drives, runs faster in proportion. All others keep
+/// theirs. For a user without real-time priorities, and while another demo has them, drives accept
+/// an older permit of the emergency stop.
 class Plan {
  public:
   /// Throws suture::DocumentError if the file is not a deployment, and suture::SetupError if it
-  /// lacks what the run is judged by.
+  /// lacks what is needed to judge the run.
   Plan(const Options& options, Network& network, const std::filesystem::path& topology,
        const std::filesystem::path& folder);
 
-  /// That of the topology's file, without ".json".
+  /// Returns the name of the topology's file, without ".json".
   const std::string& name() const { return name_; }
   const std::filesystem::path& file() const { return file_; }
   const suture::Deployment& deployment() const { return deployment_; }
   bool needsManager() const { return !deployment_.manager().empty(); }
-  /// The global manager listens there: at a port of its choice.
+  /// Says where the global manager listens, because it chooses its port.
   void setManager(const std::string& address);
-  /// "process:component" of every arm, in the order of the file.
+  /// Returns "process:component" of every arm, in the order of the file.
   const std::vector<std::string>& arms() const { return arms_; }
   const std::vector<Following>& followings() const { return followings_; }
-  /// All slaves; those that are driven over a connection to or from this process. Throws
+  /// Return all slaves, or those that are driven over a connection to or from this process. Throw
   /// suture::SetupError if one is not recorded.
   std::vector<RecordedSlave> slaves() const;
   std::vector<RecordedSlave> slavesDrivenAcross(const std::string& process) const;
-  /// When the emergency stop is pressed; none if it is not.
+  /// Returns when the emergency stop is pressed; none if it is not.
   const std::optional<Moment>& stop() const { return stop_; }
-  /// Why its tasks go without the real-time priorities that the topology's file gives them, as the
-  /// end of a sentence; "" if they have them.
+  /// Returns why its tasks run without the real-time priorities that the topology's file gives
+  /// them, as the end of a sentence; "" if they have them.
   const std::string& whyNotRealTime() const { return whyNotRealTime_; }
-  /// How old the permit of the emergency stop may be at drives; zero if they need none.
+  /// Returns how old the permit of the emergency stop may be at drives; zero if they need none.
   suture::Duration permit() const { return permit_; }
-  /// None if no component of the deployment records a knot.
+  /// Returns none if no component of the deployment records a knot.
   const std::optional<KnotPlacing>& knot() const { return knot_; }
-  /// The lane that each connection must have, by name.
+  /// Returns the lane that each connection must have, by name.
   const std::map<std::string, std::string>& lanes() const { return lanes_; }
-  /// That of a name "process:component". Throws suture::SetupError if there is none.
+  /// Returns the component of a name "process:component". Throws suture::SetupError if there is
+  /// none.
   const suture::ComponentEntry& component(const std::string& name) const;
 
  private:
@@ -102,7 +105,7 @@ class Plan {
   void findKnot(const std::filesystem::path& folder);
   void findLanes(const char* fastestLane);
   void findPermit();
-  /// The first component of a class; null if there is none.
+  /// Returns the first component of a class; null if there is none.
   const suture::ComponentEntry* componentOfClass(const std::string& name) const;
   std::string connectedTo(const std::string& required) const;
   std::filesystem::path recordingOf(const std::string& provided) const;

@@ -20,11 +20,12 @@ using suture::Time;
 
 constexpr Duration kStartPatience = 30s;
 constexpr Duration kEndPatience = 5s;
-// After a process has died, how long the others may tell what they lost.
+// After a process has died, this is how long the others may take to report what they lost.
 constexpr Duration kAftermath = 1500ms;
-// The report of a last full second is on its way when that second is over.
+// The report of the last full second is on its way when that second is over.
 constexpr Duration kLastReport = 500ms;
-// After a break, how long it may take until the last loss is told: silence has to pass first.
+// After a break, this is how long it may take until the last loss is reported, because silence has
+// to pass first.
 constexpr Duration kRecovery = 3s;
 constexpr int kReportDescriptor = 3;
 
@@ -136,7 +137,8 @@ void Crew::watch(Duration length, const Progress& progress) {
   showNewReports(suture::now() + kLastReport);
 }
 
-/// The run goes on behind a break for as long as was asked, even if a busy machine made it late.
+/// Returns the end of the run, which goes on behind a break for as long as was asked, even if a
+/// busy machine made the break late.
 Time Crew::endOfRun(Time began, Duration length) const {
   if (!cutOff_) return began + length;
   const auto [at, brokenFor] = cutOff_->moment;
@@ -144,20 +146,22 @@ Time Crew::endOfRun(Time began, Duration length) const {
   return result_.outage ? result_.outage->mended + after : Time::max();
 }
 
-/// Does what is due, and says when there is more to do.
+/// Does what is due, and returns when there is more to do.
 Time Crew::breakOrMend(Time began) {
   if (!cutOff_ || result_.outage) return Time::max();
   if (suture::now() < began + cutOff_->moment.at) return began + cutOff_->moment.at;
   if (!broken_) cut();
   if (suture::now() < *broken_ + cutOff_->moment.length) return *broken_ + cutOff_->moment.length;
-  // A process that goes on may move its arms before this one runs again: the moment is taken first.
+  // A process that goes on may move its arms before this one runs again, so the moment is taken
+  // first.
   result_.outage = {*broken_, suture::now()};
   mend();
   return Time::max();
 }
 
-/// Pulls the process's cable; without one, freezes it. The kernel may let a change of a cable wait
-/// for seconds while it takes down other namespaces, so the moment is taken when it is done.
+/// Pulls the process's cable, or freezes the process if it has none. The kernel may delay a change
+/// of a cable for seconds while it takes down other namespaces, so the moment is taken when it is
+/// done.
 void Crew::cut() {
   if (network_.hasNamespaces()) {
     network_.setCable(cutOff_->process, false);
@@ -184,7 +188,7 @@ bool Crew::expectsLosses() const {
 }
 
 void Crew::end() {
-  if (broken_) mend();  // one that is frozen would not hear that it is to end
+  if (broken_) mend();  // a frozen process would not handle the signal to end
   if (!result_.interrupted && !result_.failures.empty()) {
     pumpUntil(suture::now() + kAftermath, [this] { return result_.interrupted; });
   }
@@ -246,7 +250,7 @@ void Crew::readOutputs() {
   if (manager_ != nullptr) readManager();
 }
 
-/// Its first line ends with where it listens.
+/// Reads where the manager listens, with which its first line ends.
 void Crew::readManager() {
   const auto lines = manager_->readLines();
   if (lines.empty() || managerReady_) return;
@@ -254,11 +258,11 @@ void Crew::readManager() {
   managerReady_ = true;
 }
 
-/// Asks the kernel what the process really runs; equal files are read once.
+/// Asks the kernel which program the process really runs; equal files are read once.
 void Crew::noticeProgram(const ChildProcess& process) {
   const std::string file = "/proc/" + std::to_string(process.pid()) + "/exe";
   struct stat status {};
-  if (stat(file.c_str(), &status) != 0) return;  // it has ended, which is told
+  if (stat(file.c_str(), &status) != 0) return;  // it has ended, which is reported elsewhere
   if (!hashed_.insert({status.st_dev, status.st_ino}).second) return;
   ProgramHash hash;
   try {
@@ -293,7 +297,7 @@ void Crew::noticeEnds() {
       continue;
     }
     ended_.push_back(process);
-    // Whoever lost a peer says so with its status too; that has been told.
+    // A process that lost a peer also says so by its status; that has been reported.
     if (ending_ && (process->succeeded() || !result_.failures.empty())) continue;
     result_.failures.push_back(process->title() + " " + process->ending());
   }

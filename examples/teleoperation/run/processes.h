@@ -1,5 +1,5 @@
 #pragma once
-// The processes of one run: started together, watched, ended together.
+// These are the processes of one run, which are started together, watched, and ended together.
 
 #include <suture/base/time.h>
 #include <suture/observe/report.h>
@@ -25,31 +25,31 @@ struct CrewResult {
   std::vector<suture::Report> reports;  ///< the last of each process
   std::vector<std::string> failures;    ///< what went wrong, by name
   bool interrupted = false;             ///< by Ctrl-C, or a request to end
-  std::vector<ProgramHash> programs;    ///< that ran as workstations: different ones only
+  std::vector<ProgramHash> programs;    ///< that ran as workstations; each is listed once
   std::optional<Outage> outage;         ///< of a run in which a process was cut off and is back
   suture::Duration ran{};               ///< from when all were connected
 };
 
-/// Blocks the signals that end a run, so that from then on it ends in order: a Crew watches them.
-/// Call it before anything that has to be undone.
+/// Blocks the signals that end a run, so that from then on it ends in order, because a Crew watches
+/// them. Call it before anything that has to be undone.
 void blockEndSignals();
 
-/// A global manager, if the plan needs one, and a workstation a process. One run an object;
-/// single-threaded.
+/// One thread, and one run for each object. Holds a global manager, if the plan needs one, and a
+/// workstation for each process.
 class Crew {
  public:
-  /// Called whenever every process has reported once more, which each does once a second.
+  /// Is called whenever every process has reported once more, which each does once a second.
   using Progress = std::function<void(suture::Duration ran, const std::vector<suture::Report>&)>;
 
-  /// `programs`: the folder of the executables; `folder`: where they run and record.
+  /// `programs` is the folder of the executables; `folder` is where they run and record.
   Crew(Plan& plan, Network& network, std::optional<Break> cutOff, std::filesystem::path programs,
        std::filesystem::path folder);
   ~Crew();
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
 
-  /// Runs for `length` and ends every process, whatever happens; never longer than that and some
-  /// seconds, unless this process gets no time to break what is to be broken.
+  /// Runs for `length` and ends every process, whatever happens. It never takes longer than that
+  /// and some seconds, unless this process gets no processor time to make the break.
   CrewResult run(suture::Duration length, const Progress& progress);
 
  private:
@@ -83,7 +83,8 @@ class Crew {
   void endAll(const std::vector<ChildProcess*>& processes);
 
   bool over() const { return result_.interrupted || !result_.failures.empty(); }
-  /// What is lost while a process is cut off, and shortly after, has been cut off on purpose.
+  /// Returns true while a process is cut off, and shortly after: what is lost then is lost on
+  /// purpose.
   bool expectsLosses() const;
   bool allStarted() const;
   std::uint64_t reportsOfEach() const;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-// It begins with a zero, so it is no file, and the kernel forgets it with the socket.
+// It begins with a zero, so it is not a file, and the kernel removes it with the socket.
 constexpr auto kName = "\0suture-demo/real-time"sv;
 
 }  // namespace

@@ -1,11 +1,11 @@
 #pragma once
-// Which demo of this machine may have real-time priorities.
+// This says which demo of this machine may have real-time priorities.
 
 namespace demo {
 
-/// One demo at a time: the threads of two would leave to nobody else the time of two processors.
-/// The turn ends with this object, and with the program, however that ends. It is kept by a Unix
-/// socket's name, so demos see each other within one network namespace.
+/// Gives one demo at a time real-time priorities, because the threads of two would leave no time of
+/// two processors to others. The turn ends with this object, and with the program, however that
+/// ends. A Unix socket's name holds it, so demos see each other within one network namespace.
 class RealTimeTurn {
  public:
   RealTimeTurn() = default;
@@ -13,7 +13,8 @@ class RealTimeTurn {
   RealTimeTurn(const RealTimeTurn&) = delete;
   RealTimeTurn& operator=(const RealTimeTurn&) = delete;
 
-  /// False if another demo has it. To be called before this process changes its namespace.
+  /// Takes the turn; returns false if another demo has it. Call it before this process changes its
+  /// namespace.
   bool take();
 
  private:

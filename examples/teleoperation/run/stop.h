@@ -1,5 +1,5 @@
 #pragma once
-// The emergency stop that is pressed during a run.
+// This is the emergency stop that is pressed during a run.
 
 #include <suture/base/time.h>
 
@@ -11,17 +11,18 @@
 
 namespace demo {
 
-/// "6s", or "6s+1500ms": pressed, and released so much later (without a length, one second); none
-/// for "". Throws suture::SetupError for any other text, and as requireRoom() does.
+/// Parses "6s", or "6s+1500ms": when it is pressed, and how much later it is released (without a
+/// length, one second); none for "". Throws suture::SetupError for any other text, and as
+/// requireRoom() does.
 std::optional<Moment> parseStop(const std::string& text, suture::Duration runLength);
 
-/// A stop that was pressed and released.
+/// Is a stop that was pressed and released.
 struct Pressed {
   suture::Time pressed, released;
 };
 
-/// The first stop that `recording` heard of, after the one that a coordinator starts with; none if
-/// it heard of none, or not of its release.
+/// Returns the first stop that `recording` has, after the one with which a coordinator starts; none
+/// if it has none, or not its release.
 std::optional<Pressed> firstStop(const robots::Recording& recording);
 
 }  // namespace demo

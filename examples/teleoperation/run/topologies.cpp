@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What its file says of it; of a file that is no deployment, that.
+/// Returns the title that a file gives itself; if it is no deployment, says so.
 std::string titleOf(const fs::path& file) {
   try {
     return suture::JsonDocument::read(file).value().value("title", "");
@@ -28,7 +28,7 @@ Topologies Topologies::besideProgramsIn(const fs::path& programs) {
 }
 
 Topologies::Topologies(fs::path folder) : folder_(std::move(folder)) {
-  std::error_code missing;  // then there are none, which find() says
+  std::error_code missing;  // then there are no topologies, which find() says
   for (const auto& entry : fs::directory_iterator(folder_, missing)) {
     if (entry.path().extension() == ".json") names_.push_back(entry.path().stem());
   }

@@ -1,5 +1,6 @@
 #pragma once
-// The topologies that a user may choose from: deployment files, and nothing else.
+// These are the topologies that a user may choose from. They are deployment files, and nothing
+// else.
 
 #include <filesystem>
 #include <string>
@@ -7,18 +8,19 @@
 
 namespace demo {
 
-/// The deployment files of one folder. A value; set-up code only.
+/// Is a value, for set-up code only: the deployment files of one folder.
 class Topologies {
  public:
-  /// Those that lie where the build, and the installation, put them for a program in that folder.
+  /// Returns those that lie where the build and the installation put them for a program in that
+  /// folder.
   static Topologies besideProgramsIn(const std::filesystem::path& programs);
 
   explicit Topologies(std::filesystem::path folder);
 
-  /// Finds the file of a name in the folder; a text that ends with ".json" is a file itself.
-  /// Throws suture::SetupError with what there is if there is no such file.
+  /// Returns the file of a name in the folder; a text that ends with ".json" is a file itself.
+  /// Throws suture::SetupError with the possible names if there is no such file.
   std::filesystem::path find(const std::string& asked) const;
-  /// A line for each: its name, and the title that its file has.
+  /// Returns a line for each: its name, and the title that its file has.
   std::string list() const;
 
  private:

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using suture::Deployment;
 
-/// What is said of one thing: where it belongs, and everything else.
+/// Is what a deployment says of one thing: where it belongs, and everything else.
 struct Entry {
   std::string place;
   json settings;
@@ -58,7 +58,7 @@ Entries connectionsOf(const Deployment& deployment, const ShortNames& names) {
   return entries;
 }
 
-/// One for each value that the two do not share.
+/// Adds a difference for each value that the two do not share.
 void compareSettings(const std::string& subject, const json& first, const json& second,
                      std::vector<Difference>& settings) {
   if (first == second) return;
@@ -69,7 +69,7 @@ void compareSettings(const std::string& subject, const json& first, const json& 
     return whole.contains(place) ? whole.at(place).dump() : "-";
   };
   for (const auto& [pointer, unused] : all.items()) {
-    if (pointer.empty()) continue;  // of one that says nothing
+    if (pointer.empty()) continue;  // of an entry without settings
     const Difference one{subject + pointer, textIn(first, pointer), textIn(second, pointer)};
     if (one.first != one.second) settings.push_back(one);
   }
@@ -109,7 +109,7 @@ std::string tableOf(const std::string& title, const std::string& first, const st
 Comparison compare(const Deployment& first, const Deployment& second) {
   const ShortNames names({&first, &second});
   Comparison found;
-  std::vector<Difference> unused;  // a process that is not there shows in its components
+  std::vector<Difference> unused;  // a process that is missing shows in its components
   compareEntries(processesOf(first), processesOf(second), unused, found.settings);
   found.equalPlaces = compareEntries(componentsOf(first, names), componentsOf(second, names),
                                      found.places, found.settings);

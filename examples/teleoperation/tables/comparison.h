@@ -1,5 +1,5 @@
 #pragma once
-// What differs between two topologies.
+// This finds what differs between two topologies.
 
 #include <suture/deploy/document/deployment.h>
 
@@ -8,13 +8,14 @@
 
 namespace demo {
 
-/// In one of two deployments, and in the other; "-" stands for what is not there.
+/// Is a value in one of two deployments and in the other; "-" stands for what is not there.
 struct Difference {
   std::string subject, first, second;
 };
 
-/// Found in the files alone: where components run, what their entries say, what connects them.
-/// A component is the same one in both if its name is, wherever it runs.
+/// Holds the differences, which are found only from the files: where components run, what their
+/// entries say, what connects them. A component is the same one in both if its name is the same,
+/// wherever it runs.
 struct Comparison {
   std::vector<Difference> places;       ///< of a component: its process
   std::vector<Difference> settings;     ///< of a component, a process or a connection: any value
@@ -24,7 +25,7 @@ struct Comparison {
 
 Comparison compare(const suture::Deployment& first, const suture::Deployment& second);
 
-/// The same for people, with the two files as titles.
+/// Returns the comparison for people, with the two files as titles.
 std::string describe(const Comparison& comparison, const std::string& first,
                      const std::string& second);
 

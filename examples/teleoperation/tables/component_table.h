@@ -1,5 +1,5 @@
 #pragma once
-// What each component asked of its processor, and whether it had its rate.
+// This says how much processor time each component used, and if it had its rate.
 
 #include <suture/observe/report.h>
 
@@ -11,13 +11,13 @@
 
 namespace demo {
 
-/// A row for each task. The rate that is asked for is that of the deployment, if it states one; the
-/// one that it had is of its last second; what it held is the share of its periods, from its start,
-/// that had a cycle. Processor time is of one processor.
+/// Returns a row for each task. The rate that is asked for is that of the deployment, if it states
+/// one; the one that it had is of its last second; what it held is the share of its periods, from
+/// its start, that had a cycle. Processor time is of one processor.
 Table componentTable(const Plan& plan, const std::vector<suture::Report>& reports);
 
-/// A sentence: what all processes had of the machine's processors, and which part of it was not
-/// tasks'.
+/// Returns a sentence about how much of the machine's processors all processes used, and which part
+/// of it was not that of tasks.
 std::string processorTime(const std::vector<suture::Report>& reports);
 
 }  // namespace demo

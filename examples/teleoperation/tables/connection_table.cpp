@@ -29,10 +29,11 @@ std::string bytes(std::uint64_t count) {
 
 std::string count(std::uint64_t number) { return number == 0 ? "-" : fmt::format("{}", number); }
 
-/// Beyond 99 the exact number would widen the table; the result file has it.
+/// Returns the number for the table. Beyond 99 the exact number would widen it; the result file has
+/// it.
 std::string few(std::uint64_t number) { return number > 99 ? "99+" : fmt::format("{}", number); }
 
-/// "-" tells that the connection has none.
+/// Returns if the contract was kept; "-" if the connection has none.
 std::string kept(const std::optional<suture::ContractReport>& contract) {
   if (!contract) return "-";
   if (contract->losses > 0) return few(contract->losses) + " lost";
@@ -66,7 +67,7 @@ void addConnection(Table& table, const std::string& name, const ConnectionReport
 
 }  // namespace
 
-std::string unwelcome(const std::vector<ConnectionReport>& connections) {
+std::string lostCommands(const std::vector<ConnectionReport>& connections) {
   std::uint64_t dropped = 0, late = 0;
   for (const ConnectionReport& one : connections) {
     dropped += one.dropped();

@@ -14,9 +14,9 @@ using bench::paper::Row;
 using suture::ConnectionReport;
 using suture::Distribution;
 
-constexpr std::uint64_t kEnough = 100;  // ages, to say anything of p50
+constexpr std::uint64_t kEnough = 100;  // ages that are needed for a p50
 
-/// `connection`: "left:TeleopL/Slave -> right:PSM1/Arm".
+/// `connection` is for example "left:TeleopL/Slave -> right:PSM1/Arm".
 bool isWithinAProcess(const std::string& connection) {
   const std::string to = connection.substr(connection.find(" -> ") + 4);
   return connection.substr(0, connection.find(':')) == to.substr(0, to.find(':'));
@@ -77,13 +77,13 @@ void PaperTable::addAge(const char* title, const char* key, Age age) {
     cells.push_back(one == nullptr ? "-" : number(inMilliseconds((one->*age).p50)));
     cells.push_back(one == nullptr ? "-" : number(inMilliseconds((one->*age).max)));
   }
-  cells.emplace_back("-");  // it would be that of two pairs of tasks, whose phases differ
+  cells.emplace_back("-");  // it would compare two pairs of tasks, whose phases differ
   table_.add(cells);
   figures_[key] = {{"local", local == nullptr ? nullptr : figuresOf(local, local->*age)},
                    {"network", network == nullptr ? nullptr : figuresOf(network, network->*age)}};
 }
 
-/// Null if there is none.
+/// Returns null if there is none.
 const ConnectionReport* PaperTable::busiest(Age age, bool isLocal) const {
   const ConnectionReport* most = nullptr;
   for (const ConnectionReport& one : toArms_) {

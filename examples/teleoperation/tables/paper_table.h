@@ -1,5 +1,5 @@
 #pragma once
-// Table 2 of the paper beside what this run measured.
+// This is Table 2 of the paper beside what this run measured.
 
 #include <suture/observe/report.h>
 
@@ -11,17 +11,17 @@
 
 namespace demo {
 
-/// The paper's loops, and below them ages of this run, which are of one way: of the connection to
-/// an arm that had most of them, and enough, within a process and between two. No claim that the
-/// two are alike, for they are not.
+/// Has the paper's loops, and below them ages of this run, which are of one way: those of the
+/// connection to an arm that had the most ages, and enough of them, within a process and between
+/// two. It does not claim that the two are comparable, because they are not.
 class PaperTable {
  public:
   PaperTable(const Plan& plan, const std::vector<suture::ConnectionReport>& connections);
 
   const Table& table() const { return table_; }
-  /// What a reader has to know of it, line by line.
+  /// Returns what a reader has to know about it, line by line.
   const std::vector<std::string>& notes() const { return notes_; }
-  /// The figures of this run: "command_age", "read_age".
+  /// Returns the figures of this run: "command_age", "read_age".
   const nlohmann::json& figures() const { return figures_; }
 
  private:

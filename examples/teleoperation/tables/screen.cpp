@@ -105,14 +105,14 @@ void Screen::progress(Duration ran, const std::vector<suture::Report>& reports,
 
 void Screen::printTable(const Table& table) const {
   const std::vector<std::string> lines = table.lines();
-  if (lines.size() == 1) return;  // the titles of nothing
+  if (lines.size() == 1) return;  // only the titles
   for (std::size_t i = 0; i < lines.size(); ++i) {
     fmt::print("{}\n", i == 0 ? bold(lines[i]) : lines[i]);
   }
   fmt::print("\n");
 }
 
-// What is printed below the table of slaves.
+// This is printed below the table of slaves.
 constexpr const char* kWhatErrorsAre =
     "Errors are against the goals that a slave has got, however old. At equal time, on average, it "
     "is\n"
@@ -149,7 +149,7 @@ void Screen::end(const Plan& plan, const CrewResult& result, const Verdict& verd
                std::chrono::duration<double>(result.ran).count());
   }
   printTable(connectionTable(plan.deployment(), verdict.connections));
-  fmt::print("{}\n\n", unwelcome(verdict.connections));
+  fmt::print("{}\n\n", lostCommands(verdict.connections));
   printTable(componentTable(plan, result.reports));
   fmt::print("{}\n\n", processorTime(result.reports));
   const PaperTable paper(plan, verdict.connections);

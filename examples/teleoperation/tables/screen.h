@@ -1,5 +1,5 @@
 #pragma once
-// What the demo shows.
+// This is what the demo shows.
 
 #include <suture/observe/report.h>
 
@@ -20,14 +20,14 @@ class Screen {
   Screen();
 
   void begin(const Options& options, const Plan& plan, const Network& network);
-  /// One line on what happened since the last call; `error`: how far the worst slave was off, m at
-  /// p99, if any follows a master.
+  /// Writes one line about what happened since the last call; `error` is how far the worst slave
+  /// was off, in m at p99, if any follows a master.
   void progress(suture::Duration ran, const std::vector<suture::Report>& reports,
                 std::optional<double> error);
   void end(const Plan& plan, const CrewResult& result, const Verdict& verdict);
 
  private:
-  /// Sums and worst values over everything that the processes report.
+  /// Holds sums and worst values over everything that the processes report.
   struct Totals {
     std::uint64_t cycles = 0, executed = 0, replaced = 0, dropped = 0, late = 0, skipped = 0;
     suture::Duration commandAge{}, readAge{}, jitter{};  // p99 of the worst

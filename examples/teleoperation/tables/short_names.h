@@ -1,5 +1,5 @@
 #pragma once
-// How components are called on the screen.
+// These are the names of components on the screen.
 
 #include <suture/deploy/document/deployment.h>
 
@@ -8,7 +8,7 @@
 
 namespace demo {
 
-/// A component's name alone, if no two of a deployment have the same one; else with its process.
+/// Returns only a component's name, if no two of a deployment have the same; else its process too.
 /// So equal connections have equal names in every topology.
 class ShortNames {
  public:
@@ -17,7 +17,7 @@ class ShortNames {
 
   std::string of(const std::string& process, const std::string& component) const;
   std::string of(const suture::Endpoint& endpoint) const;
-  /// It tells who requires which interface, and of whom: "TeleopL/Slave -> PSM1".
+  /// Returns who requires which interface, and of whom: "TeleopL/Slave -> PSM1".
   std::string of(const suture::ConnectionEntry& connection) const;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-// Text in columns.
+// This is text in columns.
 
 #include <cstddef>
 #include <string>
@@ -13,9 +13,9 @@ class Table {
   explicit Table(std::vector<std::string> titles) : rows_{std::move(titles)} {}
 
   void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  /// Takes out each column but the first that has "-", or nothing, in all rows.
+  /// Removes each column but the first that has "-", or nothing, in all rows.
   void dropEmptyColumns();
-  /// One line a row, the titles first.
+  /// Returns one line for each row, the titles first.
   std::vector<std::string> lines() const;
 
  private:

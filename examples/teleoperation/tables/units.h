@@ -1,5 +1,5 @@
 #pragma once
-// Numbers with the unit that their column has.
+// These write numbers in the unit that their column has.
 
 #include <suture/base/time.h>
 
@@ -7,7 +7,8 @@
 
 namespace demo {
 
-/// Has fewer decimals from 100 ms on, so that a column of ages is as wide as "99.99" up to 100 s.
+/// The text has fewer decimals from 100 ms on, so that a column of ages is as wide as "99.99" up to
+/// 100 s.
 std::string milliseconds(suture::Duration duration);
 std::string microseconds(suture::Duration duration);
 
