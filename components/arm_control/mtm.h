@@ -1,5 +1,5 @@
 #pragma once
-// The simulated master arm.
+// This is the simulated master arm.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -24,28 +24,29 @@ struct SUTURE_TYPE() MtmParameters {
   Side side = Side::Left;
   suture::Duration period = std::chrono::milliseconds(1);
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// This is how fast the joints may speed up and slow down in a move. Nothing is published of what
-  /// they can, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the
-  /// roll's to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
+  /// Is how fast the joints may speed up and slow down in a move. Nothing is published of what they
+  /// can do, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the roll's
+  /// to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
-  /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
-  /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  /// A rotating joint that trails its set-point by more than this faults the arm. A servo goal may
+  /// lie 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
   SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
-  /// A joint whose encoder tells more than this many times what the joint can move faults the arm.
+  /// A joint whose encoder measures a motion of more than this many times what the joint can do
+  /// faults the arm.
   SUTURE_FIELD(range(1, 1000)) double jump_factor = 5;
-  /// So does an effort that is above what the joint may take for longer than this.
+  /// An effort that is above what the joint may take for longer than this faults the arm too.
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double overload_time = 0.1;
-  /// A servo goal may lie so far from the set-point as the joints can move in this time at their
-  /// rate limits; one that lies farther is refused. By default as long as a stream may be silent:
-  /// what the master does in 0.1 s is far below the rates of the slave.
+  /// A servo goal may lie as far from the set-point as the joints can move in this time at their
+  /// rate limits; one that lies farther is refused. By default this is as long as a stream may be
+  /// silent: what the master does in 0.1 s is far below the rates of the slave.
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
-  /// The gripper is closed at this angle or less.
+  /// At this angle or less the gripper is closed.
   SUTURE_FIELD(unit("rad"), range(-0.2, 1.05)) double gripper_closed = 0;
-  /// It has to be closed, or open, for so long until that is told.
+  /// The gripper must be closed, or open, for this long before that is reported.
   SUTURE_FIELD(unit("s"), range(0, 1)) double gripper_debounce = 0.02;
 };
 
-/// A master tool manipulator (kinematics/davinci.h). There is no hand on it: a surgeon component
+/// Is a master tool manipulator (kinematics/davinci.h). No hand holds it: a surgeon component
 /// drives it through servo_cp, and squeezes its gripper through its drives (drives/gripper_hand.h).
 class SUTURE_COMPONENT() Mtm final : public suture::PeriodicTask, public ArmController<7> {
  public:

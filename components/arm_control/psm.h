@@ -1,5 +1,5 @@
 #pragma once
-// The simulated slave arm.
+// This is the simulated slave arm.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -20,38 +20,39 @@ namespace robots {
 
 struct SUTURE_TYPE() PsmParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Rate limit of the rotating joints.
+  /// Is the rate limit of the rotating joints.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// How deep home() inserts the instrument. Cartesian control needs 0.063 m: then the wrist is 47
-  /// mm beyond the remote centre.
+  /// Is how deep home() inserts the instrument. Cartesian control needs 0.063 m: then the wrist is
+  /// 47 mm beyond the remote centre.
   SUTURE_FIELD(unit("m"), range(0, 0.24)) double home_insertion = 0.12;
-  /// A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
-  /// 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  /// A rotating joint that trails its set-point by more than this faults the arm. A servo goal may
+  /// lie 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
   SUTURE_FIELD(unit("rad"), range(0.001, 10)) double following_error = 0.8;
-  /// Rate limit of the insertion.
+  /// Is the rate limit of the insertion.
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
-  /// The same bound for the insertion.
+  /// Is the same bound for the insertion.
   SUTURE_FIELD(unit("m"), range(0.0001, 1)) double insertion_following_error = 0.08;
-  /// This is how fast the rotating joints may speed up and slow down in a move. Nothing is
-  /// published of what the joints can, so this is our own, as are the two below.
+  /// Is how fast the rotating joints may speed up and slow down in a move. Nothing is published of
+  /// what the joints can do, so this is our own, as are the two below.
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 1000)) double angular_acceleration = 40;
-  /// The same of the insertion.
+  /// Is the same for the insertion.
   SUTURE_FIELD(unit("m/s2"), range(0.01, 100)) double insertion_acceleration = 4;
-  /// The same of the jaw.
+  /// Is the same for the jaw.
   SUTURE_FIELD(unit("rad/s2"), range(0.1, 10000)) double jaw_acceleration = 200;
-  /// Rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
+  /// Is the rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
-  /// A joint whose encoder tells more than this many times what the joint can move faults the arm.
+  /// A joint whose encoder measures a motion of more than this many times what the joint can do
+  /// faults the arm.
   SUTURE_FIELD(range(1, 1000)) double jump_factor = 5;
-  /// So does an effort that is above what the joint may take for longer than this.
+  /// An effort that is above what the joint may take for longer than this faults the arm too.
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double overload_time = 0.1;
-  /// A servo goal may lie so far from the set-point as the joints can move in this time at their
-  /// rate limits; one that lies farther is refused. By default as long as a stream may be silent:
-  /// what the master does in 0.1 s is far below the rates of the slave.
+  /// A servo goal may lie as far from the set-point as the joints can move in this time at their
+  /// rate limits; one that lies farther is refused. By default this is as long as a stream may be
+  /// silent: what the master does in 0.1 s is far below the rates of the slave.
   SUTURE_FIELD(unit("s"), range(0.001, 10)) double servo_horizon = 0.1;
 };
 
-/// A patient side manipulator with large needle driver (kinematics/davinci.h). Its base frame
+/// Is a patient side manipulator with large needle driver (kinematics/davinci.h). Its base frame
 /// has its origin at the remote centre of motion. The jaw of the instrument is an interface of its
 /// own, in the same cycle.
 class SUTURE_COMPONENT() Psm final : public suture::PeriodicTask, public ArmController<6> {

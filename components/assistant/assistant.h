@@ -1,5 +1,5 @@
 #pragma once
-// A scripted bedside assistant: the hand at the emergency stop.
+// This is a scripted bedside assistant, the hand at the emergency stop.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -18,18 +18,18 @@ namespace robots {
 
 struct SUTURE_TYPE() AssistantParameters {
   suture::Duration period = std::chrono::milliseconds(10);
-  /// Presses the stop so long after it has released the first one; 0: never.
+  /// The assistant presses the stop this long after it has released the first one; 0 means never.
   suture::Duration press_after{};
-  /// Releases what it has pressed so much later.
+  /// It releases what it has pressed this much later.
   suture::Duration release_after = std::chrono::seconds(1);
-  /// Enables what has waited for its arms for so long, with power permitted. A person would look
-  /// first.
+  /// It enables what has waited for its arms for this long, with power permitted. A person would
+  /// look first.
   suture::Duration patience = std::chrono::milliseconds(500);
 };
 
-/// Releases the stop that it finds pressed when it starts, since a coordinator starts so, and
-/// presses and releases it once by the script. Later it releases no stop that somebody else has
-/// pressed, and does not press one more. Enables what it is connected to whenever that waits for
+/// Releases the stop that it finds pressed when it starts, because a coordinator starts pressed,
+/// and presses and releases it once by the script. Later it releases no stop that somebody else has
+/// pressed, and does not press one more. It enables what it is connected to whenever that waits for
 /// its arms: after a stop, and after drives stopped by themselves.
 class SUTURE_COMPONENT() Assistant final : public suture::PeriodicTask {
  public:

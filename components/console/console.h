@@ -1,5 +1,5 @@
 #pragma once
-// The contract of a console: what brings a system up and down, in order.
+// This is the contract of a console, which brings a system up and down, in order.
 
 #include <suture/annotate.h>
 #include <suture/standard/messages.h>
@@ -18,20 +18,20 @@ enum class SUTURE_TYPE() ConsoleState : std::uint8_t {
 };
 
 /// Commands run in the console's own thread before its next cycle. Status, warning and error are
-/// the standard messages: what is missing, and which part did not do what it was asked.
+/// the standard messages: they say what is missing, and which part did not do what it was asked.
 class SUTURE_INTERFACE() Console : public suture::Messages {
  public:
   virtual ~Console() = default;
 
-  /// Refused, with an error that names each reason, unless the console is down, every part of the
-  /// system is there, and the emergency stop is released.
+  /// Brings the system up. It is refused, with an error that names each reason, unless the console
+  /// is down, every part of the system is there, and the emergency stop is released.
   SUTURE_COMMAND() virtual void bring_up() = 0;
-  /// Disables everything in the opposite order. Also while it is being brought up.
+  /// Disables everything in the opposite order, even while the system is being brought up.
   SUTURE_COMMAND() virtual void bring_down() = 0;
 
   SUTURE_COMMAND() virtual ConsoleState console_state() const = 0;
 
-  /// Each change, and the last one to whoever connects.
+  /// Reports each change, and the last one to a client that connects.
   SUTURE_EVENT(latched(), name("console_state"))
   suture::EventOf<ConsoleState> console_state_event;
 };

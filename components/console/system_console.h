@@ -1,5 +1,5 @@
 #pragma once
-// The component that brings a telesurgical system up and down.
+// This is the component that brings a telesurgical system up and down.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -23,16 +23,17 @@ namespace robots {
 
 struct SUTURE_TYPE() SystemConsoleParameters {
   suture::Duration period = std::chrono::milliseconds(10);
-  /// The parts that the system has, in the order in which they are brought up: names of required
-  /// interfaces of this console. All arms come before what moves them.
+  /// Are the parts that the system has, in the order in which they are brought up: names of
+  /// required interfaces of this console. All arms come before what moves them.
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> system;
-  /// How long an arm may take to be enabled, all of them to home, and a part to be left.
+  /// Is how long an arm may take to be enabled, all of them to home, and a part to be left.
   suture::Duration patience = std::chrono::seconds(10);
-  /// Brings the system up once, without being asked, when everything is there.
+  /// If it is true, the console brings the system up once, without being asked, when everything is
+  /// there.
   bool bring_up_by_itself = false;
 };
 
-/// Its four arms, two teleoperations and guide are there if they are named in `system`.
+/// Has four arms, two teleoperations and a guide, which are there if they are named in `system`.
 class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, public Console {
  public:
   /// Throws suture::SetupError for a part that this console does not know, that is named twice, or
@@ -60,12 +61,14 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   template <class Part>
   void leave(Part& part);
   void enter(ConsoleState state);
-  /// Takes a bring-up back if `part` has had enough time to become `what`.
+  /// Undoes a bring-up if `part` has had enough time to become `what`.
   void judge(const std::string& part, std::string_view what);
-  /// Takes a bring-up back at once if the stop was pressed, or an arm that had power lost it.
+  /// Undoes a bring-up at once, and returns true, if the stop was pressed, or an arm that had power
+  /// lost it.
   bool isBroken();
   void takeBack(std::string_view part, std::initializer_list<std::string_view> why);
-  /// True when `part` is asked for the first time, and once in a while: a command may be lost.
+  /// Returns true when `part` is asked for the first time, and once in a while, because a command
+  /// may be lost.
   bool mayAsk(const void* part);
 
   const SystemConsoleParameters parameters_;

@@ -1,5 +1,5 @@
 #pragma once
-// The component that all drives of a system live by.
+// This is the component on whose permit all drives of a system depend.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -13,12 +13,12 @@
 namespace robots {
 
 struct SUTURE_TYPE() CoordinatorParameters {
-  /// How often the permit is renewed, and how long a command to stop may wait.
+  /// Is how often the permit is renewed, and how long a command to stop may wait.
   suture::Duration period = std::chrono::milliseconds(1);
 };
 
-/// Permits drives to have power until somebody presses the stop. It starts pressed, since one that
-/// is started again does not know whether it was: an operator releases it.
+/// Permits drives to have power until somebody presses the stop. It starts pressed, because one
+/// that is started again does not know if it was pressed: an operator releases it.
 class SUTURE_COMPONENT() Coordinator final : public suture::PeriodicTask, public EmergencyStop {
  public:
   explicit Coordinator(const CoordinatorParameters& parameters);

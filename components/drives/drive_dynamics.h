@@ -1,5 +1,5 @@
 #pragma once
-// How simulated drives simulate their joints, as deployments choose it.
+// This says how simulated drives simulate their joints, as deployments choose it.
 
 #include <suture/annotate.h>
 
@@ -12,21 +12,21 @@ enum class SUTURE_TYPE() DriveDynamics : std::uint8_t {
   RigidBody,  ///< motors move bodies that have mass, against gravity, friction and stops
 };
 
-/// What can be chosen of joints with mass.
+/// Chooses the properties of joints with mass.
 struct SUTURE_TYPE() RigidBodyOptions {
-  /// Whether the motors carry the arm's weight beside what their controllers give.
+  /// If it is true, the motors carry the arm's weight beside what their controllers give.
   bool gravity_compensation = true;
-  /// Whether encoders tell whole counts.
+  /// If it is true, encoders read whole counts.
   bool quantisation = true;
-  /// The standard deviation of what encoders add, in counts.
+  /// Is the standard deviation of the noise of encoders, in counts.
   SUTURE_FIELD(range(0, 1000)) double noise = 0;
   /// Equal seeds, goals and times give equal noise.
   std::uint32_t seed = 1;
-  /// It says whether brakes hold the joints without power. The PSM and the MTM of the da Vinci
-  /// Classic have none: what their motors carried sinks then.
+  /// If it is true, brakes hold the joints without power. The PSM and the MTM of the da Vinci
+  /// Classic have none, so what their motors carried sinks then.
   bool brakes = true;
-  /// This is the share of each motor's current that sensors tell. Motors never give more than they
-  /// can, so an over-current has to be planted: a sensor that tells too much is one to the arm.
+  /// Is the share of each motor's current that sensors measure. Motors never give more than they
+  /// can, so a test must cause an over-current: a sensor that measures too much is one to the arm.
   SUTURE_FIELD(range(0.1, 100)) double current_gain = 1;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The simulated joint drives of a master arm.
+// These are the simulated joint drives of a master arm.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -23,31 +23,31 @@
 namespace robots {
 
 struct SUTURE_TYPE() MtmDrivesParameters {
-  /// Which of a surgeon's two masters: their joints have mirrored limits.
+  /// Says which of a surgeon's two masters it is, because their joints have mirrored limits.
   Side side = Side::Left;
   suture::Duration period = std::chrono::microseconds(667);
-  /// How far the measured joints trail their goal: here, the hand that moves the master.
+  /// Is how far the measured joints trail their goal: here, the hand that moves the master.
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
-  /// How fast the joints can be.
+  /// Is how fast the joints can be.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
-  /// nobody can be hurt.
+  /// Is how old the permit of the emergency stop may be. With 0, power needs none, as on a bench
+  /// where nobody can be hurt.
   suture::Duration permit = std::chrono::milliseconds(30);
   /// Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   /// `time_constant` does not count.
   DriveDynamics dynamics = DriveDynamics::Lag;
-  /// They count with RigidBody.
+  /// These have an effect only with RigidBody.
   RigidBodyOptions rigid_body{};
 };
 
-/// The drives of a master tool manipulator, and the surgeon's hand on its gripper.
+/// Are the drives of a master tool manipulator, and the surgeon's hand on its gripper.
 class SUTURE_COMPONENT() MtmDrives final : public suture::PeriodicTask, public SimulatedDrives<8> {
  public:
   explicit MtmDrives(const MtmDrivesParameters& parameters);
 
   void run() override;
   void onFault() override { brake(); }
-  /// They have stopped meanwhile, so they get no power before the arm has been enabled again.
+  /// The drives have stopped meanwhile, so they get no power before the arm has been enabled again.
   void onRestart() override { permit(false); }
 
  private:

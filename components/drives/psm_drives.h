@@ -1,5 +1,5 @@
 #pragma once
-// The simulated joint drives of a slave arm.
+// These are the simulated joint drives of a slave arm.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -19,33 +19,33 @@ namespace robots {
 
 struct SUTURE_TYPE() PsmDrivesParameters {
   suture::Duration period = std::chrono::microseconds(667);
-  /// How far the measured joints trail their goal.
+  /// Is how far the measured joints trail their goal.
   SUTURE_FIELD(unit("s"), range(0.0001, 10)) double time_constant = 0.01;
-  /// How fast the rotating joints can be.
+  /// Is how fast the rotating joints can be.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 20)) double angular_rate = 4.0;
-  /// How fast the insertion can be.
+  /// Is how fast the insertion can be.
   SUTURE_FIELD(unit("m/s"), range(0.001, 2)) double insertion_rate = 0.4;
-  /// How fast the jaw can be; that of the da Vinci Research Kit's teleoperation.
+  /// Is how fast the jaw can be; by default that of the da Vinci Research Kit's teleoperation.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
-  /// How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
-  /// nobody can be hurt.
+  /// Is how old the permit of the emergency stop may be. With 0, power needs none, as on a bench
+  /// where nobody can be hurt.
   suture::Duration permit = std::chrono::milliseconds(30);
   /// Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   /// `time_constant` does not count.
   DriveDynamics dynamics = DriveDynamics::Lag;
-  /// They count with RigidBody.
+  /// These have an effect only with RigidBody.
   RigidBodyOptions rigid_body{};
 };
 
-/// The drives of a patient side manipulator. The instrument is in the patient from the start, as
-/// the cannula is not simulated.
+/// Are the drives of a patient side manipulator. The instrument is in the patient from the start,
+/// because the cannula is not simulated.
 class SUTURE_COMPONENT() PsmDrives final : public suture::PeriodicTask, public SimulatedDrives<7> {
  public:
   explicit PsmDrives(const PsmDrivesParameters& parameters);
 
   void run() override;
   void onFault() override { brake(); }
-  /// They have stopped meanwhile, so they get no power before the arm has been enabled again.
+  /// The drives have stopped meanwhile, so they get no power before the arm has been enabled again.
   void onRestart() override { permit(false); }
 
  private:

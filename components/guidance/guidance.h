@@ -1,5 +1,6 @@
 #pragma once
-// The contract of a guide: what it is doing, and how far the knot is from its target.
+// This is the contract of a guide, which says what it is doing, and how far the knot is from its
+// target.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -20,15 +21,15 @@ enum class SUTURE_TYPE() GuidanceState : std::uint8_t {
 };
 
 struct SUTURE_TYPE() GuidanceProgress {
-  /// Where the knot is by the last sighting and by what the tips have moved since; in the scene.
+  /// Is where the knot is by the last sighting and by what the tips have moved since, in the scene.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d knot = Eigen::Vector3d::Zero();
-  /// Along the line of approach; below zero behind the target.
+  /// Is the distance along the line of approach; it is below zero behind the target.
   SUTURE_FIELD(unit("m")) double distance_to_target = 0;
-  /// From the line of approach.
+  /// Is the distance from the line of approach.
   SUTURE_FIELD(unit("m")) double lateral_error = 0;
-  /// The guide's cycle.
+  /// Is that of the guide's cycle.
   suture::Time stamp;
-  /// False unless the knot has been seen lately.
+  /// Is false unless the knot has been seen lately.
   bool valid = false;
 };
 
@@ -38,17 +39,17 @@ class SUTURE_INTERFACE() Guidance {
  public:
   virtual ~Guidance() = default;
 
-  /// Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
-  /// An arm in FAULT is not enabled: whoever has removed the cause enables it.
+  /// Enables and homes arms that are not, then guides. This also works after an arm was disabled or
+  /// restarted. It does not enable an arm in FAULT: the operator who has removed the cause does.
   SUTURE_COMMAND() virtual void enable() = 0;
-  /// Stops guiding; both slaves hold.
+  /// Stops guiding. Both slaves hold.
   SUTURE_COMMAND() virtual void disable() = 0;
 
   SUTURE_COMMAND() virtual GuidanceState guidance_state() const = 0;
-  /// It is told also while the guide waits for something, as far as the knot has been seen.
+  /// Is updated even while the guide waits for something, as far as the knot has been seen.
   SUTURE_COMMAND() virtual const GuidanceProgress& progress() const = 0;
 
-  /// Each change, and the last one to whoever connects.
+  /// Reports each change, and the last one to a client that connects.
   SUTURE_EVENT(latched(), name("guidance_state"))
   suture::EventOf<GuidanceState> guidance_state_event;
 };

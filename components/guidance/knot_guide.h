@@ -1,5 +1,5 @@
 #pragma once
-// The task that lets two masters place a knot with two slaves.
+// This is the task that lets two masters place a knot with two slaves.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -29,41 +29,42 @@ namespace robots {
 
 struct SUTURE_TYPE() GuideParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Slave metres a master metre.
+  /// Is how many metres a slave moves for each metre of its master.
   SUTURE_FIELD(range(0.01, 10)) double scale = 0.4;
-  /// An arm's data that are older are not acted on: both slaves hold.
+  /// If an arm's data are older than this, both slaves hold.
   suture::Duration max_age = std::chrono::milliseconds(20);
-  /// The same for what the cameras saw: some three images.
+  /// Is the same bound for what the cameras saw: some three images.
   suture::Duration sighting_age = std::chrono::milliseconds(250);
-  /// Nor is guiding begun by a registration that was renewed longer ago, or a sighting believed
-  /// whose camera was registered so long before it. Guiding goes on by the one that it began with.
+  /// Guiding does not begin with a registration that was renewed longer ago than this, and a
+  /// sighting does not count if its camera was registered that long before it. Guiding goes on with
+  /// the registration with which it began.
   suture::Duration registration_age = std::chrono::milliseconds(250);
-  /// Pedals and presence that are older are not known: both slaves hold.
+  /// If pedals or presence are older than this, they are not known, and both slaves hold.
   suture::Duration operator_age = std::chrono::milliseconds(200);
-  /// Prepare and guide without waiting for enable().
+  /// If it is true, the guide prepares and guides without waiting for enable().
   bool enable_at_start = true;
-  /// Without, the slaves follow their masters wherever the knot is.
+  /// If it is false, the slaves follow their masters wherever the knot is.
   bool fixtures = true;
-  /// Where the knot shall be, in the scene.
+  /// Is where the knot shall be, in the scene.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d target{0, 0, -0.15};
-  /// Along which it shall come there; of any length but zero.
+  /// Is the direction in which it shall come there, of any length but zero.
   Eigen::Vector3d approach{0, 0, -1};
-  /// Radius of the corridor at the target, and by how much it widens before that.
+  /// Are the radius of the corridor at the target, and by how much it widens before that.
   SUTURE_FIELD(unit("m"), range(0.0001, 0.1)) double radius = 0.0003;
   SUTURE_FIELD(range(0, 1)) double slope = 0.3;
-  /// How fast a tip moves along each axis.
+  /// Is how fast a tip may move along each axis.
   SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.1;
-  /// How near the tips come to each other.
+  /// Is how near the tips may come to each other.
   SUTURE_FIELD(unit("m"), range(0, 0.1)) double separation = 0.01;
 };
 
-/// Each slave follows its master by the law of teleoperation (teleop/follow_law.h), in the
+/// Lets each slave follow its master by the law of teleoperation (teleop/follow_law.h), in the
 /// directions that the surgeon sees (registration/surgeon_view.h), as far as the fixtures permit
 /// (guidance/fixtures.h). If one arm's data are old, or the knot has not been seen lately, or the
-/// surgeon is not there or presses a pedal that takes the masters, both slaves hold; each time all
-/// is well again they begin anew from where they are. They also do if a slave's set-point is not
-/// where it was sent, since the fixtures are about where the tips are. A slave that would refuse
-/// its goals for ever disables the guide.
+/// surgeon is not there or presses a pedal that takes the masters, both slaves hold. Each time that
+/// none of this is so any more they begin anew from where they are. They also do if a slave's
+/// set-point is not where it was sent, because the fixtures are about where the tips are. A slave
+/// that would refuse all further goals disables the guide.
 class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public Guidance {
  public:
   /// Throws suture::SetupError for a line of approach without a direction, or a scale that is not

@@ -1,21 +1,21 @@
 #pragma once
-// The contract of a console's foot pedals.
+// This is the contract of a console's foot pedals.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
 
 namespace robots {
 
-/// What the feet do. It counts for as long as it is fresh: whoever does not hear of the pedals any
-/// more must take them for pressed.
+/// Says what the feet do. It counts only as long as it is fresh: a client that does not receive it
+/// any more must assume that all pedals are pressed.
 struct SUTURE_TYPE() PedalState {
-  /// Masters move without their slaves.
+  /// If it is true, masters move without their slaves.
   bool clutch = false;
-  /// Masters move the camera instead of their slaves.
+  /// If it is true, masters move the camera instead of their slaves.
   bool camera = false;
-  /// Energy is applied to the tissue.
+  /// If it is true, energy is applied to the tissue.
   bool coagulation = false;
-  /// The cycle that they were looked at in.
+  /// Is the cycle in which they were looked at.
   suture::Time stamp;
 };
 
@@ -26,7 +26,7 @@ class SUTURE_INTERFACE() FootPedals {
 
   SUTURE_COMMAND() virtual PedalState pedals() const = 0;
 
-  /// Pressed or released, and as it is now to whoever connects.
+  /// Reports each press and release, and the present state to a client that connects.
   SUTURE_EVENT(latched()) suture::EventOf<bool> clutch;
   SUTURE_EVENT(latched()) suture::EventOf<bool> camera;
   SUTURE_EVENT(latched()) suture::EventOf<bool> coagulation;

@@ -1,15 +1,15 @@
 #pragma once
-// The contract of what tells that a surgeon sits at the console.
+// This is the contract of a sensor that tells if a surgeon sits at the console.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
 
 namespace robots {
 
-/// A head in the viewer. It counts for as long as it is fresh.
+/// Says if a head is in the viewer. It counts only as long as it is fresh.
 struct SUTURE_TYPE() Presence {
   bool present = false;
-  /// The cycle that it was looked for in.
+  /// Is the cycle in which it was looked for.
   suture::Time stamp;
 };
 
@@ -19,7 +19,7 @@ class SUTURE_INTERFACE() OperatorPresence {
 
   SUTURE_COMMAND() virtual Presence presence() const = 0;
 
-  /// Each change, and as it is now to whoever connects.
+  /// Reports each change, and the present state to a client that connects.
   SUTURE_EVENT(latched()) suture::EventOf<bool> operator_present;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A surgeon's feet and head by a script.
+// These are a surgeon's feet and head by a script.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -15,10 +15,11 @@ namespace robots {
 
 struct SUTURE_TYPE() ScriptedPedalsParameters {
   suture::Duration period = std::chrono::milliseconds(5);
-  /// Presses the clutch so long after the start, and releases it so much later; 0: never.
+  /// The clutch is pressed this long after the start, and released this much later; 0 means never.
   suture::Duration clutch_after{};
   suture::Duration clutch_for = std::chrono::seconds(1);
-  /// Leaves the viewer so long after the start, and is back so much later; 0: never.
+  /// The surgeon leaves the viewer this long after the start, and is back this much later; 0 means
+  /// never.
   suture::Duration leave_after{};
   suture::Duration leave_for = std::chrono::seconds(1);
 };

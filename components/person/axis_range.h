@@ -6,7 +6,7 @@
 
 namespace robots {
 
-/// What an absolute axis of an input device says at its two ends. `evtest` prints it.
+/// Holds what an absolute axis of an input device says at its two ends. `evtest` prints it.
 struct SUTURE_TYPE() AxisRange {
   std::int32_t lowest = 0;
   std::int32_t highest = 0;

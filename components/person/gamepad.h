@@ -1,5 +1,5 @@
 #pragma once
-// A person drives a master by a gamepad.
+// With this a person drives a master by a gamepad.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -25,8 +25,8 @@ namespace robots {
 
 struct SUTURE_TYPE() GamepadParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// An input device, or a FIFO of its events. A name below /dev/input/by-id stays when others are
-  /// plugged in.
+  /// Is an input device, or a FIFO of its events. A name below /dev/input/by-id stays the same when
+  /// others are plugged in.
   SUTURE_FIELD(capacity(255)) std::string file = "/dev/input/event0";
   AxisRange stick{.lowest = -32768, .highest = 32767};
   AxisRange trigger{.lowest = 0, .highest = 255};
@@ -42,8 +42,8 @@ struct SUTURE_TYPE() GamepadParameters {
 };
 
 /// Moves the master as the sticks say (GamepadDecoder), as long as HeldMaster lets it. A device
-/// that is gone ends the motion; its error is told once, with the number of the system's error as
-/// its code. The left shoulder is a pedal; while there is no device it is not fresh, so nobody
+/// that is gone ends the motion; its error is reported once, with the number of the system's error
+/// as its code. The left shoulder is a pedal; while there is no device it is not fresh, so nobody
 /// teleoperates.
 class SUTURE_COMPONENT() Gamepad final : public suture::PeriodicTask, public FootPedals {
  public:

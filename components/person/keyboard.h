@@ -1,5 +1,5 @@
 #pragma once
-// A person drives a master by the keys of a terminal.
+// With this a person drives a master by the keys of a terminal.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -29,14 +29,14 @@ struct SUTURE_TYPE() KeyboardParameters {
   SUTURE_FIELD(unit("rad/s"), range(0.01, 2)) double turning_speed = 0.3;
   /// The gripper is this far open when it is not closed.
   SUTURE_FIELD(unit("rad"), range(0, 1.047)) double opening = 0.5;
-  /// The motion ends this long after the last repeat of its key. Where the terminal's first repeat
+  /// The motion ends this long after the last repeat of its key. If the terminal's first repeat
   /// comes later than this, the hand rests for a moment after the first press.
   suture::Duration hold = std::chrono::milliseconds(150);
 };
 
 /// Moves the master as the keys say (KeyMotion), as long as HeldMaster lets it; its first status
-/// says which key does what. A terminal that is gone ends the motion for good, which is told as an
-/// error; from then on its pedals are not fresh, so nobody teleoperates.
+/// says what each key does. A terminal that is gone ends the motion for good, which is reported as
+/// an error; from then on its pedals are not fresh, so nobody teleoperates.
 class SUTURE_COMPONENT() Keyboard final : public suture::PeriodicTask, public FootPedals {
  public:
   /// Throws suture::SetupError if it cannot have the terminal (terminal.h).

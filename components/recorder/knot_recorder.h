@@ -1,5 +1,5 @@
 #pragma once
-// The task that records how a knot is placed.
+// This is the task that records how a knot is placed.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -21,11 +21,12 @@ namespace robots {
 
 struct SUTURE_TYPE() KnotRecorderParameters {
   suture::Duration period = std::chrono::milliseconds(20);
-  /// Replaced at the start; one JSON line a row.
+  /// Is the file, with one JSON line for each row. It is replaced at the start.
   SUTURE_FIELD(capacity(255)) std::string file = "knot.jsonl";
 };
 
-/// Keeps one row a cycle, once there is a strand. Complete once destroyed.
+/// Records one row in each cycle, once there is a strand. The file is complete once this is
+/// destroyed.
 class SUTURE_COMPONENT() KnotRecorder final : public suture::PeriodicTask {
  public:
   /// Throws suture::SetupError if the file cannot be written.

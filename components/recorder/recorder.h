@@ -1,5 +1,5 @@
 #pragma once
-// The task that records an arm and, if connected, the teleoperation that drives it and the
+// This is the task that records an arm and, if connected, the teleoperation that drives it and the
 // emergency stop.
 
 #include <suture/annotate.h>
@@ -20,13 +20,14 @@
 namespace robots {
 
 struct SUTURE_TYPE() RecorderParameters {
-  /// At least as fast as the arm, or cycles are missed.
+  /// Must be at least as fast as the arm, or cycles are missed.
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Replaced at the start; one JSON line a record.
+  /// Is the file, with one JSON line for each record. It is replaced at the start.
   SUTURE_FIELD(capacity(255)) std::string file = "recording.jsonl";
 };
 
-/// Reads measured and commanded pose each cycle and keeps what is new. Complete once destroyed.
+/// Reads measured and commanded pose in each cycle and records what is new. The file is complete
+/// once this is destroyed.
 class SUTURE_COMPONENT() Recorder final : public suture::PeriodicTask {
  public:
   /// Throws suture::SetupError if the file cannot be written.

@@ -1,5 +1,5 @@
 #pragma once
-// The contract of a registration: where arms and cameras stand.
+// This is the contract of a registration, which says where arms and cameras stand.
 
 #include <suture/annotate.h>
 
@@ -7,18 +7,18 @@
 
 namespace robots {
 
-/// Where things are: slaves and camera in the frame of the scene, whose z points away from the
+/// Says where things are: slaves and camera in the frame of the scene, whose z points away from the
 /// tissue; masters and display in that of the console.
 struct SUTURE_TYPE() SceneFrames {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d left_base = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d right_base = Eigen::Isometry3d::Identity();
-  /// The left camera: x to the right and y downward in the image, z ahead.
+  /// Is the left camera: x to the right and y downward in the image, z ahead.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d camera = Eigen::Isometry3d::Identity();
-  /// The tissue's surface: its z.
+  /// Is the z of the tissue's surface.
   SUTURE_FIELD(unit("m")) double tissue = -0.16;
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d left_master = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d right_master = Eigen::Isometry3d::Identity();
-  /// The picture that the surgeon looks at, with the axes of the camera: x to the right and y
+  /// Is the picture that the surgeon looks at, with the axes of the camera: x to the right and y
   /// downward in it, z ahead.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d display = Eigen::Isometry3d::Identity();
 };
@@ -28,11 +28,12 @@ class SUTURE_INTERFACE() Registration {
  public:
   virtual ~Registration() = default;
 
-  /// As they were registered last; each rotation is one to 1e-6. Ask with `frames.at(stamp)` for
-  /// what an image or a pose of that stamp belongs to.
+  /// Are the frames as they were registered last; each rotation is one to 1e-6. Ask with
+  /// `frames.at(stamp)` for those to which an image or a pose of that stamp belongs.
   SUTURE_COMMAND() virtual const SceneFrames& frames() const = 0;
 
-  /// The left camera has been moved to there. Ignored, with a warning, unless its rotation is one.
+  /// Says that the left camera has been moved there. It is ignored, with a warning, unless its
+  /// rotation is one.
   SUTURE_COMMAND()
   virtual void set_camera(SUTURE_FIELD(unit("m")) const Eigen::Isometry3d& camera) = 0;
 };

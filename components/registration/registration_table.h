@@ -10,12 +10,12 @@
 
 namespace robots {
 
-/// Answers with what the deployment says, and with where the camera has been moved since; nothing
-/// here is measured. It remembers 1.28 s.
+/// Answers with what the deployment says, and with where the camera has been moved since; it
+/// measures nothing. It remembers 1.28 s.
 class SUTURE_COMPONENT() RegistrationTable final : public suture::PeriodicTask,
                                                    public Registration {
  public:
-  /// Throws suture::SetupError that names a frame whose rotation is none.
+  /// Throws suture::SetupError that names a frame whose rotation is not a rotation.
   explicit RegistrationTable(const SceneFrames& frames);
 
   const SceneFrames& frames() const override { return frames_; }

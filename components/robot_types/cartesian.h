@@ -13,51 +13,51 @@
 
 namespace robots {
 
-/// A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
+/// Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
 struct SUTURE_TYPE() Twist {
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
   suture::FrameId moving_frame = 0;
   suture::FrameId reference_frame = 0;
   suture::Time stamp;
-  /// False: do not use.
+  /// If it is false, do not use it.
   bool valid = false;
 };
 
-/// A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
+/// Is a velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
 struct SUTURE_TYPE() TwistGoal {
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("m/s2")) Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s2")) Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();
-  /// Which of x, y, z and the rotations about them count.
+  /// Says which of x, y, z and the rotations about them count.
   std::array<bool, 6> mask = {true, true, true, true, true, true};
   suture::Time stamp;
 };
 
-/// Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
+/// Is force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
 struct SUTURE_TYPE() Wrench {
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-  /// Which components are known.
+  /// Says which components are known.
   std::array<bool, 6> mask = {true, true, true, true, true, true};
   suture::FrameId moving_frame = 0;
   suture::FrameId reference_frame = 0;
   suture::Time stamp;
-  /// False: do not use.
+  /// If it is false, do not use it.
   bool valid = false;
 };
 
-/// Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
+/// Is force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
 struct SUTURE_TYPE() WrenchGoal {
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-  /// Which components count.
+  /// Says which components count.
   std::array<bool, 6> mask = {true, true, true, true, true, true};
   suture::Time stamp;
 };
 
-/// Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
+/// Is pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
 struct SUTURE_TYPE() CartesianState {
   suture::FrameId moving_frame = 0;
   suture::FrameId reference_frame = 0;
@@ -72,14 +72,14 @@ struct SUTURE_TYPE() CartesianState {
   suture::Time stamp;
 };
 
-/// A pose to reach, with how to get there: prmPositionCartesianSet.
+/// Is a pose to reach, and how to get there: prmPositionCartesianSet.
 struct SUTURE_TYPE() CartesianGoal {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d goal = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("m/s2")) Eigen::Vector3d linear_acceleration = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s2")) Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();
-  /// Whether position and orientation count.
+  /// Says if position and orientation count.
   std::array<bool, 2> mask = {true, true};
   suture::FrameId moving_frame = 0;
   suture::FrameId reference_frame = 0;
@@ -87,7 +87,7 @@ struct SUTURE_TYPE() CartesianGoal {
   bool valid = false;
 };
 
-/// What an axis of a mixed servo command follows.
+/// Says what an axis of a mixed servo command follows.
 enum class SUTURE_TYPE() ServoMode : std::uint8_t {
   None = 0,
   Position = 1,
@@ -99,21 +99,21 @@ enum class SUTURE_TYPE() ServoMode : std::uint8_t {
   All = 7,
 };
 
-/// Position, velocity and effort in one servo command: prmServoCartesian.
+/// Has position, velocity and effort in one servo command: prmServoCartesian.
 struct SUTURE_TYPE() ServoCartesian {
-  /// The axes below are those of this frame, in the base frame.
+  /// Is the frame, in the base frame, whose axes are used below.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d task_frame = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d position = Eigen::Isometry3d::Identity();
   SUTURE_FIELD(unit("m/s")) Eigen::Vector3d linear_velocity = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("rad/s")) Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N")) Eigen::Vector3d force = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m")) Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-  /// The modes of x, y, z and the rotations about them, in this order.
+  /// Are the modes of x, y, z and the rotations about them, in this order.
   std::array<ServoMode, 6> axis_mode{};
   suture::Time stamp;
 };
 
-/// How stiffly one side of an axis holds: force = p * distance + d * speed + bias beyond the
+/// Says how stiffly one side of an axis holds: force = p * distance + d * speed + bias beyond the
 /// deadband.
 struct SUTURE_TYPE() HalfPlaneGains {
   SUTURE_FIELD(unit("N/m")) Eigen::Vector3d p = Eigen::Vector3d::Zero();
@@ -122,7 +122,7 @@ struct SUTURE_TYPE() HalfPlaneGains {
   SUTURE_FIELD(unit("m")) Eigen::Vector3d deadband = Eigen::Vector3d::Zero();
 };
 
-/// The same about an axis.
+/// Is the same about an axis.
 struct SUTURE_TYPE() AngularHalfPlaneGains {
   SUTURE_FIELD(unit("N.m/rad")) Eigen::Vector3d p = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("N.m.s/rad")) Eigen::Vector3d d = Eigen::Vector3d::Zero();
@@ -130,13 +130,13 @@ struct SUTURE_TYPE() AngularHalfPlaneGains {
   SUTURE_FIELD(unit("rad")) Eigen::Vector3d deadband = Eigen::Vector3d::Zero();
 };
 
-/// A spring that holds the tool tip, per axis and side: prmCartesianImpedance.
+/// Is a spring that holds the tool tip, per axis and side: prmCartesianImpedance.
 struct SUTURE_TYPE() CartesianImpedance {
-  /// The axes along which the forces act.
+  /// Holds the axes along which the forces act.
   Eigen::Matrix3d force_orientation = Eigen::Matrix3d::Identity();
-  /// Where the springs rest.
+  /// Is where the springs rest.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d force_position = Eigen::Vector3d::Zero();
-  /// The axes about which the torques act.
+  /// Holds the axes about which the torques act.
   Eigen::Matrix3d torque_orientation = Eigen::Matrix3d::Identity();
   HalfPlaneGains position_positive, position_negative;
   AngularHalfPlaneGains orientation_positive, orientation_negative;

@@ -16,7 +16,7 @@ namespace robots {
 /// prmPositionJointGet.
 struct SUTURE_TYPE() JointPosition {
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
-  /// When each joint was read.
+  /// Say when each joint was read.
   SUTURE_FIELD(capacity(8)) std::vector<suture::Time> stamps;
   suture::Time stamp;
   bool valid = false;
@@ -25,13 +25,13 @@ struct SUTURE_TYPE() JointPosition {
 /// prmPositionJointSet.
 struct SUTURE_TYPE() JointPositionGoal {
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> goal;
-  /// Optional.
+  /// Is optional.
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
-  /// Optional.
+  /// Is optional.
   SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> acceleration;
-  /// 0: none.
+  /// Has no limit if it is 0.
   suture::Duration time_limit{0};
-  /// All joints arrive together.
+  /// If it is true, all joints arrive together.
   bool is_coordinated = true;
   suture::Time stamp;
 };
@@ -46,13 +46,13 @@ struct SUTURE_TYPE() JointVelocity {
 /// CRTK's servo_jv: prmVelocityJointSet.
 struct SUTURE_TYPE() JointVelocityGoal {
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> goal;
-  /// Optional.
+  /// Is optional.
   SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> acceleration;
-  /// Optional.
+  /// Is optional.
   SUTURE_FIELD(capacity(8), unit("rad/s2")) std::vector<double> deceleration;
-  /// Optional: the positions not to pass.
+  /// Is optional: the positions not to pass.
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> guard;
-  /// Optional: which joints count; empty: all.
+  /// Is optional, and says which joints count; if it is empty, all do.
   SUTURE_FIELD(capacity(8)) std::vector<bool> mask;
   suture::Time stamp;
 };
@@ -60,7 +60,7 @@ struct SUTURE_TYPE() JointVelocityGoal {
 /// CRTK's servo_jf: prmForceTorqueJointSet.
 struct SUTURE_TYPE() JointEffortGoal {
   SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort;
-  /// Optional: which joints count; empty: all.
+  /// Is optional, and says which joints count; if it is empty, all do.
   SUTURE_FIELD(capacity(8)) std::vector<bool> mask;
   suture::Time stamp;
 };
@@ -74,7 +74,7 @@ enum class SUTURE_TYPE() JointType : std::uint8_t {
   Inactive,
 };
 
-/// What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.
+/// Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.
 struct SUTURE_TYPE() JointConfiguration {
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
   SUTURE_FIELD(capacity(8)) std::vector<JointType> type;
@@ -89,20 +89,20 @@ struct SUTURE_TYPE() JointConfiguration {
   bool valid = false;
 };
 
-/// Position, velocity and effort in one servo command: prmServoJoint.
+/// Has position, velocity and effort in one servo command: prmServoJoint.
 struct SUTURE_TYPE() ServoJoint {
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
-  /// Bits of each joint: 1 position, 2 velocity, 4 effort.
+  /// Has these bits for each joint: 1 position, 2 velocity, 4 effort.
   SUTURE_FIELD(capacity(8)) std::vector<std::uint16_t> mode;
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
   SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort;
-  /// Row-major, joints x joints: what position control may act on.
+  /// Says what position control may act on; row-major, joints x joints.
   SUTURE_FIELD(capacity(64)) std::vector<double> position_projection;
   suture::Time stamp;
 };
 
-/// What turns actuators into joints and back, joints x actuators, row-major:
+/// Turns actuators into joints and back, joints x actuators, row-major:
 /// prmActuatorJointCoupling.
 struct SUTURE_TYPE() ActuatorJointCoupling {
   std::uint32_t joints = 0;
@@ -113,7 +113,7 @@ struct SUTURE_TYPE() ActuatorJointCoupling {
   SUTURE_FIELD(capacity(64)) std::vector<double> joint_to_actuator_effort;
 };
 
-/// 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
+/// Is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
 struct SUTURE_TYPE() Jacobian {
   std::uint32_t joints = 0;
   SUTURE_FIELD(capacity(48)) std::vector<double> coefficients;

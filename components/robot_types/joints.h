@@ -12,34 +12,35 @@
 
 namespace robots {
 
-/// No arm here has more joints.
+/// Is the most joints that an arm has here.
 constexpr std::uint32_t kMaxJoints = 8;
 
-/// The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is
-/// empty where its quantity is not known, and as long as `name` otherwise.
+/// Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list
+/// is empty if its quantity is not known, and as long as `name` otherwise.
 struct SUTURE_TYPE() JointState {
   SUTURE_FIELD(capacity(8, 15)) std::vector<std::string> name;
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
   SUTURE_FIELD(capacity(8), unit("rad/s")) std::vector<double> velocity;
   SUTURE_FIELD(capacity(8), unit("N.m")) std::vector<double> effort;
   suture::Time stamp;
-  /// False: do not use.
+  /// If it is false, do not use the state.
   bool valid = false;
 };
 
-/// Where joints shall go: CRTK's servo_jp and move_jp.
+/// Says where joints shall go: CRTK's servo_jp and move_jp.
 struct SUTURE_TYPE() JointGoal {
-  /// One entry a joint, in chain order.
+  /// Has one entry for each joint, in chain order.
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> position;
   suture::Time stamp;
 };
 
-/// A joint vector that an arm computed, without heap so that a control loop may return it.
+/// Is a joint vector that an arm computed, without heap so that a control loop may return it.
 struct SUTURE_TYPE() JointSolution {
   /// The first `joints` entries count.
   SUTURE_FIELD(unit("rad")) std::array<double, kMaxJoints> position{};
   std::uint32_t joints = 0;
-  /// False: no joint vector within limits reaches the pose; `position` is the nearest one found.
+  /// If it is false, no joint vector within limits reaches the pose, and `position` is the nearest
+  /// one found.
   bool found = false;
 };
 

@@ -18,20 +18,20 @@ struct SUTURE_TYPE() ForwardKinematicsRequest {
 struct SUTURE_TYPE() ForwardKinematicsResponse {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d cp = Eigen::Isometry3d::Identity();
   bool result = false;
-  /// Why not; empty when `result`.
+  /// Says why there is no answer; empty when `result`.
   SUTURE_FIELD(capacity(63)) std::string message;
 };
 
 struct SUTURE_TYPE() InverseKinematicsRequest {
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d cp = Eigen::Isometry3d::Identity();
-  /// Where the search begins.
+  /// Is where the search begins.
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> jp;
 };
 
 struct SUTURE_TYPE() InverseKinematicsResponse {
   SUTURE_FIELD(capacity(8), unit("rad")) std::vector<double> jp;
   bool result = false;
-  /// Why not; empty when `result`.
+  /// Says why there is no answer; empty when `result`.
   SUTURE_FIELD(capacity(63)) std::string message;
 };
 

@@ -10,7 +10,7 @@
 
 namespace robots {
 
-/// How regularly a task ran, over its last window.
+/// Says how regularly a task ran, over its last window.
 struct SUTURE_TYPE() IntervalStatistics {
   SUTURE_FIELD(unit("s")) double period_average = 0;
   SUTURE_FIELD(unit("s")) double period_deviation = 0;

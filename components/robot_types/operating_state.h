@@ -9,18 +9,18 @@
 
 namespace robots {
 
-/// The states of CRTK.
+/// Are the states of CRTK.
 enum class SUTURE_TYPE() ArmState : std::uint8_t { Undefined, Disabled, Enabled, Paused, Fault };
 
-/// CRTK's operating_state.
+/// Is CRTK's operating_state.
 struct SUTURE_TYPE() OperatingState {
   ArmState state = ArmState::Undefined;
-  /// What the arm is doing within its state, for people: "holding", "servo_cp".
+  /// Says for people what the arm is doing within its state: "holding", "servo_cp".
   SUTURE_FIELD(capacity(15)) std::string sub_state;
   bool is_homed = false;
-  /// A move is under way; servo commands do not set it.
+  /// Is true while a move is under way; servo commands do not set it.
   bool is_busy = false;
-  /// When the arm entered this state.
+  /// Is when the arm entered this state.
   suture::Time stamp;
 };
 

@@ -11,29 +11,30 @@
 
 namespace robots {
 
-/// A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
+/// Is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
 struct SUTURE_TYPE() PoseStamped {
-  /// The moving frame of the interface in its reference frame.
+  /// Is the moving frame of the interface in its reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  /// When the pose was true; of a set-point, the stamp of the data it was made from.
+  /// Is when the pose was true; for a set-point it is the stamp of the data from which it was made.
   suture::Time stamp;
-  /// False: do not use.
+  /// If it is false, do not use it.
   bool valid = false;
 };
 
-/// Where one frame is in another, for whoever cannot know from the interface which they are.
+/// Says where one frame is in another, for a reader that cannot know from the interface which they
+/// are.
 struct SUTURE_TYPE() TransformStamped {
-  /// The moving frame in the reference frame.
+  /// Is the moving frame in the reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d transform = Eigen::Isometry3d::Identity();
-  /// suture::frameId() of their names; 0: not named.
+  /// Are suture::frameId() of their names; 0 means not named.
   suture::FrameId reference_frame = 0;
   suture::FrameId moving_frame = 0;
   suture::Time stamp;
-  /// False: do not use.
+  /// If it is false, do not use it.
   bool valid = false;
 };
 
-/// The pose of the latency figures: 120 bytes and no strings.
+/// Is the pose of the latency measurements: 120 bytes and no strings.
 struct SUTURE_TYPE() PoseSample {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   SUTURE_FIELD(unit("m")) Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -43,16 +44,16 @@ struct SUTURE_TYPE() PoseSample {
 };
 static_assert(sizeof(PoseSample) == 120);
 
-/// The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
+/// Has the fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
 /// measurements.
 struct SUTURE_TYPE() PosePrm {
   suture::Time timestamp;
-  /// Whether the provider stamps the data itself.
+  /// Is true if the provider stamps the data itself.
   bool automatic_timestamp = true;
   bool valid = false;
   SUTURE_FIELD(capacity(15)) std::string moving_frame;
   SUTURE_FIELD(capacity(15)) std::string reference_frame;
-  /// The moving frame in the reference frame.
+  /// Is the moving frame in the reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d position = Eigen::Isometry3d::Identity();
 };
 

@@ -6,7 +6,7 @@
 
 namespace robots {
 
-/// Which of two, as the surgeon at the console sees them.
+/// Says which of two it is, as the surgeon at the console sees them.
 enum class SUTURE_TYPE() Side : std::uint8_t { Left, Right };
 
 }  // namespace robots

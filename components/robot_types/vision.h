@@ -13,7 +13,7 @@
 
 namespace robots {
 
-/// The poses of several tools at once: prmPositionCartesianArrayGet.
+/// Has the poses of several tools at once: prmPositionCartesianArrayGet.
 struct SUTURE_TYPE() PoseArray {
   SUTURE_FIELD(capacity(15)) std::string reference_frame;
   SUTURE_FIELD(capacity(16, 15)) std::vector<std::string> moving_frames;
@@ -28,7 +28,7 @@ struct SUTURE_TYPE() ImageFrame {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::uint32_t channels = 0;
-  /// Row by row, channels interleaved, 8 bits each.
+  /// Goes row by row, channels interleaved, 8 bits each.
   SUTURE_FIELD(capacity(2097152)) std::vector<std::uint8_t> data;
   suture::Time stamp;
   bool valid = false;
@@ -38,24 +38,24 @@ struct SUTURE_TYPE() ImageFrame {
 struct SUTURE_TYPE() CameraInfo {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  /// k1, k2, p1, p2, k3 (Brown and Conrady).
+  /// Is k1, k2, p1, p2, k3 (Brown and Conrady).
   std::array<double, 5> distortion{};
   SUTURE_FIELD(unit("px")) Eigen::Matrix3d intrinsic = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d rectification = Eigen::Matrix3d::Identity();
-  /// 3 x 4, of the rectified image.
+  /// Is 3 x 4, of the rectified image.
   Eigen::Matrix<double, 3, 4> projection = Eigen::Matrix<double, 3, 4>::Zero();
   suture::Time stamp;
   bool valid = false;
 };
 
-/// A cloud of coloured points: prmDepthMap.
+/// Is a cloud of coloured points: prmDepthMap.
 struct SUTURE_TYPE() DepthMap {
   SUTURE_FIELD(capacity(15)) std::string reference_frame;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  /// x, y, z of each point.
+  /// Has x, y, z of each point.
   SUTURE_FIELD(capacity(196608), unit("m")) std::vector<float> points;
-  /// Red, green, blue of each point.
+  /// Has red, green, blue of each point.
   SUTURE_FIELD(capacity(196608)) std::vector<std::uint8_t> color;
   suture::Time stamp;
   bool valid = false;

@@ -1,5 +1,5 @@
 #pragma once
-// The task that simulates the strand between two arms' tips.
+// This is the task that simulates the strand between two arms' tips.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -20,15 +20,15 @@ namespace robots {
 struct SUTURE_TYPE() StrandParameters {
   suture::Duration period = std::chrono::milliseconds(1);
   SUTURE_FIELD(unit("m"), range(0.02, 1)) double length = 0.11;
-  /// Coefficient of friction of strand on strand.
+  /// Is the coefficient of friction of strand on strand.
   SUTURE_FIELD(range(0, 1)) double friction = 0.15;
-  /// How far the strand winds about itself in the knot.
+  /// Is how far the strand winds about itself in the knot.
   SUTURE_FIELD(unit("rad"), range(0, 100)) double wrap = 9.42;
 };
 
-/// Each arm holds one end of the strand in its tip. Begins once both arms and the registration
-/// answer and the tips are a millimetre apart, with the strand straight between them; they must not
-/// be farther apart than its length, or it stretches.
+/// Simulates a strand of which each arm holds one end in its tip. It begins once both arms and the
+/// registration answer and the tips are a millimetre apart, with the strand straight between them;
+/// they must not be farther apart than its length, or it stretches.
 class SUTURE_COMPONENT() StrandSimulation final : public suture::PeriodicTask, public StrandView {
  public:
   explicit StrandSimulation(const StrandParameters& parameters);

@@ -1,5 +1,6 @@
 #pragma once
-// The contract of a simulated strand: the truth, for cameras that draw it and judges.
+// This is the contract of a simulated strand. It shows the truth, for cameras that draw it and for
+// judges.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -9,15 +10,16 @@
 namespace robots {
 
 struct SUTURE_TYPE() StrandState {
-  /// From the left tip over the knot, the middle column, to the right tip; in the scene's frame.
+  /// Go from the left tip over the knot, which is the middle column, to the right tip, in the
+  /// scene's frame.
   SUTURE_FIELD(unit("m")) Eigen::Matrix<double, 3, 61> nodes = Eigen::Matrix<double, 3, 61>::Zero();
-  /// Strand between the left tip and the knot.
+  /// Is the length of the strand between the left tip and the knot.
   SUTURE_FIELD(unit("m")) double left_length = 0;
   /// The tensions pull at the links beside the knot, from either side.
   SUTURE_FIELD(unit("N")) double left_tension = 0;
   SUTURE_FIELD(unit("N")) double right_tension = 0;
   suture::Time stamp;
-  /// False before both tips are known, and apart from each other.
+  /// Is false before both tips are known, and apart from each other.
   bool valid = false;
 };
 
@@ -25,7 +27,7 @@ class SUTURE_INTERFACE() StrandView {
  public:
   virtual ~StrandView() = default;
 
-  /// As it is at the end of the simulation's last cycle, which is its stamp.
+  /// Is the strand as it is at the end of the simulation's last cycle, which is its stamp.
   SUTURE_COMMAND() virtual const StrandState& strand() const = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A scripted surgeon who carries a knot with both hands.
+// This is a scripted surgeon who carries a knot with both hands.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -19,11 +19,11 @@ namespace robots {
 
 struct SUTURE_TYPE() KnotSurgeonParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Where both hands go from where they first are, in the masters' base frames.
+  /// Is where both hands go from where they first are, in the masters' base frames.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d carry{0, 0, -0.04};
-  /// How long that takes, and after each interruption what is left of it.
+  /// Is how long that takes, and after each interruption what is left of it.
   SUTURE_FIELD(unit("s"), range(0.1, 100)) double duration = 4;
-  /// How far the hands sway to the side meanwhile and afterwards, and how often.
+  /// Are how far the hands sway to the side meanwhile and afterwards, and how often.
   SUTURE_FIELD(unit("m"), range(0, 0.05)) double sway = 0.005;
   SUTURE_FIELD(unit("Hz"), range(0, 10)) double sway_frequency = 0.5;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// An operator who looks at the picture, and carries a knot to its target with both hands.
+// This is an operator who looks at the picture, and carries a knot to its target with both hands.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -31,32 +31,33 @@ enum class SUTURE_TYPE() ForceFeedback : std::uint8_t {
 
 struct SUTURE_TYPE() OperatorParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Where the knot shall be, in the scene.
+  /// Is where the knot shall be, in the scene.
   SUTURE_FIELD(unit("m")) Eigen::Vector3d target{0, 0, -0.15};
-  /// How far the knot moves for a metre of both hands: the scale of the guide, to which operators
-  /// adapt themselves.
+  /// Is how far the knot moves for a metre of both hands: the scale of the guide, to which
+  /// operators adapt themselves.
   SUTURE_FIELD(range(0.01, 10)) double scale = 0.4;
-  /// McRuer's model has this and the next three (surgeon/crossover_model.h).
+  /// This and the next three are those of McRuer's model (surgeon/crossover_model.h).
   SUTURE_FIELD(unit("rad/s"), range(0.1, 20)) double crossover_frequency = 3;
-  /// From seeing to moving; not below zero.
+  /// Is the time from seeing to moving; not below zero.
   suture::Duration delay = std::chrono::milliseconds(200);
-  /// The noise in what is seen: power in each rad/s by the power of the error.
+  /// Is the noise in what is seen: its power in each rad/s divided by the power of the error.
   SUTURE_FIELD(range(0, 1)) double remnant = 0.01;
   /// Equal seeds and pictures give equal noise and tremor.
   std::uint32_t seed = 1;
-  /// The root mean square of each hand's tremor (hand/tremor.h).
+  /// Is the root mean square of each hand's tremor (hand/tremor.h).
   SUTURE_FIELD(unit("m"), range(0, 0.002)) double tremor = 1e-4;
   /// The hands go no faster, whatever the error: our own estimate of careful work.
   SUTURE_FIELD(unit("m/s"), range(0.001, 1)) double speed = 0.2;
   /// The operator does not act on a picture that was exposed longer ago, nor if its camera was
   /// registered so long before it.
   suture::Duration picture_age = std::chrono::seconds(1);
-  /// What the hands feel of the slaves.
+  /// Says what the hands feel of the slaves.
   ForceFeedback force_feedback = ForceFeedback::None;
-  /// How stiffly, and how much damped, each master is drawn to where its slave is known to be.
+  /// Are how stiffly, and how much damped, each master is drawn to where its slave is known to be.
   SUTURE_FIELD(unit("N/m"), range(0, 5000)) double stiffness = 300;
   SUTURE_FIELD(unit("N.s/m"), range(0, 100)) double damping = 3;
-  /// With the passivity controller; without, hands may get more energy than they gave.
+  /// If it is true, the passivity controller works; without it, hands may get more energy than they
+  /// gave.
   bool passive = true;
   /// A slave that was measured longer ago is not felt.
   suture::Duration slave_age = std::chrono::milliseconds(300);
@@ -66,14 +67,14 @@ struct SUTURE_TYPE() OperatorParameters {
 /// late that comes, leads both hands as the crossover model says. They move as it looks at the
 /// console (registration/surgeon_view.h), whatever way masters, camera and slaves are turned.
 ///
-/// A picture that is lost, not valid or too old is no error to reduce: the hands come to rest once
+/// A picture that is lost, not valid or too old counts as no error: the hands come to rest once
 /// that has passed the operator's own delay, and hold. They also hold while the guide does not
 /// guide. Each time they begin from where the masters are.
 ///
 /// With force feedback the motors of both masters are simulated here, with the hands that they
-/// push: the simulated arms go where they are sent, and take no force beside (README.md). What a
-/// hand feels is where its slave is, by what the link has brought of that, against where it leads
-/// it.
+/// push, because the simulated arms go where they are sent, and take no force in addition
+/// (README.md). A hand feels where its slave is, as far as the link has brought that, against where
+/// it leads it.
 class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
  public:
   explicit Operator(const OperatorParameters& parameters);

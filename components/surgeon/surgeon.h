@@ -1,5 +1,5 @@
 #pragma once
-// A scripted surgeon: what moves a simulated master.
+// This is a scripted surgeon, which moves a simulated master.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -20,20 +20,20 @@ namespace robots {
 
 struct SUTURE_TYPE() SurgeonParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// How far the hand swings along its widest axis.
+  /// Is how far the hand swings along its widest axis.
   SUTURE_FIELD(unit("m"), range(0, 0.2)) double amplitude = 0.1;
-  /// How far it turns about its widest axis.
+  /// Is how far it turns about its widest axis.
   SUTURE_FIELD(unit("rad"), range(0, 1)) double turn = 0.3;
   SUTURE_FIELD(unit("Hz"), range(0.001, 10)) double frequency = 0.3;
-  /// How far the fingers open the gripper, as often as the hand swings.
+  /// Is how far the fingers open the gripper, as often as the hand swings.
   SUTURE_FIELD(unit("rad"), range(0, 1.047)) double opening = 0.5;
-  /// How long it takes to reach the full swing.
+  /// Is how long it takes to reach the full swing.
   SUTURE_FIELD(unit("s"), range(0.1, 100)) double ramp = 1.0;
 };
 
-/// Drives the arm it is connected to along a smooth path around where it first found it, from the
-/// moment the arm is ready; whenever it has not been, or the task was held up, it sets out anew
-/// from rest, where the arm is by then. Connected to a teleoperation it moves only while that
+/// Drives the arm to which it is connected along a smooth path around where it first found it, from
+/// the moment the arm is ready. Whenever the arm was not ready, or the task was delayed, it starts
+/// anew from rest, where the arm is by then. Connected to a teleoperation it moves only while that
 /// follows; connected to a hand, it opens and closes the gripper meanwhile.
 class SUTURE_COMPONENT() Surgeon final : public suture::PeriodicTask {
  public:

@@ -1,5 +1,5 @@
 #pragma once
-// The teleoperation task: one master drives one slave.
+// This is the teleoperation task, in which one master drives one slave.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -30,46 +30,45 @@ namespace robots {
 
 struct SUTURE_TYPE() TeleopParameters {
   suture::Duration period = std::chrono::milliseconds(1);
-  /// Slave metres a master metre.
+  /// Is how many metres the slave moves for each metre of the master.
   SUTURE_FIELD(range(0.01, 10)) double scale = 0.2;
-  /// Data older than this are not acted on: following ends, and begins anew when they are fresh
-  /// again.
+  /// With data older than this following ends, and begins anew when they are fresh again.
   suture::Duration max_age = std::chrono::milliseconds(20);
-  /// Prepare and follow without waiting for enable().
+  /// If it is true, the task prepares and follows without waiting for enable().
   bool enable_at_start = true;
-  /// Turn the master to the orientation of the slave before that follows. Without, what is between
-  /// them stays.
+  /// If it is true, the master is turned to the orientation of the slave before the slave follows.
+  /// If not, the difference between them stays.
   bool align = true;
-  /// A difference so small counts as none: it stays.
+  /// A difference of at most this counts as none, and stays.
   SUTURE_FIELD(unit("rad"), range(0.001, 1)) double alignment_tolerance = 0.087;
-  /// Arms that are not ready, or a master that is not aligned, after so long: the teleoperation
-  /// is disabled. 0: it waits for ever.
+  /// If the arms are not ready, or the master is not aligned, after this time, the teleoperation is
+  /// disabled. With 0 it waits for ever.
   suture::Duration preparation_limit = std::chrono::seconds(60);
-  /// Pedals and presence that are older are not known, which ends following.
+  /// If pedals or presence are older than this, they are not known, which ends following.
   suture::Duration operator_age = std::chrono::milliseconds(200);
-  /// Following is not begun by a registration that was renewed longer ago. It goes on by the one
-  /// that it began with.
+  /// Following does not begin with a registration that was renewed longer ago than this. It goes on
+  /// with the one with which it began.
   suture::Duration registration_age = std::chrono::milliseconds(250);
-  /// Jaw radians a gripper radian, and the jaw with the gripper at 0: 60 degrees of the gripper are
-  /// the 80 of the jaw.
+  /// Are the radians of the jaw for each radian of the gripper, and the angle of the jaw with the
+  /// gripper at 0: 60 degrees of the gripper are the 80 of the jaw.
   SUTURE_FIELD(range(0.01, 10)) double jaw_scale = 1.3333;
   SUTURE_FIELD(unit("rad"), range(-2, 2)) double jaw_offset = 0;
-  /// How fast the jaw follows, and how fast it goes to where the gripper is before that.
+  /// Are how fast the jaw follows, and how fast it goes to where the gripper is before that.
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_rate = 12.566;
   SUTURE_FIELD(unit("rad/s"), range(0.01, 50)) double jaw_ghost_rate = 0.6283;
-  /// So near to that it follows.
+  /// When the jaw is this near to where the gripper is, it follows.
   SUTURE_FIELD(unit("rad"), range(0.001, 1)) double jaw_tolerance = 0.0349;
-  /// Which arms of the registration these are.
+  /// Say which arms of the registration these are.
   Side master_side = Side::Left;
   Side slave_side = Side::Left;
 };
 
-/// Knows contracts, and nothing of where arms and console are. Follows only while both arms are
-/// enabled, homed and not busy, both arms' data are fresh, and the surgeon is there without a foot
-/// on a pedal that takes the master; each time that becomes true, or it was itself kept from
-/// looking for longer than max_age, it aligns the master and takes new anchors, so the slave never
-/// jumps. With a registration, directions are those that the surgeon sees. With a gripper and a
-/// jaw, that follows too (jaw_law.h).
+/// Knows only contracts, and nothing of where arms and console are. It follows only while both arms
+/// are enabled, homed and not busy, both arms' data are fresh, and the surgeon is there without a
+/// foot on a pedal that takes the master. Each time that this becomes true, or the task itself
+/// could not look for longer than max_age, it aligns the master and takes new anchors, so the slave
+/// never jumps. With a registration, directions are those that the surgeon sees. With a gripper and
+/// a jaw, the jaw follows too (jaw_law.h).
 class SUTURE_COMPONENT() Teleop final : public suture::PeriodicTask, public Teleoperation {
  public:
   /// Throws suture::SetupError for a scale that is not above zero.

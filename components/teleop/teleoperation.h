@@ -1,5 +1,6 @@
 #pragma once
-// The contract of a teleoperation task: switching it, setting it, and what it is doing.
+// This is the contract of a teleoperation task, by which clients switch it, set it, and see what it
+// is doing.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -9,22 +10,22 @@
 
 namespace robots {
 
-/// Where following began: with it and the master's poses, anyone can compute what the slave should
-/// do.
+/// Says where following began: with this and the master's poses, anyone can compute what the slave
+/// should do.
 struct SUTURE_TYPE() FollowAnchors {
-  /// Stamp of the first master pose that was followed.
+  /// Is the stamp of the first master pose that was followed.
   suture::Time master_stamp;
-  /// The master's measured pose at that stamp, in the master's reference frame.
+  /// Is the master's measured pose at that stamp, in the master's reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d master = Eigen::Isometry3d::Identity();
-  /// The slave's set-point at entry, in the slave's reference frame.
+  /// Is the slave's set-point at entry, in the slave's reference frame.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d slave_setpoint = Eigen::Isometry3d::Identity();
-  /// Slave metres a master metre.
+  /// Is how many metres the slave moves for each metre of the master.
   double scale = 0;
-  /// How many times following began, this one included; 0: never. A change of what it follows by
-  /// counts too, and does not move the slave.
+  /// Is how many times following began, including this one; 0 if it never did. A change of the
+  /// settings counts too, and does not move the slave.
   std::uint64_t entry = 0;
-  /// From directions of the master's reference frame to those of the slave's that look the same to
-  /// the surgeon.
+  /// Rotates directions of the master's reference frame to those of the slave's that look the same
+  /// to the surgeon.
   Eigen::Matrix3d view = Eigen::Matrix3d::Identity();
   bool rotation_locked = false;
   bool translation_locked = false;
@@ -39,9 +40,9 @@ enum class SUTURE_TYPE() TeleopState : std::uint8_t {
              ///< the surgeon's to move
 };
 
-/// What the slave follows by.
+/// Holds the settings by which the slave follows.
 struct SUTURE_TYPE() TeleopSettings {
-  /// Slave metres a master metre.
+  /// Is how many metres the slave moves for each metre of the master.
   double scale = 0;
   bool rotation_locked = false;
   bool translation_locked = false;
@@ -53,28 +54,29 @@ class SUTURE_INTERFACE() Teleoperation {
  public:
   virtual ~Teleoperation() = default;
 
-  /// Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has
-  /// removed the cause enables it.
+  /// Enables and homes arms that are not, then follows. It does not enable an arm in FAULT: the
+  /// operator who has removed the cause does.
   SUTURE_COMMAND() virtual void enable() = 0;
-  /// Stops following; the slave holds.
+  /// Stops following. The slave holds.
   SUTURE_COMMAND() virtual void disable() = 0;
 
   SUTURE_COMMAND()
   virtual void set_scale(SUTURE_FIELD(range(0.01, 10)) double scale) = 0;
-  /// The slave keeps its orientation. Unlocked, the master is aligned anew before following.
+  /// Makes the slave keep its orientation. When it is unlocked, the master is aligned anew before
+  /// the slave follows.
   SUTURE_COMMAND() virtual void lock_rotation(bool lock) = 0;
-  /// The slave keeps its position.
+  /// Makes the slave keep its position.
   SUTURE_COMMAND() virtual void lock_translation(bool lock) = 0;
 
   SUTURE_COMMAND() virtual TeleopState teleop_state() const = 0;
-  /// The anchors of the present or last time of following.
+  /// Are the anchors of the present or last time of following.
   SUTURE_COMMAND() virtual FollowAnchors anchors() const = 0;
   SUTURE_COMMAND() virtual TeleopSettings settings() const = 0;
 
   SUTURE_EVENT(latched(), name("teleop_state")) suture::EventOf<TeleopState> teleop_state_event;
-  /// Following begins, or goes on by other settings.
+  /// Reports that following begins, or goes on with other settings.
   SUTURE_EVENT(latched()) suture::EventOf<FollowAnchors> followed;
-  /// Each change, and the last one to whoever connects.
+  /// Reports each change, and the last one to a client that connects.
   SUTURE_EVENT(latched(), name("settings")) suture::EventOf<TeleopSettings> settings_event;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The task that finds the knot and both tips in a stereo endoscope's images.
+// This is the task that finds the knot and both tips in a stereo endoscope's images.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -19,17 +19,18 @@
 namespace robots {
 
 struct SUTURE_TYPE() TrackerParameters {
-  /// As often it looks for new images, and publishes poses.
+  /// Is how often it looks for new images, and publishes poses.
   suture::Duration period = std::chrono::milliseconds(20);
-  /// What was seen longer ago is no pose any more: some three images.
+  /// A pose is not valid if it was seen longer ago than this: some three images.
   suture::Duration max_age = std::chrono::milliseconds(250);
-  /// How fast the velocity of what it follows changes, our own figure: that of a careful hand.
+  /// Is how fast the velocity of what it follows changes. This is our own number: that of a careful
+  /// hand.
   SUTURE_FIELD(unit("m/s2"), range(0.001, 100)) double acceleration = 0.1;
 };
 
-/// Knows the images, and nothing else of the scene. Its sighting is what the last pair showed, as
-/// it was then; the poses are filtered and of the present. It runs under the default scheduler, in
-/// one thread, and OpenCV allocates.
+/// Knows only the images of the scene. Its sighting is what the last pair showed, as it was then;
+/// the poses are filtered and of the present. It runs under the default scheduler, in one thread,
+/// and OpenCV allocates.
 class SUTURE_COMPONENT() KnotTracker final : public suture::PeriodicTask, public KnotVision {
  public:
   explicit KnotTracker(const TrackerParameters& parameters);

@@ -1,5 +1,5 @@
 #pragma once
-// The contract of the vision system: where the knot and both tips are.
+// This is the contract of the vision system, which says where the knot and both tips are.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -8,14 +8,14 @@
 
 namespace robots {
 
-/// In the frame of the left camera: x to the right and y downward in the image, z ahead.
+/// Is in the frame of the left camera: x to the right and y downward in the image, z ahead.
 struct SUTURE_TYPE() KnotSighting {
   SUTURE_FIELD(unit("m")) Eigen::Vector3d knot = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("m")) Eigen::Vector3d left_tip = Eigen::Vector3d::Zero();
   SUTURE_FIELD(unit("m")) Eigen::Vector3d right_tip = Eigen::Vector3d::Zero();
-  /// When the images were exposed.
+  /// Is when the images were exposed.
   suture::Time stamp;
-  /// False unless both eyes see all three.
+  /// Is false unless both eyes see all three.
   bool valid = false;
 };
 
@@ -23,7 +23,7 @@ class SUTURE_INTERFACE() KnotVision {
  public:
   virtual ~KnotVision() = default;
 
-  /// Answers with what the last pair of images showed.
+  /// Is what the last pair of images showed.
   SUTURE_COMMAND() virtual const KnotSighting& sighting() const = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The contract of a stereo endoscope: what both eyes see.
+// This is the contract of a stereo endoscope, which shows what both eyes see.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// Two rectified images of one moment; both stamps are that of the exposure.
+/// Holds two rectified images of one moment; both stamps are that of the exposure.
 struct SUTURE_TYPE() StereoPair {
   ImageFrame left;
   ImageFrame right;
@@ -18,10 +18,10 @@ class SUTURE_INTERFACE() StereoImages {
  public:
   virtual ~StereoImages() = default;
 
-  /// The last pair; invalid while there is nothing to see.
+  /// Is the last pair; it is not valid while there is nothing to see.
   SUTURE_COMMAND() virtual const StereoPair& images() const = 0;
-  /// The stamp of the last pair, and 0 while there is nothing to see: who asks this first copies
-  /// megabytes only if they are new.
+  /// Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this
+  /// first copies megabytes only if they are new.
   SUTURE_COMMAND() virtual suture::Time exposed() const = 0;
 };
 

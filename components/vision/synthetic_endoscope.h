@@ -1,5 +1,5 @@
 #pragma once
-// The task that draws what a stereo endoscope would see.
+// This is the task that draws what a stereo endoscope would see.
 
 #include <suture/annotate.h>
 #include <suture/base/time.h>
@@ -18,21 +18,22 @@
 
 namespace robots {
 
-/// Blur, dropouts and latency are our own figures: none was found for an endoscope of this kind.
+/// Blur, dropouts and latency are our own numbers, because none was found for an endoscope of this
+/// kind.
 struct SUTURE_TYPE() EndoscopeParameters {
-  /// 15 images a second, as the da Vinci Research Kit's stereo launch file has it; where there is
-  /// room, 60.
+  /// Gives 15 images a second, as in the da Vinci Research Kit's stereo launch file; a fast machine
+  /// can have 60.
   suture::Duration period = std::chrono::microseconds(66'667);
-  /// Standard deviation of each channel of each pixel, of 255.
+  /// Is the standard deviation of each channel of each pixel, of 255.
   SUTURE_FIELD(range(0, 5)) double noise = 3;
-  /// Standard deviation of a point's light.
+  /// Is the standard deviation of a point's light.
   SUTURE_FIELD(unit("px"), range(0, 3)) double blur = 0.6;
-  /// Share of the pairs that are lost on their way.
+  /// Is the share of the pairs that are lost on their way.
   SUTURE_FIELD(range(0, 1)) double dropout = 0.01;
-  /// From the exposure until a pair is there; the time that drawing takes comes on top. Beyond what
-  /// the strand keeps of its past, half a second, nothing is seen.
+  /// Is the time from the exposure until a pair is there; the time that drawing takes is added.
+  /// Beyond what the strand keeps of its past, which is half a second, nothing is seen.
   suture::Duration latency = std::chrono::milliseconds(10);
-  /// By how much the right camera is turned toward the left one's axis, which nobody is told.
+  /// Is by how much the right camera is turned toward the left one's axis, which nobody is told.
   SUTURE_FIELD(unit("rad"), range(-0.1, 0.1)) double vergence = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The contract of something that cameras follow: CRTK (collaborative-robotics.github.io).
+// This is the contract of something that cameras follow: CRTK (collaborative-robotics.github.io).
 
 #include <suture/annotate.h>
 
@@ -8,17 +8,17 @@
 
 namespace robots {
 
-/// A ball in the frame of the left camera: x to the right and y downward in the image, z ahead. It
-/// has no orientation, so that of its pose is the camera's.
+/// Is a ball in the frame of the left camera: x to the right and y downward in the image, z ahead.
+/// It has no orientation, so that of its pose is the camera's.
 class SUTURE_INTERFACE(crtk()) TrackedObject {
  public:
   virtual ~TrackedObject() = default;
 
-  /// Where it is at the stamp, which is the tracker's cycle: images are old when they come, and
-  /// this is what they showed, carried on by its velocity. Not valid unless the last pair of images
-  /// showed it, and not long ago.
+  /// Says where it is at the stamp, which is that of the tracker's cycle: images are old when they
+  /// come, and this is what they showed, extrapolated by its velocity. It is not valid unless the
+  /// last pair of images showed it, and not long ago.
   SUTURE_COMMAND() virtual const PoseStamped& measured_cp() const = 0;
-  /// How fast it moves; valid when the pose is.
+  /// Says how fast it moves; it is valid when the pose is.
   SUTURE_COMMAND() virtual const Twist& measured_cv() const = 0;
 };
 

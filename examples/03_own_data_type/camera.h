@@ -8,11 +8,11 @@
 
 namespace tracking {
 
-/// The deployment file gives these as JSON, the whole observation among them.
+/// Are given by the deployment file as JSON, including the whole observation.
 struct SUTURE_TYPE() CameraParameters {
-  /// What the camera sees first.
+  /// Is what the camera sees first.
   Observation first;
-  /// How fast the instrument turns about its own z axis.
+  /// Is how fast the instrument turns about its own z axis.
   SUTURE_FIELD(unit("rad/s"), range(-10, 10)) double turn_rate = 0.5;
 };
 

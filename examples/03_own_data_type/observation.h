@@ -18,15 +18,15 @@ struct SUTURE_TYPE() Marker {
   SUTURE_FIELD(unit("m")) Eigen::Vector3d position = Eigen::Vector3d::Zero();
 };
 
-/// What a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
+/// Is what a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
 struct SUTURE_TYPE() Observation {
   SUTURE_FIELD(capacity(31)) std::string instrument;
   Visibility visibility = Visibility::Hidden;
-  /// The pose of its tip.
+  /// Is the pose of its tip.
   SUTURE_FIELD(unit("m")) Eigen::Isometry3d tip = Eigen::Isometry3d::Identity();
-  /// The markers that are seen.
+  /// Are the markers that are seen.
   SUTURE_FIELD(capacity(8)) std::vector<Marker> markers;
-  /// How far its jaws are open.
+  /// Is how far its jaws are open.
   SUTURE_FIELD(unit("rad"), range(0, 1.6)) double jaw_angle = 0;
 };
 

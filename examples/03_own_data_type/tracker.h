@@ -13,7 +13,7 @@ class SUTURE_INTERFACE() Tracker {
  public:
   virtual ~Tracker() = default;
 
-  /// The newest observation; never waits for anyone.
+  /// Returns the newest observation; never waits for anyone.
   SUTURE_COMMAND() virtual const Observation& observation() const = 0;
 };
 

@@ -9,7 +9,7 @@ class SUTURE_INTERFACE() Joystick {
  public:
   virtual ~Joystick() = default;
 
-  /// How far the stick is turned.
+  /// Says how far the stick is turned.
   SUTURE_COMMAND() SUTURE_FIELD(unit("rad")) virtual double angle() const = 0;
 };
 

@@ -15,12 +15,12 @@ class SUTURE_INTERFACE() Gripper {
 
   /// Begins to close the jaws.
   SUTURE_COMMAND() virtual void grasp() = 0;
-  /// Opens the jaws. True if they held something.
+  /// Opens the jaws. Returns true if they held something.
   SUTURE_COMMAND() virtual bool release() = 0;
 
-  /// A state: whoever subscribes late is told the last one at once.
+  /// Reports a state: a client that subscribes late receives the last one at once.
   SUTURE_EVENT(latched()) suture::EventOf<Jaws> jaws_changed;
-  /// Something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+  /// Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
   SUTURE_EVENT(queue(16)) SUTURE_FIELD(unit("N")) suture::EventOf<double> touched;
 };
 

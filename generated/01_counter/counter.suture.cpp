@@ -131,13 +131,13 @@ constexpr suture::EventInfo kCounterEvents[] = {
 // The self-description, as in 01_counter/counter.suture.json.
 constexpr char kCounterDescription[] = R"json(
 {"name": "counting::Counter", "hash": "d0b9cec53f4001af7aba4e29b891fbe9", "commands": [{
-"name": "add", "kind": "write", "ordinal": 1,
-"doc": "Adds to the count. Runs in the provider's thread.", "parameters": [{"name": "amount",
-"type": {"kind": "Int32"}}], "queue": 8}, {"name": "value", "kind": "read", "ordinal": 2,
-"doc": "The newest count; never waits for anyone.", "result": {"type": {"kind": "Int64"}},
-"queue": 16}], "events": [{"name": "ten_more", "kind": "write", "ordinal": 1, "wire": "tenMore",
-"doc": "The count has passed a multiple of ten.", "payload": {"type": {"kind": "Int64"}},
-"queue": 16}], "enums": [], "structs": [], "wire": [{"id": "@0xd6d42f0aed709948",
+"name": "add", "kind": "write", "ordinal": 1, "doc": "Adds to the count, in the provider's thread.",
+"parameters": [{"name": "amount", "type": {"kind": "Int32"}}], "queue": 8}, {"name": "value",
+"kind": "read", "ordinal": 2, "doc": "Returns the newest count; never waits for anyone.",
+"result": {"type": {"kind": "Int64"}}, "queue": 16}], "events": [{"name": "ten_more",
+"kind": "write", "ordinal": 1, "wire": "tenMore",
+"doc": "Reports that the count has passed a multiple of ten.", "payload": {"type": {"kind": "Int64"
+}}, "queue": 16}], "enums": [], "structs": [], "wire": [{"id": "@0xd6d42f0aed709948",
 "kind": "interface", "name": "Counter", "cxx": "counting::Counter", "members": [{"at": 0,
 "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xab8aa54e33362c79"}, {
 "at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {

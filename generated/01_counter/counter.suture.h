@@ -53,10 +53,10 @@ class Required<counting::Counter> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Adds to the count. Runs in the provider's thread.
+  /// Adds to the count, in the provider's thread.
   Command<&Contract::add, counting::CounterAddArguments> add{
       *this, static_cast<std::uint16_t>(Id::add)};
-  /// The newest count; never waits for anyone.
+  /// Returns the newest count; never waits for anyone.
   ReadCommand<&Contract::value, std::int64_t> value{*this, static_cast<std::uint16_t>(Id::value)};
 
   /// Subscribes to the events of counting::Counter.
@@ -64,7 +64,7 @@ class Required<counting::Counter> : public RequiredBase {
     explicit Events(RequiredBase& required)
         : ten_more{required, static_cast<std::uint16_t>(EventId::ten_more)} {}
 
-    /// The count has passed a multiple of ten.
+    /// Reports that the count has passed a multiple of ten.
     Subscription<std::int64_t, std::int64_t> ten_more;
   };
   Events& on() { return events_; }
@@ -93,7 +93,7 @@ class Provided<counting::Counter> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : ten_more{provided, static_cast<std::uint16_t>(EventId::ten_more)} {}
 
-    /// The count has passed a multiple of ten.
+    /// Reports that the count has passed a multiple of ten.
     Emitter<std::int64_t, std::int64_t> ten_more;
   };
   Events& emit() { return events_; }

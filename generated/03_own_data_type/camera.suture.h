@@ -15,7 +15,7 @@ class JsonReader;
 
 namespace tracking {
 
-/// The deployment file gives these as JSON, the whole observation among them.
+/// Are given by the deployment file as JSON, including the whole observation.
 struct CameraParametersSlot {
   ObservationSlot first;
   double turn_rate;  // rad/s

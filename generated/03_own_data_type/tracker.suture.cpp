@@ -98,26 +98,26 @@ constexpr suture::CommandInfo kTrackerCommands[] = {
 constexpr char kTrackerDescription[] = R"json(
 {"name": "tracking::Tracker", "hash": "f75b729ffec40c77a2db866f16980374", "commands": [{
 "name": "observation", "kind": "read", "ordinal": 1,
-"doc": "The newest observation; never waits for anyone.", "result": {"type": {"kind": "struct",
-"name": "tracking::Observation"}}, "queue": 16}], "events": [], "enums": [{
+"doc": "Returns the newest observation; never waits for anyone.", "result": {"type": {
+"kind": "struct", "name": "tracking::Observation"}}, "queue": 16}], "events": [], "enums": [{
 "name": "tracking::Visibility", "underlying": "UInt8", "enumerators": [{"name": "Hidden",
 "value": 0, "wire": "hidden"}, {"name": "Partial", "value": 1, "wire": "partial"}, {"name": "Full",
 "value": 2, "wire": "full"}]}], "structs": [{"name": "tracking::Marker", "fields": [{
 "name": "number", "type": {"kind": "UInt32"}, "default": 0}, {"name": "position", "type": {
 "kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}]}, {
 "name": "tracking::Observation",
-"doc": "What a tracking camera knows of a surgical instrument at one moment, in the camera's frame.",
+"doc": "Is what a tracking camera knows of a surgical instrument at one moment, in the camera's frame.",
 "fields": [{"name": "instrument", "type": {"kind": "text", "capacity": 31}}, {"name": "visibility",
 "type": {"kind": "enum", "name": "tracking::Visibility"}, "default": "Hidden"}, {"name": "tip",
-"doc": "The pose of its tip.", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
-"name": "markers", "doc": "The markers that are seen.", "type": {"kind": "list", "element": {
+"doc": "Is the pose of its tip.", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
+"name": "markers", "doc": "Are the markers that are seen.", "type": {"kind": "list", "element": {
 "kind": "struct", "name": "tracking::Marker"}, "capacity": 8}}, {"name": "jaw_angle",
-"wire": "jawAngle", "doc": "How far its jaws are open.", "type": {"kind": "Float64"}, "unit": "rad",
-"range": [0.0, 1.6], "default": 0.0}]}], "wire": [{"id": "@0xfadff631147631f3", "kind": "interface",
-"name": "Tracker", "cxx": "tracking::Tracker", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xbe3f6f6614035211"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "observation", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"wire": "jawAngle", "doc": "Is how far its jaws are open.", "type": {"kind": "Float64"},
+"unit": "rad", "range": [0.0, 1.6], "default": 0.0}]}], "wire": [{"id": "@0xfadff631147631f3",
+"kind": "interface", "name": "Tracker", "cxx": "tracking::Tracker", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xbe3f6f6614035211"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "observation", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xb007f771f460d934"
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xbe3f6f6614035211", "kind": "interface",
 "name": "TrackerEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,

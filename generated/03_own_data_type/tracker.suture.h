@@ -39,7 +39,7 @@ class Required<tracking::Tracker> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// The newest observation; never waits for anyone.
+  /// Returns the newest observation; never waits for anyone.
   ReadCommand<&Contract::observation, tracking::ObservationSlot> observation{
       *this, static_cast<std::uint16_t>(Id::observation)};
 

@@ -91,8 +91,8 @@ constexpr suture::CommandInfo kJoystickCommands[] = {
 // The self-description, as in 04_contract_and_loss/joystick.suture.json.
 constexpr char kJoystickDescription[] = R"json(
 {"name": "following::Joystick", "hash": "fb0e421ba1ec8175508fc619a3be612c", "commands": [{
-"name": "angle", "kind": "read", "ordinal": 1, "doc": "How far the stick is turned.", "result": {
-"type": {"kind": "Float64"}, "unit": "rad"}, "queue": 16}], "events": [], "enums": [],
+"name": "angle", "kind": "read", "ordinal": 1, "doc": "Says how far the stick is turned.",
+"result": {"type": {"kind": "Float64"}, "unit": "rad"}, "queue": 16}], "events": [], "enums": [],
 "structs": [], "wire": [{"id": "@0xba57d83dcf98cd85", "kind": "interface", "name": "Joystick",
 "cxx": "following::Joystick", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
 "name": "events", "is": "@0xbca1b09e26acd380"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {

@@ -38,7 +38,7 @@ class Required<following::Joystick> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// How far the stick is turned.
+  /// Says how far the stick is turned.
   ReadCommand<&Contract::angle, double> angle{*this, static_cast<std::uint16_t>(Id::angle)};
 
  protected:

@@ -157,12 +157,13 @@ constexpr char kGripperDescription[] = R"json(
 {"name": "gripping::Gripper", "hash": "791e1a2dbf149a553e5da3c7a37ae448", "commands": [{
 "name": "grasp", "kind": "void", "ordinal": 1, "doc": "Begins to close the jaws.", "queue": 16}, {
 "name": "release", "kind": "void with return", "ordinal": 2,
-"doc": "Opens the jaws. True if they held something.", "result": {"type": {"kind": "Bool"}},
-"queue": 16}], "events": [{"name": "jaws_changed", "kind": "write", "ordinal": 1,
-"wire": "jawsChanged", "doc": "A state: whoever subscribes late is told the last one at once.",
-"payload": {"type": {"kind": "enum", "name": "gripping::Jaws"}}, "queue": 16, "latched": true}, {
+"doc": "Opens the jaws. Returns true if they held something.", "result": {"type": {"kind": "Bool"}
+}, "queue": 16}], "events": [{"name": "jaws_changed", "kind": "write", "ordinal": 1,
+"wire": "jawsChanged",
+"doc": "Reports a state: a client that subscribes late receives the last one at once.", "payload": {
+"type": {"kind": "enum", "name": "gripping::Jaws"}}, "queue": 16, "latched": true}, {
 "name": "touched", "kind": "write", "ordinal": 2,
-"doc": "Something that happens: each one counts, so 16 may wait at a subscriber that is busy.",
+"doc": "Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.",
 "payload": {"type": {"kind": "Float64"}, "unit": "N"}, "queue": 16}], "enums": [{
 "name": "gripping::Jaws", "underlying": "UInt8", "enumerators": [{"name": "Open", "value": 0,
 "wire": "open"}, {"name": "Closing", "value": 1, "wire": "closing"}, {"name": "Holding", "value": 2,

@@ -43,7 +43,7 @@ class Required<gripping::Gripper> : public RequiredBase {
 
   /// Begins to close the jaws.
   Command<&Contract::grasp, NoSlot> grasp{*this, static_cast<std::uint16_t>(Id::grasp)};
-  /// Opens the jaws. True if they held something.
+  /// Opens the jaws. Returns true if they held something.
   ReturningCommand<&Contract::release, NoSlot, std::uint8_t> release{
       *this, static_cast<std::uint16_t>(Id::release)};
 
@@ -53,9 +53,9 @@ class Required<gripping::Gripper> : public RequiredBase {
         : jaws_changed{required, static_cast<std::uint16_t>(EventId::jaws_changed)},
           touched{required, static_cast<std::uint16_t>(EventId::touched)} {}
 
-    /// A state: whoever subscribes late is told the last one at once.
+    /// Reports a state: a client that subscribes late receives the last one at once.
     Subscription<std::uint8_t, gripping::Jaws> jaws_changed;
-    /// Something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+    /// Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
     Subscription<double, double> touched;
   };
   Events& on() { return events_; }
@@ -85,9 +85,9 @@ class Provided<gripping::Gripper> : public ProvidedBase {
         : jaws_changed{provided, static_cast<std::uint16_t>(EventId::jaws_changed)},
           touched{provided, static_cast<std::uint16_t>(EventId::touched)} {}
 
-    /// A state: whoever subscribes late is told the last one at once.
+    /// Reports a state: a client that subscribes late receives the last one at once.
     Emitter<std::uint8_t, gripping::Jaws> jaws_changed;
-    /// Something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+    /// Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
     Emitter<double, double> touched;
   };
   Events& emit() { return events_; }

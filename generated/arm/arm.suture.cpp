@@ -2052,101 +2052,103 @@ constexpr suture::EventInfo kArmEvents[] = {
 // The self-description, as in arm/arm.suture.json.
 constexpr char kArmDescription[] = R"json(
 {"name": "robots::Arm",
-"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. An arm starts, and restarts, undefined; once it hears of its drives, and they may have\npower, it is disabled and not homed. Until it is enabled it ignores motion commands.\n\nAn arm that is not homed, or not any more after an encoder jumped or unhome(), does not know\nwhere its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint\ncommands.\n\nSo does an arm that works through a cannula until its wrist is far enough beyond the remote\ncentre: a da Vinci's is 45 mm beyond it, and 2 mm more to begin. Joint commands and homing are\nwhat inserts it.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base; the two are one until somebody sets\nanother. A motion command replaces the one before it, of whichever space; relative goals are\nrelative to the set-point. A servo stream that falls silent for 0.1 s ends as hold(), and so\ndoes any stream whose client is gone.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h) where the arm refuses a command or something has befallen it; each reason is\ntold once until the arm obeys again, a refused state command each time.",
+"doc": "Commands run in the arm's own thread before its next cycle; reads are from the end of its last\none. An arm starts, and restarts, undefined. Once it hears of its drives, and they may have\npower, it is disabled and not homed. Until it is enabled it ignores motion commands.\n\nAn arm that is not homed, or not any more after an encoder jumped or unhome(), does not know\nwhere its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint\ncommands.\n\nAn arm that works through a cannula does the same until its wrist is far enough beyond the\nremote centre: a da Vinci's must be 45 mm beyond it, and 2 mm more to begin. Joint commands and\nhoming insert it.\n\n`local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of\nthe interface, in which base_frame() is the arm's base; the two are the same until a client sets\nanother. A motion command replaces the one before it, of either space; relative goals are\nrelative to the set-point. A servo stream that falls silent for 0.1 s ends as with hold(), and\nso does any stream whose client is gone.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h) if the arm refuses a command or something has happened to it. Each reason is\nreported once until the arm obeys again, a refused state command each time.",
 "hash": "1f5d06412eacd0fd4ccda12e8a351a33", "version": 2, "major": 2, "base": "suture::Messages",
 "crtk": true, "commands": [{"name": "enable", "kind": "void", "ordinal": 1,
-"doc": "Gives the drives power; the arm holds its position.", "queue": 16}, {"name": "disable",
+"doc": "Gives the drives power. The arm holds its position.", "queue": 16}, {"name": "disable",
 "kind": "void", "ordinal": 2,
-"doc": "Stops at once, without power, and ignores motion until enabled again.", "queue": 16}, {
-"name": "home", "kind": "void", "ordinal": 3,
-"doc": "Moves to the home position; needs an enabled arm. Ends with goal_reached.", "queue": 16}, {
-"name": "hold", "kind": "void", "ordinal": 4,
+"doc": "Stops the arm at once, without power. It ignores motion until it is enabled again.",
+"queue": 16}, {"name": "home", "kind": "void", "ordinal": 3,
+"doc": "Moves the arm to its home position, if it is enabled. The move ends with goal_reached.",
+"queue": 16}, {"name": "hold", "kind": "void", "ordinal": 4,
 "doc": "Drops what is under way; the set-point stays where it is.", "queue": 16}, {
 "name": "servo_cp", "kind": "write", "ordinal": 5, "wire": "servoCp",
-"doc": "Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the\nnearest that the limits leave; a goal out of reach, or too far for one step, leaves the\nset-point. It says so. setpoint_cp keeps the goal's stamp.",
+"doc": "Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the\nnearest point that the limits admit. A goal that is out of reach, or too far for one step,\nleaves the set-point. The arm reports both. setpoint_cp keeps the goal's stamp.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jp", "kind": "write", "ordinal": 6,
 "wire": "servoJp",
-"doc": "Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.",
+"doc": "Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at the limit.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "move_jp", "kind": "write", "ordinal": 7,
 "wire": "moveJp",
 "doc": "Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:\none may begin while it moves. Each ends at rest and with goal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16}, {"name": "measured_js", "kind": "read", "ordinal": 8, "wire": "measuredJs",
-"doc": "Where the joints are, and what their motors give, which is empty of drives that do not measure\nit. Stamp: the drives' cycle that measured them.",
+"doc": "Says where the joints are, and what their motors give; that list is empty if the drives do not\nmeasure it. The stamp is that of the drives' cycle that measured them.",
 "result": {"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {
 "name": "setpoint_js", "kind": "read", "ordinal": 9, "wire": "setpointJs",
-"doc": "Where the joints shall be.", "result": {"type": {"kind": "struct",
+"doc": "Says where the joints shall be.", "result": {"type": {"kind": "struct",
 "name": "robots::JointState"}}, "queue": 16}, {"name": "measured_cp", "kind": "read", "ordinal": 10,
 "wire": "measuredCp",
-"doc": "Where the tool tip is. Stamp: the drives' cycle that measured the joints.", "result": {
-"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "setpoint_cp",
-"kind": "read", "ordinal": 11, "wire": "setpointCp",
-"doc": "Where the tool tip shall be. Stamp: that of the servo_cp or interpolate_cp goal it came from,\nelse the arm's cycle.",
+"doc": "Says where the tool tip is. The stamp is that of the drives' cycle that measured the joints.",
+"result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "setpoint_cp", "kind": "read", "ordinal": 11, "wire": "setpointCp",
+"doc": "Says where the tool tip shall be. The stamp is that of the servo_cp or interpolate_cp goal\nfrom which it came, else that of the arm's cycle.",
 "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
 "name": "operating_state", "kind": "read", "ordinal": 12, "wire": "operatingState", "result": {
 "type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16}, {
 "name": "forward_kinematics", "kind": "qualified read", "ordinal": 13, "wire": "forwardKinematics",
-"doc": "The tool tip for a joint vector; not valid if it has the wrong length.", "parameters": [{
-"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {
-"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "inverse_kinematics",
-"kind": "qualified read", "ordinal": 14, "wire": "inverseKinematics",
-"doc": "A joint vector for a tool tip, searched from the present set-point.", "parameters": [{
-"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "result": {"type": {
-"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {"name": "configuration_js",
-"kind": "read", "ordinal": 15, "wire": "configurationJs",
-"doc": "What the joints are and may do. Velocities are their rate limits, accelerations those of\nmoves. Efforts are the most that the motors give; of a da Vinci they are published\n(dynamics/davinci_inertia.cpp: ftmax), accelerations are not. Where nothing is bounded the\nlists are empty.",
+"doc": "Computes the tool tip for a joint vector; it is not valid if the vector has the wrong length.",
+"parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
+"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
+"name": "inverse_kinematics", "kind": "qualified read", "ordinal": 14, "wire": "inverseKinematics",
+"doc": "Computes a joint vector for a tool tip, searched from the present set-point.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
+"result": {"type": {"kind": "struct", "name": "robots::JointSolution"}}, "queue": 16}, {
+"name": "configuration_js", "kind": "read", "ordinal": 15, "wire": "configurationJs",
+"doc": "Says what the joints are and what they may do. Velocities are their rate limits, accelerations\nthose of moves. Efforts are the most that the motors give; for a da Vinci they are published\n(dynamics/davinci_inertia.cpp: ftmax), accelerations are not. If nothing is bounded the lists\nare empty.",
 "result": {"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
 "name": "period_statistics", "kind": "read", "ordinal": 16, "wire": "periodStatistics",
-"doc": "How regularly the arm's task ran in the last second.", "result": {"type": {
+"doc": "Says how regularly the arm's task ran in the last second.", "result": {"type": {
 "kind": "struct", "name": "robots::IntervalStatistics"}}, "queue": 16}, {"name": "pause",
 "kind": "void", "ordinal": 17,
-"doc": "Stops where the joints are and ignores motion until resume().", "queue": 16}, {
+"doc": "Stops the arm where the joints are. It ignores motion until resume().", "queue": 16}, {
 "name": "resume", "kind": "void", "ordinal": 18, "queue": 16}, {"name": "unhome", "kind": "void",
-"ordinal": 19, "doc": "Forgets that it is homed.", "queue": 16}, {"name": "state_command",
-"kind": "write", "ordinal": 20, "wire": "stateCommand",
-"doc": "One of the six above, by name; anything else is an `error`.", "parameters": [{
+"ordinal": 19, "doc": "Makes the arm forget that it is homed.", "queue": 16}, {
+"name": "state_command", "kind": "write", "ordinal": 20, "wire": "stateCommand",
+"doc": "Does one of the six above, by its name; any other name is an `error`.", "parameters": [{
 "name": "name", "type": {"kind": "text", "capacity": 15}}], "queue": 16}, {"name": "goal_js",
 "kind": "read", "ordinal": 21, "wire": "goalJs",
-"doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
+"doc": "Says where the present move ends; without one, it is the set-point.", "result": {"type": {
 "kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "goal_cp", "kind": "read",
 "ordinal": 22, "wire": "goalCp",
-"doc": "Where the move under way ends; without one, the set-point.", "result": {"type": {
+"doc": "Says where the present move ends; without one, it is the set-point.", "result": {"type": {
 "kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_measured_cp",
 "kind": "read", "ordinal": 23, "wire": "localMeasuredCp", "result": {"type": {"kind": "struct",
 "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "local_setpoint_cp", "kind": "read",
 "ordinal": 24, "wire": "localSetpointCp", "result": {"type": {"kind": "struct",
 "name": "robots::PoseStamped"}}, "queue": 16}, {"name": "measured_cv", "kind": "read",
 "ordinal": 25, "wire": "measuredCv",
-"doc": "How the tip moves, in the directions of the reference frame, which the twist names.",
+"doc": "Says how the tip moves, in the directions of the reference frame, which the twist names.",
 "result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
 "name": "setpoint_cv", "kind": "read", "ordinal": 26, "wire": "setpointCv",
-"doc": "How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in\nthe first cycle of a motion, it is 0. Stamp: the arm's cycle.",
+"doc": "Says how the set-point moves, whatever moves it, in the same directions. If it jumped, and in\nthe first cycle of a motion, this is 0. The stamp is that of the arm's cycle.",
 "result": {"type": {"kind": "struct", "name": "robots::Twist"}}, "queue": 16}, {
 "name": "body_measured_cf", "kind": "read", "ordinal": 27, "wire": "bodyMeasuredCf",
-"doc": "This is the wrench that the arm presses with at its tip, in the tip's own directions: the\nmotors' efforts, less the arm's weight as its model has it, through the transposed Jacobian.\nFriction, inertia and what that model has wrong are in it, so it is near a contact's force\nonly when the arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci\nResearch Kit; what touches the tip presses on it with the opposite. Not valid where the drives\nmeasure no effort, without power, and beside a singularity. Stamp: the drives' cycle that\nmeasured the joints.",
+"doc": "Says with which wrench the arm presses at its tip, in the tip's own directions: the motors'\nefforts, less the arm's weight by its model, through the transposed Jacobian. It includes\nfriction, inertia and the errors of that model, so it is near a contact's force only if the\narm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit;\nwhat touches the tip presses on it with the opposite. It is not valid if the drives measure no\neffort, without power, and beside a singularity. The stamp is that of the drives' cycle that\nmeasured the joints.",
 "result": {"type": {"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {
 "name": "spatial_measured_cf", "kind": "read", "ordinal": 28, "wire": "spatialMeasuredCf",
-"doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
-"name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read", "ordinal": 29,
-"wire": "measuredCs", "doc": "Pose, velocity and force of one cycle, in the reference frame.",
-"result": {"type": {"kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {
-"name": "body_jacobian", "kind": "read", "ordinal": 30, "wire": "bodyJacobian",
-"doc": "From joint velocities to those of the tip, in its own directions. Stamp: the drives' cycle\nthat measured the joints.",
+"doc": "Is the same in the directions of the arm's base frame.", "result": {"type": {
+"kind": "struct", "name": "robots::Wrench"}}, "queue": 16}, {"name": "measured_cs", "kind": "read",
+"ordinal": 29, "wire": "measuredCs",
+"doc": "Gives pose, velocity and force of one cycle, in the reference frame.", "result": {"type": {
+"kind": "struct", "name": "robots::CartesianState"}}, "queue": 16}, {"name": "body_jacobian",
+"kind": "read", "ordinal": 30, "wire": "bodyJacobian",
+"doc": "Maps joint velocities to those of the tip, in its own directions. The stamp is that of the\ndrives' cycle that measured the joints.",
 "result": {"type": {"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {
 "name": "spatial_jacobian", "kind": "read", "ordinal": 31, "wire": "spatialJacobian",
-"doc": "The same in the directions of the arm's base frame.", "result": {"type": {"kind": "struct",
-"name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read", "ordinal": 32,
-"wire": "baseFrame", "result": {"type": {"kind": "struct", "name": "robots::TransformStamped"}},
-"queue": 16}, {"name": "set_base_frame", "kind": "write", "ordinal": 33, "wire": "setBaseFrame",
-"doc": "The arm's base in the reference frame of this interface. Refused if it is given in another\none, and while the arm moves or follows a stream.",
+"doc": "Is the same in the directions of the arm's base frame.", "result": {"type": {
+"kind": "struct", "name": "robots::Jacobian"}}, "queue": 16}, {"name": "base_frame", "kind": "read",
+"ordinal": 32, "wire": "baseFrame", "result": {"type": {"kind": "struct",
+"name": "robots::TransformStamped"}}, "queue": 16}, {"name": "set_base_frame", "kind": "write",
+"ordinal": 33, "wire": "setBaseFrame",
+"doc": "Sets the arm's base in the reference frame of this interface. It is refused if it is given in\nanother frame, and while the arm moves or follows a stream.",
 "parameters": [{"name": "base", "type": {"kind": "struct", "name": "robots::TransformStamped"}}],
 "queue": 16}, {"name": "free", "kind": "void", "ordinal": 34,
-"doc": "Lets go: the set-point follows the joints until another command.", "queue": 16}, {
+"doc": "Lets the set-point follow the joints until another command.", "queue": 16}, {
 "name": "use_gravity_compensation", "kind": "write", "ordinal": 35,
 "wire": "useGravityCompensation",
-"doc": "For the record: it is told in gravity_compensation and changes no motor, which is the business\nof the drives.",
+"doc": "Is only noted: the event gravity_compensation reports it. It changes no motor, because\ncompensation belongs to the drives.",
 "parameters": [{"name": "use", "type": {"kind": "Bool"}}], "queue": 16}, {"name": "servo_jr",
 "kind": "write", "ordinal": 36, "wire": "servoJr", "parameters": [{"name": "step", "type": {
 "kind": "struct", "name": "robots::JointGoal"}}], "queue": 16, "ttl": 0.02}, {"name": "servo_jv",
@@ -2156,18 +2158,20 @@ constexpr char kArmDescription[] = R"json(
 "name": "goal", "type": {"kind": "struct", "name": "robots::JointEffortGoal"}}], "queue": 16,
 "latest": true, "ttl": 0.02}, {"name": "servo_cr", "kind": "write", "ordinal": 39,
 "wire": "servoCr",
-"doc": "The step's translation in the reference frame; its rotation turns the tip about itself.",
+"doc": "Steps the set-point: the translation is in the reference frame, the rotation turns the tip\nabout itself.",
 "parameters": [{"name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}],
 "queue": 16, "ttl": 0.02}, {"name": "servo_cv", "kind": "write", "ordinal": 40, "wire": "servoCv",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::TwistGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "body_servo_cf", "kind": "write", "ordinal": 41,
-"wire": "bodyServoCf", "doc": "In the tip's own directions.", "parameters": [{"name": "goal",
-"type": {"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02
-}, {"name": "spatial_servo_cf", "kind": "write", "ordinal": 42, "wire": "spatialServoCf",
-"doc": "In the directions of the arm's base frame.", "parameters": [{"name": "goal", "type": {
-"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16, "latest": true, "ttl": 0.02}, {
-"name": "interpolate_jp", "kind": "write", "ordinal": 43, "wire": "interpolateJp",
-"doc": "Goals that come more slowly than the arm's cycles, newest wins. The set-point goes to each in\na straight line of the joints, in as much time as lay between it and the goal before it, but\nno faster than the joints can, and stays there. Limits and reach are as of servo commands.",
+"wire": "bodyServoCf", "doc": "Streams wrenches in the tip's own directions, newest wins.",
+"parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::WrenchGoal"}}],
+"queue": 16, "latest": true, "ttl": 0.02}, {"name": "spatial_servo_cf", "kind": "write",
+"ordinal": 42, "wire": "spatialServoCf",
+"doc": "Streams wrenches in the directions of the arm's base frame, newest wins.", "parameters": [{
+"name": "goal", "type": {"kind": "struct", "name": "robots::WrenchGoal"}}], "queue": 16,
+"latest": true, "ttl": 0.02}, {"name": "interpolate_jp", "kind": "write", "ordinal": 43,
+"wire": "interpolateJp",
+"doc": "Streams goals that come more slowly than the arm's cycles, newest wins. The set-point goes to\neach in a straight line of the joints, in as much time as lay between it and the goal before\nit, but no faster than the joints can, and stays there. Limits and reach are those of servo\ncommands.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.2}, {"name": "interpolate_jr", "kind": "write", "ordinal": 44,
 "wire": "interpolateJr", "parameters": [{"name": "step", "type": {"kind": "struct",
@@ -2183,41 +2187,44 @@ constexpr char kArmDescription[] = R"json(
 "name": "move_cr", "kind": "write", "ordinal": 49, "wire": "moveCr", "parameters": [{
 "name": "step", "type": {"kind": "struct", "name": "robots::PoseStamped"}}], "queue": 16}, {
 "name": "trajectory_j_set_ratio", "kind": "write", "ordinal": 50, "wire": "trajectoryJSetRatio",
-"doc": "How fast moves are, of what the joints can do: velocity and acceleration together.",
+"doc": "Sets which share of what the joints can do moves use: of velocity and acceleration together.",
 "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
 {"name": "trajectory_j_set_ratio_v", "kind": "write", "ordinal": 51, "wire": "trajectoryJSetRatioV",
 "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
 {"name": "trajectory_j_set_ratio_a", "kind": "write", "ordinal": 52, "wire": "trajectoryJSetRatioA",
 "parameters": [{"name": "ratio", "type": {"kind": "Float64"}, "range": [0.01, 1.0]}], "queue": 16},
 {"name": "trajectory_j_ratio", "kind": "read", "ordinal": 53, "wire": "trajectoryJRatio",
-"doc": "The smaller of the two below.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
+"doc": "Is the smaller of the two below.", "result": {"type": {"kind": "Float64"}}, "queue": 16}, {
 "name": "trajectory_j_ratio_v", "kind": "read", "ordinal": 54, "wire": "trajectoryJRatioV",
 "result": {"type": {"kind": "Float64"}}, "queue": 16}, {"name": "trajectory_j_ratio_a",
 "kind": "read", "ordinal": 55, "wire": "trajectoryJRatioA", "result": {"type": {"kind": "Float64"}
 }, "queue": 16}, {"name": "query_cp", "kind": "qualified read", "ordinal": 56, "wire": "queryCp",
-"doc": "The pose of the link behind as many joints as the vector has, at most all: none, the base.",
+"doc": "Computes the pose of the link behind as many joints as the vector has, at most all; without\nany, that of the base.",
 "parameters": [{"name": "q", "type": {"kind": "struct", "name": "robots::JointGoal"}}], "result": {
 "type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
 "name": "local_query_cp", "kind": "qualified read", "ordinal": 57, "wire": "localQueryCp",
-"doc": "The same in the arm's base frame.", "parameters": [{"name": "q", "type": {"kind": "struct",
-"name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"
-}}, "queue": 16}], "events": [{"name": "status", "kind": "write", "ordinal": 1,
-"doc": "All is well; something has been done.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages", "number": 3
-}, {"name": "warning", "kind": "write", "ordinal": 2,
-"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
+"doc": "Computes the same in the arm's base frame.", "parameters": [{"name": "q", "type": {
+"kind": "struct", "name": "robots::JointGoal"}}], "result": {"type": {"kind": "struct",
+"name": "robots::PoseStamped"}}, "queue": 16}], "events": [{"name": "status", "kind": "write",
+"ordinal": 1, "doc": "Reports that something has been done, and nothing is wrong.", "payload": {
 "type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages", "number": 3}, {"name": "warning", "kind": "write", "ordinal": 2,
+"doc": "Reports that something was refused, or is not as it should be; the component goes on.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
 "from": "suture::Messages", "number": 2}, {"name": "error", "kind": "write", "ordinal": 3,
-"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages", "number": 4
-}, {"name": "operating_state", "kind": "write", "ordinal": 1, "wire": "operatingState",
-"doc": "Each change of the operating state, and the last one to whoever connects.", "payload": {
-"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16, "latched": true,
-"number": 0}, {"name": "goal_reached", "kind": "write", "ordinal": 2, "wire": "goalReached",
-"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
-"type": {"kind": "Bool"}}, "queue": 16, "number": 1}, {"name": "desired_state", "kind": "write",
-"ordinal": 6, "wire": "desiredState", "doc": "The state that a command asked for.", "payload": {
-"type": {"kind": "enum", "name": "robots::ArmState"}}, "queue": 16, "latched": true, "number": 5}, {
+"doc": "Reports that something failed, and needs somebody's attention.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages", "number": 4}, {"name": "operating_state", "kind": "write", "ordinal": 1,
+"wire": "operatingState",
+"doc": "Reports each change of the operating state, and the last one to a client that connects.",
+"payload": {"type": {"kind": "struct", "name": "robots::OperatingState"}}, "queue": 16,
+"latched": true, "number": 0}, {"name": "goal_reached", "kind": "write", "ordinal": 2,
+"wire": "goalReached",
+"doc": "Reports the end of a move: true at its goal, false if something else replaced it.",
+"payload": {"type": {"kind": "Bool"}}, "queue": 16, "number": 1}, {"name": "desired_state",
+"kind": "write", "ordinal": 6, "wire": "desiredState",
+"doc": "Reports the state that a command asked for.", "payload": {"type": {"kind": "enum",
+"name": "robots::ArmState"}}, "queue": 16, "latched": true, "number": 5}, {
 "name": "gravity_compensation", "kind": "write", "ordinal": 7, "wire": "gravityCompensation",
 "payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true, "number": 6}, {
 "name": "trajectory_j_ratio", "kind": "write", "ordinal": 8, "wire": "trajectoryJRatio",
@@ -2226,48 +2233,49 @@ constexpr char kArmDescription[] = R"json(
 "payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true, "number": 8}, {
 "name": "trajectory_j_ratio_a", "kind": "write", "ordinal": 10, "wire": "trajectoryJRatioA",
 "payload": {"type": {"kind": "Float64"}}, "queue": 16, "latched": true, "number": 9}], "enums": [{
-"name": "robots::ArmState", "doc": "The states of CRTK.", "underlying": "UInt8", "enumerators": [{
-"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled", "value": 1,
-"wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {"name": "Paused",
-"value": 3, "wire": "paused"}, {"name": "Fault", "value": 4, "wire": "fault"}]}, {
+"name": "robots::ArmState", "doc": "Are the states of CRTK.", "underlying": "UInt8",
+"enumerators": [{"name": "Undefined", "value": 0, "wire": "undefined"}, {"name": "Disabled",
+"value": 1, "wire": "disabled"}, {"name": "Enabled", "value": 2, "wire": "enabled"}, {
+"name": "Paused", "value": 3, "wire": "paused"}, {"name": "Fault", "value": 4, "wire": "fault"}]}, {
 "name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
 "value": 0, "wire": "undefined"}, {"name": "Prismatic", "value": 1, "wire": "prismatic"}, {
 "name": "Revolute", "value": 2, "wire": "revolute"}, {"name": "Universal", "value": 3,
 "wire": "universal"}, {"name": "BallSocket", "value": 4, "wire": "ballSocket"}, {
 "name": "Inactive", "value": 5, "wire": "inactive"}]}], "structs": [{"name": "robots::PoseStamped",
-"doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
-"name": "pose", "doc": "The moving frame of the interface in its reference frame.", "type": {
+"doc": "Is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [
+{"name": "pose", "doc": "Is the moving frame of the interface in its reference frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
-"doc": "When the pose was true; of a set-point, the stamp of the data it was made from.", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::JointGoal",
-"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
-"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
-}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
-}, {"name": "robots::JointState",
-"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+"doc": "Is when the pose was true; for a set-point it is the stamp of the data from which it was made.",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
+"doc": "If it is false, do not use it.", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::JointGoal", "doc": "Says where joints shall go: CRTK's servo_jp and move_jp.",
+"fields": [{"name": "position", "doc": "Has one entry for each joint, in chain order.", "type": {
+"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "stamp",
+"type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointState",
+"doc": "Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list\nis empty if its quantity is not known, and as long as `name` otherwise.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
 "capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
 "kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
 "element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::OperatingState",
-"doc": "CRTK's operating_state.", "fields": [{"name": "state", "type": {"kind": "enum",
-"name": "robots::ArmState"}, "default": "Undefined"}, {"name": "sub_state", "wire": "subState",
-"doc": "What the arm is doing within its state, for people: \"holding\", \"servo_cp\".", "type": {
-"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {"kind": "Bool"},
-"default": false}, {"name": "is_busy", "wire": "isBusy",
-"doc": "A move is under way; servo commands do not set it.", "type": {"kind": "Bool"},
-"default": false}, {"name": "stamp", "doc": "When the arm entered this state.", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid",
+"doc": "If it is false, do not use the state.", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::OperatingState", "doc": "Is CRTK's operating_state.", "fields": [{"name": "state",
+"type": {"kind": "enum", "name": "robots::ArmState"}, "default": "Undefined"}, {
+"name": "sub_state", "wire": "subState",
+"doc": "Says for people what the arm is doing within its state: \"holding\", \"servo_cp\".",
+"type": {"kind": "text", "capacity": 15}}, {"name": "is_homed", "wire": "isHomed", "type": {
+"kind": "Bool"}, "default": false}, {"name": "is_busy", "wire": "isBusy",
+"doc": "Is true while a move is under way; servo commands do not set it.", "type": {"kind": "Bool"
+}, "default": false}, {"name": "stamp", "doc": "Is when the arm entered this state.", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "robots::JointSolution",
-"doc": "A joint vector that an arm computed, without heap so that a control loop may return it.",
+"doc": "Is a joint vector that an arm computed, without heap so that a control loop may return it.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "found",
-"doc": "False: no joint vector within limits reaches the pose; `position` is the nearest one found.",
+"doc": "If it is false, no joint vector within limits reaches the pose, and `position` is the nearest\none found.",
 "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::JointConfiguration",
-"doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
+"doc": "Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
 "name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
@@ -2284,32 +2292,32 @@ constexpr char kArmDescription[] = R"json(
 "unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
 "kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
 "default": false}]}, {"name": "robots::IntervalStatistics",
-"doc": "How regularly a task ran, over its last window.", "fields": [{"name": "period_average",
-"wire": "periodAverage", "type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {
-"name": "period_deviation", "wire": "periodDeviation", "type": {"kind": "Float64"}, "unit": "s",
-"default": 0.0}, {"name": "period_min", "wire": "periodMin", "type": {"kind": "Float64"},
-"unit": "s", "default": 0.0}, {"name": "period_max", "wire": "periodMax", "type": {
-"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "samples", "type": {"kind": "UInt32"},
-"default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
-"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Twist",
-"doc": "A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.", "fields": [
-{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame", "type": {
-"kind": "UInt32"}, "default": 0}, {"name": "reference_frame", "wire": "referenceFrame", "type": {
+"doc": "Says how regularly a task ran, over its last window.", "fields": [{
+"name": "period_average", "wire": "periodAverage", "type": {"kind": "Float64"}, "unit": "s",
+"default": 0.0}, {"name": "period_deviation", "wire": "periodDeviation", "type": {"kind": "Float64"
+}, "unit": "s", "default": 0.0}, {"name": "period_min", "wire": "periodMin", "type": {
+"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "period_max", "wire": "periodMax",
+"type": {"kind": "Float64"}, "unit": "s", "default": 0.0}, {"name": "samples", "type": {
 "kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "valid", "doc": "False: do not use.", "type": {"kind": "Bool"}, "default": false}]}, {
-"name": "robots::Wrench",
-"doc": "Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.", "fields": [{
-"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
+"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::Twist",
+"doc": "Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.",
+"fields": [{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64",
+"rows": 3, "columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "reference_frame", "wire": "referenceFrame",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "valid", "doc": "If it is false, do not use it.", "type": {
+"kind": "Bool"}, "default": false}]}, {"name": "robots::Wrench",
+"doc": "Is force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.", "fields": [
+{"name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
 "unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components are known.", "type": {
+"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Says which components are known.", "type": {
 "kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "moving_frame",
 "wire": "movingFrame", "type": {"kind": "UInt32"}, "default": 0}, {"name": "reference_frame",
 "wire": "referenceFrame", "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::CartesianState",
-"doc": "Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
+"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "If it is false, do not use it.",
+"type": {"kind": "Bool"}, "default": false}]}, {"name": "robots::CartesianState",
+"doc": "Is pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.",
 "fields": [{"name": "moving_frame", "wire": "movingFrame", "type": {"kind": "UInt32"}, "default": 0
 }, {"name": "reference_frame", "wire": "referenceFrame", "type": {"kind": "UInt32"}, "default": 0},
 {"name": "position", "type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {
@@ -2323,53 +2331,54 @@ constexpr char kArmDescription[] = R"json(
 "kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "N.m"}, {
 "name": "force_is_valid", "wire": "forceIsValid", "type": {"kind": "Bool"}, "default": false}, {
 "name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::Jacobian",
-"doc": "6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
+"doc": "Is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.",
 "fields": [{"name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "coefficients",
 "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 48}}, {"name": "stamp",
 "type": {"kind": "time", "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"},
 "default": false}]}, {"name": "robots::TransformStamped",
-"doc": "Where one frame is in another, for whoever cannot know from the interface which they are.",
-"fields": [{"name": "transform", "doc": "The moving frame in the reference frame.", "type": {
+"doc": "Says where one frame is in another, for a reader that cannot know from the interface which they\nare.",
+"fields": [{"name": "transform", "doc": "Is the moving frame in the reference frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "reference_frame",
-"wire": "referenceFrame", "doc": "suture::frameId() of their names; 0: not named.", "type": {
-"kind": "UInt32"}, "default": 0}, {"name": "moving_frame", "wire": "movingFrame", "type": {
+"wire": "referenceFrame", "doc": "Are suture::frameId() of their names; 0 means not named.",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "moving_frame", "wire": "movingFrame", "type": {
 "kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "valid", "doc": "False: do not use.", "type": {"kind": "Bool"}, "default": false}]}, {
-"name": "robots::JointVelocityGoal", "doc": "CRTK's servo_jv: prmVelocityJointSet.", "fields": [{
-"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "rad/s"}, {"name": "acceleration", "doc": "Optional.", "type": {"kind": "list", "element": {
-"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "deceleration", "doc": "Optional.",
-"type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {
-"name": "guard", "doc": "Optional: the positions not to pass.", "type": {"kind": "list",
-"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "mask",
-"doc": "Optional: which joints count; empty: all.", "type": {"kind": "list", "element": {
-"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]},
-{"name": "robots::JointEffortGoal", "doc": "CRTK's servo_jf: prmForceTorqueJointSet.", "fields": [{
-"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
-"unit": "N.m"}, {"name": "mask", "doc": "Optional: which joints count; empty: all.", "type": {
+"name": "valid", "doc": "If it is false, do not use it.", "type": {"kind": "Bool"}, "default": false
+}]}, {"name": "robots::JointVelocityGoal", "doc": "CRTK's servo_jv: prmVelocityJointSet.",
+"fields": [{"name": "goal", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8
+}, "unit": "rad/s"}, {"name": "acceleration", "doc": "Is optional.", "type": {"kind": "list",
+"element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad/s2"}, {"name": "deceleration",
+"doc": "Is optional.", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8},
+"unit": "rad/s2"}, {"name": "guard", "doc": "Is optional: the positions not to pass.", "type": {
+"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "mask",
+"doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
+"kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
+"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointEffortGoal",
+"doc": "CRTK's servo_jf: prmForceTorqueJointSet.", "fields": [{"name": "effort", "type": {
+"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "mask",
+"doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
 "kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "robots::TwistGoal",
-"doc": "A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.", "fields": [{
+"doc": "Is a velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.", "fields": [{
 "name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
 "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
 "columns": 1}, "unit": "rad/s"}, {"name": "linear_acceleration", "wire": "linearAcceleration",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m/s2"}, {
 "name": "angular_acceleration", "wire": "angularAcceleration", "type": {"kind": "matrix",
 "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "rad/s2"}, {"name": "mask",
-"doc": "Which of x, y, z and the rotations about them count.", "type": {"kind": "array",
+"doc": "Says which of x, y, z and the rotations about them count.", "type": {"kind": "array",
 "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}]}, {"name": "robots::WrenchGoal",
-"doc": "Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.", "fields": [{
+"doc": "Is force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.", "fields": [{
 "name": "force", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
 "unit": "N"}, {"name": "torque", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Which components count.", "type": {
+"columns": 1}, "unit": "N.m"}, {"name": "mask", "doc": "Says which components count.", "type": {
 "kind": "array", "element": {"kind": "Bool"}, "length": 6}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "suture::Message", "fields": [{"name": "text",
-"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
-"type": {"kind": "text", "capacity": 255}}, {"name": "code",
-"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
+"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
-"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}]}], "wire": [{"id": "@0xd2a6fc6237d6fd07", "kind": "interface", "name": "Arm",
 "cxx": "robots::Arm", "major": 2, "version": 2, "members": [{"at": 0, "name": "subscribe",

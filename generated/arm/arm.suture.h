@@ -320,116 +320,116 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Gives the drives power; the arm holds its position.
+  /// Gives the drives power. The arm holds its position.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
-  /// Stops at once, without power, and ignores motion until enabled again.
+  /// Stops the arm at once, without power. It ignores motion until it is enabled again.
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
-  /// Moves to the home position; needs an enabled arm. Ends with goal_reached.
+  /// Moves the arm to its home position, if it is enabled. The move ends with goal_reached.
   Command<&Contract::home, NoSlot> home{*this, static_cast<std::uint16_t>(Id::home)};
   /// Drops what is under way; the set-point stays where it is.
   Command<&Contract::hold, NoSlot> hold{*this, static_cast<std::uint16_t>(Id::hold)};
-  /// Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the
-  /// nearest that the limits leave; a goal out of reach, or too far for one step, leaves the
-  /// set-point. It says so. setpoint_cp keeps the goal's stamp.
+  /// Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the
+  /// nearest point that the limits admit. A goal that is out of reach, or too far for one step,
+  /// leaves the set-point. The arm reports both. setpoint_cp keeps the goal's stamp.
   Command<&Contract::servo_cp, robots::ArmServoCpArguments> servo_cp{
       *this, static_cast<std::uint16_t>(Id::servo_cp)};
-  /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
+  /// Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at the limit.
   Command<&Contract::servo_jp, robots::ArmServoJpArguments> servo_jp{
       *this, static_cast<std::uint16_t>(Id::servo_jp)};
   /// Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:
   /// one may begin while it moves. Each ends at rest and with goal_reached.
   Command<&Contract::move_jp, robots::ArmMoveJpArguments> move_jp{
       *this, static_cast<std::uint16_t>(Id::move_jp)};
-  /// Where the joints are, and what their motors give, which is empty of drives that do not measure
-  /// it. Stamp: the drives' cycle that measured them.
+  /// Says where the joints are, and what their motors give; that list is empty if the drives do not
+  /// measure it. The stamp is that of the drives' cycle that measured them.
   ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
       *this, static_cast<std::uint16_t>(Id::measured_js)};
-  /// Where the joints shall be.
+  /// Says where the joints shall be.
   ReadCommand<&Contract::setpoint_js, robots::JointStateSlot> setpoint_js{
       *this, static_cast<std::uint16_t>(Id::setpoint_js)};
-  /// Where the tool tip is. Stamp: the drives' cycle that measured the joints.
+  /// Says where the tool tip is. The stamp is that of the drives' cycle that measured the joints.
   ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
       *this, static_cast<std::uint16_t>(Id::measured_cp)};
-  /// Where the tool tip shall be. Stamp: that of the servo_cp or interpolate_cp goal it came from,
-  /// else the arm's cycle.
+  /// Says where the tool tip shall be. The stamp is that of the servo_cp or interpolate_cp goal
+  /// from which it came, else that of the arm's cycle.
   ReadCommand<&Contract::setpoint_cp, robots::PoseStampedSlot> setpoint_cp{
       *this, static_cast<std::uint16_t>(Id::setpoint_cp)};
   ReadCommand<&Contract::operating_state, robots::OperatingStateSlot> operating_state{
       *this, static_cast<std::uint16_t>(Id::operating_state)};
-  /// The tool tip for a joint vector; not valid if it has the wrong length.
+  /// Computes the tool tip for a joint vector; it is not valid if the vector has the wrong length.
   QualifiedReadCommand<&Contract::forward_kinematics, robots::ArmForwardKinematicsArguments,
                        robots::PoseStampedSlot> forward_kinematics{
       *this, static_cast<std::uint16_t>(Id::forward_kinematics)};
-  /// A joint vector for a tool tip, searched from the present set-point.
+  /// Computes a joint vector for a tool tip, searched from the present set-point.
   QualifiedReadCommand<&Contract::inverse_kinematics, robots::ArmInverseKinematicsArguments,
                        robots::JointSolutionSlot> inverse_kinematics{
       *this, static_cast<std::uint16_t>(Id::inverse_kinematics)};
-  /// What the joints are and may do. Velocities are their rate limits, accelerations those of
-  /// moves. Efforts are the most that the motors give; of a da Vinci they are published
-  /// (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. Where nothing is bounded the
-  /// lists are empty.
+  /// Says what the joints are and what they may do. Velocities are their rate limits, accelerations
+  /// those of moves. Efforts are the most that the motors give; for a da Vinci they are published
+  /// (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. If nothing is bounded the lists
+  /// are empty.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
       *this, static_cast<std::uint16_t>(Id::configuration_js)};
-  /// How regularly the arm's task ran in the last second.
+  /// Says how regularly the arm's task ran in the last second.
   ReadCommand<&Contract::period_statistics, robots::IntervalStatisticsSlot> period_statistics{
       *this, static_cast<std::uint16_t>(Id::period_statistics)};
-  /// Stops where the joints are and ignores motion until resume().
+  /// Stops the arm where the joints are. It ignores motion until resume().
   Command<&Contract::pause, NoSlot> pause{*this, static_cast<std::uint16_t>(Id::pause)};
   Command<&Contract::resume, NoSlot> resume{*this, static_cast<std::uint16_t>(Id::resume)};
-  /// Forgets that it is homed.
+  /// Makes the arm forget that it is homed.
   Command<&Contract::unhome, NoSlot> unhome{*this, static_cast<std::uint16_t>(Id::unhome)};
-  /// One of the six above, by name; anything else is an `error`.
+  /// Does one of the six above, by its name; any other name is an `error`.
   Command<&Contract::state_command, robots::ArmStateCommandArguments> state_command{
       *this, static_cast<std::uint16_t>(Id::state_command)};
-  /// Where the move under way ends; without one, the set-point.
+  /// Says where the present move ends; without one, it is the set-point.
   ReadCommand<&Contract::goal_js, robots::JointStateSlot> goal_js{
       *this, static_cast<std::uint16_t>(Id::goal_js)};
-  /// Where the move under way ends; without one, the set-point.
+  /// Says where the present move ends; without one, it is the set-point.
   ReadCommand<&Contract::goal_cp, robots::PoseStampedSlot> goal_cp{
       *this, static_cast<std::uint16_t>(Id::goal_cp)};
   ReadCommand<&Contract::local_measured_cp, robots::PoseStampedSlot> local_measured_cp{
       *this, static_cast<std::uint16_t>(Id::local_measured_cp)};
   ReadCommand<&Contract::local_setpoint_cp, robots::PoseStampedSlot> local_setpoint_cp{
       *this, static_cast<std::uint16_t>(Id::local_setpoint_cp)};
-  /// How the tip moves, in the directions of the reference frame, which the twist names.
+  /// Says how the tip moves, in the directions of the reference frame, which the twist names.
   ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{
       *this, static_cast<std::uint16_t>(Id::measured_cv)};
-  /// How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in
-  /// the first cycle of a motion, it is 0. Stamp: the arm's cycle.
+  /// Says how the set-point moves, whatever moves it, in the same directions. If it jumped, and in
+  /// the first cycle of a motion, this is 0. The stamp is that of the arm's cycle.
   ReadCommand<&Contract::setpoint_cv, robots::TwistSlot> setpoint_cv{
       *this, static_cast<std::uint16_t>(Id::setpoint_cv)};
-  /// This is the wrench that the arm presses with at its tip, in the tip's own directions: the
-  /// motors' efforts, less the arm's weight as its model has it, through the transposed Jacobian.
-  /// Friction, inertia and what that model has wrong are in it, so it is near a contact's force
-  /// only when the arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci
-  /// Research Kit; what touches the tip presses on it with the opposite. Not valid where the drives
-  /// measure no effort, without power, and beside a singularity. Stamp: the drives' cycle that
+  /// Says with which wrench the arm presses at its tip, in the tip's own directions: the motors'
+  /// efforts, less the arm's weight by its model, through the transposed Jacobian. It includes
+  /// friction, inertia and the errors of that model, so it is near a contact's force only if the
+  /// arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit;
+  /// what touches the tip presses on it with the opposite. It is not valid if the drives measure no
+  /// effort, without power, and beside a singularity. The stamp is that of the drives' cycle that
   /// measured the joints.
   ReadCommand<&Contract::body_measured_cf, robots::WrenchSlot> body_measured_cf{
       *this, static_cast<std::uint16_t>(Id::body_measured_cf)};
-  /// The same in the directions of the arm's base frame.
+  /// Is the same in the directions of the arm's base frame.
   ReadCommand<&Contract::spatial_measured_cf, robots::WrenchSlot> spatial_measured_cf{
       *this, static_cast<std::uint16_t>(Id::spatial_measured_cf)};
-  /// Pose, velocity and force of one cycle, in the reference frame.
+  /// Gives pose, velocity and force of one cycle, in the reference frame.
   ReadCommand<&Contract::measured_cs, robots::CartesianStateSlot> measured_cs{
       *this, static_cast<std::uint16_t>(Id::measured_cs)};
-  /// From joint velocities to those of the tip, in its own directions. Stamp: the drives' cycle
-  /// that measured the joints.
+  /// Maps joint velocities to those of the tip, in its own directions. The stamp is that of the
+  /// drives' cycle that measured the joints.
   ReadCommand<&Contract::body_jacobian, robots::JacobianSlot> body_jacobian{
       *this, static_cast<std::uint16_t>(Id::body_jacobian)};
-  /// The same in the directions of the arm's base frame.
+  /// Is the same in the directions of the arm's base frame.
   ReadCommand<&Contract::spatial_jacobian, robots::JacobianSlot> spatial_jacobian{
       *this, static_cast<std::uint16_t>(Id::spatial_jacobian)};
   ReadCommand<&Contract::base_frame, robots::TransformStampedSlot> base_frame{
       *this, static_cast<std::uint16_t>(Id::base_frame)};
-  /// The arm's base in the reference frame of this interface. Refused if it is given in another
-  /// one, and while the arm moves or follows a stream.
+  /// Sets the arm's base in the reference frame of this interface. It is refused if it is given in
+  /// another frame, and while the arm moves or follows a stream.
   Command<&Contract::set_base_frame, robots::ArmSetBaseFrameArguments> set_base_frame{
       *this, static_cast<std::uint16_t>(Id::set_base_frame)};
-  /// Lets go: the set-point follows the joints until another command.
+  /// Lets the set-point follow the joints until another command.
   Command<&Contract::free, NoSlot> free{*this, static_cast<std::uint16_t>(Id::free)};
-  /// For the record: it is told in gravity_compensation and changes no motor, which is the business
-  /// of the drives.
+  /// Is only noted: the event gravity_compensation reports it. It changes no motor, because
+  /// compensation belongs to the drives.
   Command<&Contract::use_gravity_compensation,
           robots::ArmUseGravityCompensationArguments> use_gravity_compensation{
       *this, static_cast<std::uint16_t>(Id::use_gravity_compensation)};
@@ -439,20 +439,22 @@ class Required<robots::Arm> : public Required<suture::Messages> {
       *this, static_cast<std::uint16_t>(Id::servo_jv)};
   Command<&Contract::servo_jf, robots::ArmServoJfArguments> servo_jf{
       *this, static_cast<std::uint16_t>(Id::servo_jf)};
-  /// The step's translation in the reference frame; its rotation turns the tip about itself.
+  /// Steps the set-point: the translation is in the reference frame, the rotation turns the tip
+  /// about itself.
   Command<&Contract::servo_cr, robots::ArmServoCrArguments> servo_cr{
       *this, static_cast<std::uint16_t>(Id::servo_cr)};
   Command<&Contract::servo_cv, robots::ArmServoCvArguments> servo_cv{
       *this, static_cast<std::uint16_t>(Id::servo_cv)};
-  /// In the tip's own directions.
+  /// Streams wrenches in the tip's own directions, newest wins.
   Command<&Contract::body_servo_cf, robots::ArmBodyServoCfArguments> body_servo_cf{
       *this, static_cast<std::uint16_t>(Id::body_servo_cf)};
-  /// In the directions of the arm's base frame.
+  /// Streams wrenches in the directions of the arm's base frame, newest wins.
   Command<&Contract::spatial_servo_cf, robots::ArmSpatialServoCfArguments> spatial_servo_cf{
       *this, static_cast<std::uint16_t>(Id::spatial_servo_cf)};
-  /// Goals that come more slowly than the arm's cycles, newest wins. The set-point goes to each in
-  /// a straight line of the joints, in as much time as lay between it and the goal before it, but
-  /// no faster than the joints can, and stays there. Limits and reach are as of servo commands.
+  /// Streams goals that come more slowly than the arm's cycles, newest wins. The set-point goes to
+  /// each in a straight line of the joints, in as much time as lay between it and the goal before
+  /// it, but no faster than the joints can, and stays there. Limits and reach are those of servo
+  /// commands.
   Command<&Contract::interpolate_jp, robots::ArmInterpolateJpArguments> interpolate_jp{
       *this, static_cast<std::uint16_t>(Id::interpolate_jp)};
   Command<&Contract::interpolate_jr, robots::ArmInterpolateJrArguments> interpolate_jr{
@@ -467,7 +469,7 @@ class Required<robots::Arm> : public Required<suture::Messages> {
       *this, static_cast<std::uint16_t>(Id::move_cp)};
   Command<&Contract::move_cr, robots::ArmMoveCrArguments> move_cr{
       *this, static_cast<std::uint16_t>(Id::move_cr)};
-  /// How fast moves are, of what the joints can do: velocity and acceleration together.
+  /// Sets which share of what the joints can do moves use: of velocity and acceleration together.
   Command<&Contract::trajectory_j_set_ratio,
           robots::ArmTrajectoryJSetRatioArguments> trajectory_j_set_ratio{
       *this, static_cast<std::uint16_t>(Id::trajectory_j_set_ratio)};
@@ -477,18 +479,19 @@ class Required<robots::Arm> : public Required<suture::Messages> {
   Command<&Contract::trajectory_j_set_ratio_a,
           robots::ArmTrajectoryJSetRatioAArguments> trajectory_j_set_ratio_a{
       *this, static_cast<std::uint16_t>(Id::trajectory_j_set_ratio_a)};
-  /// The smaller of the two below.
+  /// Is the smaller of the two below.
   ReadCommand<&Contract::trajectory_j_ratio, double> trajectory_j_ratio{
       *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio)};
   ReadCommand<&Contract::trajectory_j_ratio_v, double> trajectory_j_ratio_v{
       *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio_v)};
   ReadCommand<&Contract::trajectory_j_ratio_a, double> trajectory_j_ratio_a{
       *this, static_cast<std::uint16_t>(Id::trajectory_j_ratio_a)};
-  /// The pose of the link behind as many joints as the vector has, at most all: none, the base.
+  /// Computes the pose of the link behind as many joints as the vector has, at most all; without
+  /// any, that of the base.
   QualifiedReadCommand<&Contract::query_cp, robots::ArmQueryCpArguments,
                        robots::PoseStampedSlot> query_cp{
       *this, static_cast<std::uint16_t>(Id::query_cp)};
-  /// The same in the arm's base frame.
+  /// Computes the same in the arm's base frame.
   QualifiedReadCommand<&Contract::local_query_cp, robots::ArmLocalQueryCpArguments,
                        robots::PoseStampedSlot> local_query_cp{
       *this, static_cast<std::uint16_t>(Id::local_query_cp)};
@@ -505,11 +508,11 @@ class Required<robots::Arm> : public Required<suture::Messages> {
           trajectory_j_ratio_v{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_v)},
           trajectory_j_ratio_a{required, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)} {}
 
-    /// Each change of the operating state, and the last one to whoever connects.
+    /// Reports each change of the operating state, and the last one to a client that connects.
     Subscription<robots::OperatingStateSlot, robots::OperatingState> operating_state;
-    /// A move ended: true at its goal, false when something else replaced it.
+    /// Reports the end of a move: true at its goal, false if something else replaced it.
     Subscription<std::uint8_t, bool> goal_reached;
-    /// The state that a command asked for.
+    /// Reports the state that a command asked for.
     Subscription<std::uint8_t, robots::ArmState> desired_state;
     Subscription<std::uint8_t, bool> gravity_compensation;
     Subscription<double, double> trajectory_j_ratio;
@@ -549,11 +552,11 @@ class Provided<robots::Arm> : public Provided<suture::Messages> {
           trajectory_j_ratio_v{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_v)},
           trajectory_j_ratio_a{provided, static_cast<std::uint16_t>(EventId::trajectory_j_ratio_a)} {}
 
-    /// Each change of the operating state, and the last one to whoever connects.
+    /// Reports each change of the operating state, and the last one to a client that connects.
     Emitter<robots::OperatingStateSlot, robots::OperatingState> operating_state;
-    /// A move ended: true at its goal, false when something else replaced it.
+    /// Reports the end of a move: true at its goal, false if something else replaced it.
     Emitter<std::uint8_t, bool> goal_reached;
-    /// The state that a command asked for.
+    /// Reports the state that a command asked for.
     Emitter<std::uint8_t, robots::ArmState> desired_state;
     Emitter<std::uint8_t, bool> gravity_compensation;
     Emitter<double, double> trajectory_j_ratio;

@@ -165,15 +165,16 @@ constexpr suture::EventInfo kGripperEvents[] = {
 // The self-description, as in arm/gripper.suture.json.
 constexpr char kGripperDescription[] = R"json(
 {"name": "robots::Gripper",
-"doc": "The master provides it as an interface of its own, \"Gripper\". Reads are from the end of its last\ncycle. Joint vectors have one entry, the angle between the handles in rad: 0 is closed, and less\nis squeezed harder. Nothing drives it, so it is measured whether the master has power or not.",
+"doc": "The master provides this as an interface of its own, \"Gripper\". Reads are from the end of its\nlast cycle. Joint vectors have one entry, the angle between the handles in rad: 0 is closed, and\na smaller angle is squeezed harder. Nothing drives the gripper, so it is measured with or\nwithout power of the master.",
 "hash": "2461ceda32472c5d29c39c8e214fcaf4", "crtk": true, "commands": [{"name": "configuration_js",
-"kind": "read", "ordinal": 1, "wire": "configurationJs", "doc": "What the joint is and may do.",
-"result": {"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
-"name": "measured_js", "kind": "read", "ordinal": 2, "wire": "measuredJs",
-"doc": "Where it is. Stamp: the drives' cycle that measured it. Not valid before there was one.",
+"kind": "read", "ordinal": 1, "wire": "configurationJs",
+"doc": "Says what the joint is and what it may do.", "result": {"type": {"kind": "struct",
+"name": "robots::JointConfiguration"}}, "queue": 16}, {"name": "measured_js", "kind": "read",
+"ordinal": 2, "wire": "measuredJs",
+"doc": "Says where the joint is. The stamp is that of the drives' cycle that measured it. It is not\nvalid before there was one.",
 "result": {"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}], "events": [{
 "name": "closed", "kind": "write", "ordinal": 1,
-"doc": "Whether it is closed, each time that changes, and the last one to whoever connects: dVRK's\ngripper/closed.",
+"doc": "Reports if the gripper is closed, each time that this changes, and the last one to a client\nthat connects: dVRK's gripper/closed.",
 "payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true}], "enums": [{
 "name": "robots::JointType", "underlying": "UInt8", "enumerators": [{"name": "Undefined",
 "value": 0, "wire": "undefined"}, {"name": "Prismatic", "value": 1, "wire": "prismatic"}, {
@@ -181,7 +182,7 @@ constexpr char kGripperDescription[] = R"json(
 "wire": "universal"}, {"name": "BallSocket", "value": 4, "wire": "ballSocket"}, {
 "name": "Inactive", "value": 5, "wire": "inactive"}]}], "structs": [{
 "name": "robots::JointConfiguration",
-"doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
+"doc": "Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
 "name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
@@ -198,34 +199,35 @@ constexpr char kGripperDescription[] = R"json(
 "unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
 "kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
 "default": false}]}, {"name": "robots::JointState",
-"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+"doc": "Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list\nis empty if its quantity is not known, and as long as `name` otherwise.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
 "capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
 "kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
 "element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x8486a1563ccf77e4", "kind": "interface",
-"name": "Gripper", "cxx": "robots::Gripper", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xc5f5014ab20db54c"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "configurationJs", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xf723b5ed0dc2d63c"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "measuredJs",
+"kind": "time", "clock": "steady"}}, {"name": "valid",
+"doc": "If it is false, do not use the state.", "type": {"kind": "Bool"}, "default": false}]}],
+"wire": [{"id": "@0x8486a1563ccf77e4", "kind": "interface", "name": "Gripper",
+"cxx": "robots::Gripper", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xc5f5014ab20db54c"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "configurationJs",
 "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}]}, {"id": "@0xc5f5014ab20db54c", "kind": "interface", "name": "GripperEvents",
-"members": [{"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row",
-"is": "@0xb54cebda06a7e912"}]}, {"at": 1, "name": "closed", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xb54cebda06a7e912", "kind": "struct", "name": "GripperStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "configurationJs",
-"is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "measuredJs", "is": "@0xac24dfe518a4963f"}]}, {
-"id": "@0xf723b5ed0dc2d63c", "kind": "struct", "name": "JointConfiguration", "members": [{"at": 0,
-"name": "name", "is": "List(Text)"}, {"at": 1, "name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {
-"at": 2, "name": "positionMin", "is": "List(Float64) unit \"rad\""}, {"at": 3,
-"name": "positionMax", "is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
+"results": [{"at": 0, "name": "value", "is": "@0xf723b5ed0dc2d63c"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}, {"at": 2, "name": "measuredJs", "is": "kind \"read\"", "parameters": [{"at": 0,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "@0xac24dfe518a4963f"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xc5f5014ab20db54c", "kind": "interface", "name": "GripperEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xb54cebda06a7e912"}]}, {"at": 1,
+"name": "closed", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}]}, {"id": "@0xb54cebda06a7e912", "kind": "struct",
+"name": "GripperStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "configurationJs", "is": "@0xf723b5ed0dc2d63c"}, {"at": 4, "name": "measuredJs",
+"is": "@0xac24dfe518a4963f"}]}, {"id": "@0xf723b5ed0dc2d63c", "kind": "struct",
+"name": "JointConfiguration", "members": [{"at": 0, "name": "name", "is": "List(Text)"}, {"at": 1,
+"name": "type", "is": "List(@0x9f3bef15df1181c0)"}, {"at": 2, "name": "positionMin",
+"is": "List(Float64) unit \"rad\""}, {"at": 3, "name": "positionMax",
+"is": "List(Float64) unit \"rad\""}, {"at": 4, "name": "velocityMin",
 "is": "List(Float64) unit \"rad/s\""}, {"at": 5, "name": "velocityMax",
 "is": "List(Float64) unit \"rad/s\""}, {"at": 6, "name": "accelerationMin",
 "is": "List(Float64) unit \"rad/s2\""}, {"at": 7, "name": "accelerationMax",

@@ -48,10 +48,11 @@ class Required<robots::Gripper> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// What the joint is and may do.
+  /// Says what the joint is and what it may do.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
       *this, static_cast<std::uint16_t>(Id::configuration_js)};
-  /// Where it is. Stamp: the drives' cycle that measured it. Not valid before there was one.
+  /// Says where the joint is. The stamp is that of the drives' cycle that measured it. It is not
+  /// valid before there was one.
   ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
       *this, static_cast<std::uint16_t>(Id::measured_js)};
 
@@ -60,8 +61,8 @@ class Required<robots::Gripper> : public RequiredBase {
     explicit Events(RequiredBase& required)
         : closed{required, static_cast<std::uint16_t>(EventId::closed)} {}
 
-    /// Whether it is closed, each time that changes, and the last one to whoever connects: dVRK's
-    /// gripper/closed.
+    /// Reports if the gripper is closed, each time that this changes, and the last one to a client
+    /// that connects: dVRK's gripper/closed.
     Subscription<std::uint8_t, bool> closed;
   };
   Events& on() { return events_; }
@@ -90,8 +91,8 @@ class Provided<robots::Gripper> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : closed{provided, static_cast<std::uint16_t>(EventId::closed)} {}
 
-    /// Whether it is closed, each time that changes, and the last one to whoever connects: dVRK's
-    /// gripper/closed.
+    /// Reports if the gripper is closed, each time that this changes, and the last one to a client
+    /// that connects: dVRK's gripper/closed.
     Emitter<std::uint8_t, bool> closed;
   };
   Events& emit() { return events_; }

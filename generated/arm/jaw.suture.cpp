@@ -341,19 +341,19 @@ constexpr suture::EventInfo kJawEvents[] = {
 // The self-description, as in arm/jaw.suture.json.
 constexpr char kJawDescription[] = R"json(
 {"name": "robots::Jaw",
-"doc": "The arm that holds the instrument provides it as an interface of its own, \"Jaw\". Commands run in\nthe arm's thread before its next cycle; reads are from the end of its last one. Joint vectors\nhave one entry, the angle between the blades in rad: 0 is closed, and less presses them\ntogether. It may be -0.698 to 1.396 rad (-40 to 80 degrees) on the large needle driver of a da\nVinci.\n\nThe jaw has the power of its arm, and needs one that is enabled: otherwise it ignores commands\nof motion and says so in a warning, once until it obeys again. When its arm stops being enabled,\nit stops where it is. Homing the arm leaves it as it is.\n\nA command replaces the one before it. A servo stream that falls silent for 0.1 s, or whose\nclient is gone, leaves the set-point where it is.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h).",
+"doc": "The arm that holds the instrument provides this as an interface of its own, \"Jaw\". Commands run\nin the arm's thread before its next cycle; reads are from the end of its last one. Joint vectors\nhave one entry, the angle between the blades in rad: 0 is closed, and a smaller angle presses\nthem together. It may be -0.698 to 1.396 rad (-40 to 80 degrees) on the large needle driver of a\nda Vinci.\n\nThe jaw has the power of its arm, and needs an arm that is enabled: otherwise it ignores\ncommands of motion and says so in a warning, once until it obeys again. When its arm stops being\nenabled, it stops where it is. Homing the arm leaves it as it is.\n\nA command replaces the one before it. A servo stream that falls silent for 0.1 s, or whose\nclient is gone, leaves the set-point where it is.\n\nStatus, warning and error are the standard messages. Their `code` is an ArmWarning\n(arm_warning.h).",
 "hash": "7932e43af74de045e5562a71644d3339", "base": "suture::Messages", "crtk": true, "commands": [
 {"name": "configuration_js", "kind": "read", "ordinal": 1, "wire": "configurationJs",
-"doc": "What the joint is and may do. Its effort limit is published\n(LARGE_NEEDLE_DRIVER_400006.json), its acceleration limit, which is that of moves, is not.",
+"doc": "Says what the joint is and what it may do. Its effort limit is published\n(LARGE_NEEDLE_DRIVER_400006.json); its acceleration limit, which is that of moves, is not.",
 "result": {"type": {"kind": "struct", "name": "robots::JointConfiguration"}}, "queue": 16}, {
 "name": "measured_js", "kind": "read", "ordinal": 2, "wire": "measuredJs",
-"doc": "Where it is. Stamp: the drives' cycle that measured it.", "result": {"type": {
-"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "setpoint_js",
-"kind": "read", "ordinal": 3, "wire": "setpointJs",
-"doc": "Where it shall be. The effort is that of servo_jf, else 0.", "result": {"type": {
-"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "servo_jp",
+"doc": "Says where the joint is. The stamp is that of the drives' cycle that measured it.",
+"result": {"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {
+"name": "setpoint_js", "kind": "read", "ordinal": 3, "wire": "setpointJs",
+"doc": "Says where the joint shall be. The effort is that of servo_jf, else 0.", "result": {
+"type": {"kind": "struct", "name": "robots::JointState"}}, "queue": 16}, {"name": "servo_jp",
 "kind": "write", "ordinal": 4, "wire": "servoJp",
-"doc": "Streams goals, newest wins. The set-point goes there no faster than the joint can; a goal\nbeyond a limit leads as far as that.",
+"doc": "Streams goals, newest wins. The set-point goes there no faster than the joint can; a goal\nbeyond a limit leads only to the limit.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "servo_jf", "kind": "write", "ordinal": 5,
 "wire": "servoJf",
@@ -364,23 +364,24 @@ constexpr char kJawDescription[] = R"json(
 "doc": "Plans and executes a smooth motion from the set-point and the velocity that it has. Ends with\ngoal_reached.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::JointGoal"}}],
 "queue": 16}], "events": [{"name": "status", "kind": "write", "ordinal": 1,
-"doc": "All is well; something has been done.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
-"name": "warning", "kind": "write", "ordinal": 2,
-"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
-"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"doc": "Reports that something has been done, and nothing is wrong.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "warning", "kind": "write", "ordinal": 2,
+"doc": "Reports that something was refused, or is not as it should be; the component goes on.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
 "from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
-"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
-"name": "goal_reached", "kind": "write", "ordinal": 4, "wire": "goalReached",
-"doc": "A move ended: true at its goal, false when something else replaced it.", "payload": {
-"type": {"kind": "Bool"}}, "queue": 16}], "enums": [{"name": "robots::JointType",
+"doc": "Reports that something failed, and needs somebody's attention.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "goal_reached", "kind": "write", "ordinal": 4,
+"wire": "goalReached",
+"doc": "Reports the end of a move: true at its goal, false if something else replaced it.",
+"payload": {"type": {"kind": "Bool"}}, "queue": 16}], "enums": [{"name": "robots::JointType",
 "underlying": "UInt8", "enumerators": [{"name": "Undefined", "value": 0, "wire": "undefined"}, {
 "name": "Prismatic", "value": 1, "wire": "prismatic"}, {"name": "Revolute", "value": 2,
 "wire": "revolute"}, {"name": "Universal", "value": 3, "wire": "universal"}, {"name": "BallSocket",
 "value": 4, "wire": "ballSocket"}, {"name": "Inactive", "value": 5, "wire": "inactive"}]}],
 "structs": [{"name": "robots::JointConfiguration",
-"doc": "What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.",
+"doc": "Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "type", "type": {"kind": "list", "element": {"kind": "enum",
 "name": "robots::JointType"}, "capacity": 8}}, {"name": "position_min", "wire": "positionMin",
@@ -397,27 +398,28 @@ constexpr char kJawDescription[] = R"json(
 "unit": "N.m"}, {"name": "effort_max", "wire": "effortMax", "type": {"kind": "list", "element": {
 "kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "valid", "type": {"kind": "Bool"},
 "default": false}]}, {"name": "robots::JointState",
-"doc": "The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is\nempty where its quantity is not known, and as long as `name` otherwise.",
+"doc": "Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list\nis empty if its quantity is not known, and as long as `name` otherwise.",
 "fields": [{"name": "name", "type": {"kind": "list", "element": {"kind": "text", "capacity": 15},
 "capacity": 8}}, {"name": "position", "type": {"kind": "list", "element": {"kind": "Float64"},
 "capacity": 8}, "unit": "rad"}, {"name": "velocity", "type": {"kind": "list", "element": {
 "kind": "Float64"}, "capacity": 8}, "unit": "rad/s"}, {"name": "effort", "type": {"kind": "list",
 "element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::JointGoal",
-"doc": "Where joints shall go: CRTK's servo_jp and move_jp.", "fields": [{"name": "position",
-"doc": "One entry a joint, in chain order.", "type": {"kind": "list", "element": {"kind": "Float64"
-}, "capacity": 8}, "unit": "rad"}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]
-}, {"name": "robots::JointEffortGoal", "doc": "CRTK's servo_jf: prmForceTorqueJointSet.",
-"fields": [{"name": "effort", "type": {"kind": "list", "element": {"kind": "Float64"}, "capacity": 8
-}, "unit": "N.m"}, {"name": "mask", "doc": "Optional: which joints count; empty: all.", "type": {
+"kind": "time", "clock": "steady"}}, {"name": "valid",
+"doc": "If it is false, do not use the state.", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::JointGoal", "doc": "Says where joints shall go: CRTK's servo_jp and move_jp.",
+"fields": [{"name": "position", "doc": "Has one entry for each joint, in chain order.", "type": {
+"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "rad"}, {"name": "stamp",
+"type": {"kind": "time", "clock": "steady"}}]}, {"name": "robots::JointEffortGoal",
+"doc": "CRTK's servo_jf: prmForceTorqueJointSet.", "fields": [{"name": "effort", "type": {
+"kind": "list", "element": {"kind": "Float64"}, "capacity": 8}, "unit": "N.m"}, {"name": "mask",
+"doc": "Is optional, and says which joints count; if it is empty, all do.", "type": {
 "kind": "list", "element": {"kind": "Bool"}, "capacity": 8}}, {"name": "stamp", "type": {
 "kind": "time", "clock": "steady"}}]}, {"name": "suture::Message", "fields": [{"name": "text",
-"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
-"type": {"kind": "text", "capacity": 255}}, {"name": "code",
-"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
+"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
-"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}]}], "wire": [{"id": "@0xf5776c4cb1ab9076", "kind": "interface", "name": "Jaw",
 "cxx": "robots::Jaw", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,

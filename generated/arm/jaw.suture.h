@@ -77,18 +77,18 @@ class Required<robots::Jaw> : public Required<suture::Messages> {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// What the joint is and may do. Its effort limit is published
-  /// (LARGE_NEEDLE_DRIVER_400006.json), its acceleration limit, which is that of moves, is not.
+  /// Says what the joint is and what it may do. Its effort limit is published
+  /// (LARGE_NEEDLE_DRIVER_400006.json); its acceleration limit, which is that of moves, is not.
   ReadCommand<&Contract::configuration_js, robots::JointConfigurationSlot> configuration_js{
       *this, static_cast<std::uint16_t>(Id::configuration_js)};
-  /// Where it is. Stamp: the drives' cycle that measured it.
+  /// Says where the joint is. The stamp is that of the drives' cycle that measured it.
   ReadCommand<&Contract::measured_js, robots::JointStateSlot> measured_js{
       *this, static_cast<std::uint16_t>(Id::measured_js)};
-  /// Where it shall be. The effort is that of servo_jf, else 0.
+  /// Says where the joint shall be. The effort is that of servo_jf, else 0.
   ReadCommand<&Contract::setpoint_js, robots::JointStateSlot> setpoint_js{
       *this, static_cast<std::uint16_t>(Id::setpoint_js)};
   /// Streams goals, newest wins. The set-point goes there no faster than the joint can; a goal
-  /// beyond a limit leads as far as that.
+  /// beyond a limit leads only to the limit.
   Command<&Contract::servo_jp, robots::JawServoJpArguments> servo_jp{
       *this, static_cast<std::uint16_t>(Id::servo_jp)};
   /// Streams efforts, newest wins; a negative one closes. The simulated jaw has no mass: an effort
@@ -106,7 +106,7 @@ class Required<robots::Jaw> : public Required<suture::Messages> {
         : Required<suture::Messages>::Events(required),
           goal_reached{required, static_cast<std::uint16_t>(EventId::goal_reached)} {}
 
-    /// A move ended: true at its goal, false when something else replaced it.
+    /// Reports the end of a move: true at its goal, false if something else replaced it.
     Subscription<std::uint8_t, bool> goal_reached;
   };
   Events& on() { return events_; }
@@ -136,7 +136,7 @@ class Provided<robots::Jaw> : public Provided<suture::Messages> {
         : Provided<suture::Messages>::Events(provided),
           goal_reached{provided, static_cast<std::uint16_t>(EventId::goal_reached)} {}
 
-    /// A move ended: true at its goal, false when something else replaced it.
+    /// Reports the end of a move: true at its goal, false if something else replaced it.
     Emitter<std::uint8_t, bool> goal_reached;
   };
   Events& emit() { return events_; }

@@ -234,39 +234,41 @@ constexpr suture::EventInfo kConsoleEvents[] = {
 // The self-description, as in console/console.suture.json.
 constexpr char kConsoleDescription[] = R"json(
 {"name": "robots::Console",
-"doc": "Commands run in the console's own thread before its next cycle. Status, warning and error are\nthe standard messages: what is missing, and which part did not do what it was asked.",
+"doc": "Commands run in the console's own thread before its next cycle. Status, warning and error are\nthe standard messages: they say what is missing, and which part did not do what it was asked.",
 "hash": "28ab859eb18567f90efa935a80d07299", "base": "suture::Messages", "commands": [{
 "name": "bring_up", "kind": "void", "ordinal": 1, "wire": "bringUp",
-"doc": "Refused, with an error that names each reason, unless the console is down, every part of the\nsystem is there, and the emergency stop is released.",
+"doc": "Brings the system up. It is refused, with an error that names each reason, unless the console\nis down, every part of the system is there, and the emergency stop is released.",
 "queue": 16}, {"name": "bring_down", "kind": "void", "ordinal": 2, "wire": "bringDown",
-"doc": "Disables everything in the opposite order. Also while it is being brought up.", "queue": 16
-}, {"name": "console_state", "kind": "read", "ordinal": 3, "wire": "consoleState", "result": {
-"type": {"kind": "enum", "name": "robots::ConsoleState"}}, "queue": 16}], "events": [{
-"name": "status", "kind": "write", "ordinal": 1, "doc": "All is well; something has been done.",
-"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"doc": "Disables everything in the opposite order, even while the system is being brought up.",
+"queue": 16}, {"name": "console_state", "kind": "read", "ordinal": 3, "wire": "consoleState",
+"result": {"type": {"kind": "enum", "name": "robots::ConsoleState"}}, "queue": 16}], "events": [{
+"name": "status", "kind": "write", "ordinal": 1,
+"doc": "Reports that something has been done, and nothing is wrong.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
 "from": "suture::Messages"}, {"name": "warning", "kind": "write", "ordinal": 2,
-"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
-"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"doc": "Reports that something was refused, or is not as it should be; the component goes on.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
 "from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
-"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}, {
-"name": "console_state", "kind": "write", "ordinal": 4, "wire": "consoleState",
-"doc": "Each change, and the last one to whoever connects.", "payload": {"type": {"kind": "enum",
-"name": "robots::ConsoleState"}}, "queue": 16, "latched": true}], "enums": [{
-"name": "robots::ConsoleState", "underlying": "UInt8", "enumerators": [{"name": "Down", "value": 0,
-"wire": "down", "doc": "until bring_up()"}, {"name": "Enabling", "value": 1, "wire": "enabling",
-"doc": "the arms get power, one after the other"}, {"name": "Homing", "value": 2, "wire": "homing",
-"doc": "they move to their home positions"}, {"name": "Up", "value": 3, "wire": "up",
-"doc": "the arms are ready, and what moves them is enabled"}, {"name": "Incomplete", "value": 4,
-"wire": "incomplete", "doc": "it was up, and a part is missing or not ready; up again when all are"
-}, {"name": "Leaving", "value": 5, "wire": "leaving",
+"doc": "Reports that something failed, and needs somebody's attention.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "console_state", "kind": "write", "ordinal": 4,
+"wire": "consoleState", "doc": "Reports each change, and the last one to a client that connects.",
+"payload": {"type": {"kind": "enum", "name": "robots::ConsoleState"}}, "queue": 16, "latched": true
+}], "enums": [{"name": "robots::ConsoleState", "underlying": "UInt8", "enumerators": [{
+"name": "Down", "value": 0, "wire": "down", "doc": "until bring_up()"}, {"name": "Enabling",
+"value": 1, "wire": "enabling", "doc": "the arms get power, one after the other"}, {
+"name": "Homing", "value": 2, "wire": "homing", "doc": "they move to their home positions"}, {
+"name": "Up", "value": 3, "wire": "up", "doc": "the arms are ready, and what moves them is enabled"
+}, {"name": "Incomplete", "value": 4, "wire": "incomplete",
+"doc": "it was up, and a part is missing or not ready; up again when all are"}, {"name": "Leaving",
+"value": 5, "wire": "leaving",
 "doc": "bring_down() is under way, or a bring-up that failed is taken back"}]}], "structs": [{
 "name": "suture::Message", "fields": [{"name": "text",
-"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
-"type": {"kind": "text", "capacity": 255}}, {"name": "code",
-"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
+"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
-"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}]}], "wire": [{"id": "@0xdf92213fbec2997e", "kind": "interface",
 "name": "Console", "cxx": "robots::Console", "members": [{"at": 0, "name": "subscribe",

@@ -47,10 +47,10 @@ class Required<robots::Console> : public Required<suture::Messages> {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Refused, with an error that names each reason, unless the console is down, every part of the
-  /// system is there, and the emergency stop is released.
+  /// Brings the system up. It is refused, with an error that names each reason, unless the console
+  /// is down, every part of the system is there, and the emergency stop is released.
   Command<&Contract::bring_up, NoSlot> bring_up{*this, static_cast<std::uint16_t>(Id::bring_up)};
-  /// Disables everything in the opposite order. Also while it is being brought up.
+  /// Disables everything in the opposite order, even while the system is being brought up.
   Command<&Contract::bring_down, NoSlot> bring_down{
       *this, static_cast<std::uint16_t>(Id::bring_down)};
   ReadCommand<&Contract::console_state, std::uint8_t> console_state{
@@ -62,7 +62,7 @@ class Required<robots::Console> : public Required<suture::Messages> {
         : Required<suture::Messages>::Events(required),
           console_state{required, static_cast<std::uint16_t>(EventId::console_state)} {}
 
-    /// Each change, and the last one to whoever connects.
+    /// Reports each change, and the last one to a client that connects.
     Subscription<std::uint8_t, robots::ConsoleState> console_state;
   };
   Events& on() { return events_; }
@@ -92,7 +92,7 @@ class Provided<robots::Console> : public Provided<suture::Messages> {
         : Provided<suture::Messages>::Events(provided),
           console_state{provided, static_cast<std::uint16_t>(EventId::console_state)} {}
 
-    /// Each change, and the last one to whoever connects.
+    /// Reports each change, and the last one to a client that connects.
     Emitter<std::uint8_t, robots::ConsoleState> console_state;
   };
   Events& emit() { return events_; }

@@ -201,25 +201,25 @@ constexpr char kEmergencyStopDescription[] = R"json(
 {"name": "robots::EmergencyStop",
 "doc": "Commands run in the coordinator's thread before its next cycle.",
 "hash": "5d19bb3881b9132f6effe3d313d4f668", "commands": [{"name": "press", "kind": "void",
-"ordinal": 1, "doc": "All drives stop, and none has power until release().", "queue": 16}, {
+"ordinal": 1, "doc": "Stops all drives. None has power until release().", "queue": 16}, {
 "name": "release", "kind": "void", "ordinal": 2,
-"doc": "An operator's decision: drives may have power again. Arms stay disabled until somebody enables\nthem, such as a console that brings its system up by itself.",
-"queue": 16}, {"name": "permit", "kind": "read", "ordinal": 3, "doc": "Renewed in each cycle.",
+"doc": "Lets drives have power again, which an operator must have decided. Arms stay disabled until\nsomebody enables them, such as a console that brings its system up by itself.",
+"queue": 16}, {"name": "permit", "kind": "read", "ordinal": 3, "doc": "Is renewed in each cycle.",
 "result": {"type": {"kind": "struct", "name": "robots::Permit"}}, "queue": 16}], "events": [{
 "name": "stop", "kind": "write", "ordinal": 1,
-"doc": "Each press and each release, and the last one to whoever connects.", "payload": {"type": {
-"kind": "struct", "name": "robots::StopNews"}}, "queue": 16, "latched": true}], "enums": [],
-"structs": [{"name": "robots::Permit",
-"doc": "It lets drives have power. It counts for as long as it is fresh, so that whoever does not\nhear of it any more stops too.",
+"doc": "Reports each press and each release, and the last one to a client that connects.",
+"payload": {"type": {"kind": "struct", "name": "robots::StopNews"}}, "queue": 16, "latched": true}
+], "enums": [], "structs": [{"name": "robots::Permit",
+"doc": "Lets drives have power. It counts only as long as it is fresh, so that drives that do not\nreceive it any more stop too.",
 "fields": [{"name": "granted", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
-"doc": "The cycle that it was renewed in.", "type": {"kind": "time", "clock": "steady"}}]}, {
-"name": "robots::StopNews", "doc": "The emergency stop was pressed, or released.", "fields": [{
-"name": "pressed", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp", "type": {
-"kind": "time", "clock": "steady"}}]}], "wire": [{"id": "@0x85a101cfc49eccfc", "kind": "interface",
-"name": "EmergencyStop", "cxx": "robots::EmergencyStop", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xd5baa187cf46a24d"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "press", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"doc": "Is the cycle in which it was renewed.", "type": {"kind": "time", "clock": "steady"}}]}, {
+"name": "robots::StopNews", "doc": "Says that the emergency stop was pressed, or released.",
+"fields": [{"name": "pressed", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
+"type": {"kind": "time", "clock": "steady"}}]}], "wire": [{"id": "@0x85a101cfc49eccfc",
+"kind": "interface", "name": "EmergencyStop", "cxx": "robots::EmergencyStop", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xd5baa187cf46a24d"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "press", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "release", "is": "kind \"void\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
 "name": "permit", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",

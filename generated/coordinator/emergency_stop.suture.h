@@ -12,8 +12,8 @@
 
 namespace robots {
 
-/// It lets drives have power. It counts for as long as it is fresh, so that whoever does not
-/// hear of it any more stops too.
+/// Lets drives have power. It counts only as long as it is fresh, so that drives that do not
+/// receive it any more stop too.
 struct PermitSlot {
   std::uint8_t granted;  // bool
   std::int64_t stamp;    // suture::Time, ns
@@ -23,7 +23,7 @@ bool store(const Permit& value, PermitSlot& slot);
 void load(const PermitSlot& slot, Permit& value);
 void shiftStamps(PermitSlot& slot, suture::Duration shift);
 
-/// The emergency stop was pressed, or released.
+/// Says that the emergency stop was pressed, or released.
 struct StopNewsSlot {
   std::uint8_t pressed;  // bool
   std::int64_t stamp;    // suture::Time, ns
@@ -78,12 +78,12 @@ class Required<robots::EmergencyStop> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// All drives stop, and none has power until release().
+  /// Stops all drives. None has power until release().
   Command<&Contract::press, NoSlot> press{*this, static_cast<std::uint16_t>(Id::press)};
-  /// An operator's decision: drives may have power again. Arms stay disabled until somebody enables
-  /// them, such as a console that brings its system up by itself.
+  /// Lets drives have power again, which an operator must have decided. Arms stay disabled until
+  /// somebody enables them, such as a console that brings its system up by itself.
   Command<&Contract::release, NoSlot> release{*this, static_cast<std::uint16_t>(Id::release)};
-  /// Renewed in each cycle.
+  /// Is renewed in each cycle.
   ReadCommand<&Contract::permit, robots::PermitSlot> permit{
       *this, static_cast<std::uint16_t>(Id::permit)};
 
@@ -92,7 +92,7 @@ class Required<robots::EmergencyStop> : public RequiredBase {
     explicit Events(RequiredBase& required)
         : stop{required, static_cast<std::uint16_t>(EventId::stop)} {}
 
-    /// Each press and each release, and the last one to whoever connects.
+    /// Reports each press and each release, and the last one to a client that connects.
     Subscription<robots::StopNewsSlot, robots::StopNews> stop;
   };
   Events& on() { return events_; }
@@ -121,7 +121,7 @@ class Provided<robots::EmergencyStop> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : stop{provided, static_cast<std::uint16_t>(EventId::stop)} {}
 
-    /// Each press and each release, and the last one to whoever connects.
+    /// Reports each press and each release, and the last one to a client that connects.
     Emitter<robots::StopNewsSlot, robots::StopNews> stop;
   };
   Events& emit() { return events_; }

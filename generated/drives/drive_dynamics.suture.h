@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// What can be chosen of joints with mass.
+/// Chooses the properties of joints with mass.
 struct RigidBodyOptionsSlot {
   std::uint8_t gravity_compensation;  // bool
   std::uint8_t quantisation;          // bool

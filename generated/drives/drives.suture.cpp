@@ -327,18 +327,18 @@ constexpr char kDrivesDescription[] = R"json(
 "doc": "Commands run in the drives' own thread before its next cycle; the read is from the end of its\nlast one.",
 "hash": "270403ff6448a0e24ad22c954a19f89f", "commands": [{"name": "power_on", "kind": "write",
 "ordinal": 1, "wire": "powerOn",
-"doc": "Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that\nthis answers: drives that have stopped since then, or may not have power, stay as they are.",
+"doc": "Releases the brakes. The joints hold where they are. `permitted` is that of the feedback that\nthis answers: drives that have stopped since then, or may not have power, stay as they are.",
 "parameters": [{"name": "permitted", "type": {"kind": "time", "clock": "steady"}}], "queue": 16}, {
 "name": "power_off", "kind": "void", "ordinal": 2, "wire": "powerOff",
-"doc": "The brakes hold the joints where they are; those of an arm that has none sink by their weight.",
+"doc": "Lets the brakes hold the joints where they are. The joints of an arm that has none sink by\ntheir weight.",
 "queue": 16}, {"name": "servo_jp", "kind": "write", "ordinal": 3, "wire": "servoJp",
-"doc": "Streams goals, newest wins. Without power, or with the wrong number of joints, one changes\nnothing. A stream that falls silent for 0.1 s leaves the joints where they are.",
+"doc": "Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes\nnothing. A stream that falls silent for 0.1 s leaves the joints where they are.",
 "parameters": [{"name": "goal", "type": {"kind": "struct", "name": "robots::DriveGoal"}}],
 "queue": 16, "latest": true, "ttl": 0.02}, {"name": "feedback", "kind": "read", "ordinal": 4,
 "result": {"type": {"kind": "struct", "name": "robots::DriveFeedback"}}, "queue": 16}], "events": [
 {"name": "power", "kind": "write", "ordinal": 1,
-"doc": "Each change, and the last one to whoever connects.", "payload": {"type": {"kind": "enum",
-"name": "robots::DrivePower"}}, "queue": 16, "latched": true}], "enums": [{
+"doc": "Reports each change, and the last one to a client that connects.", "payload": {"type": {
+"kind": "enum", "name": "robots::DrivePower"}}, "queue": 16, "latched": true}], "enums": [{
 "name": "robots::DrivePower", "underlying": "UInt8", "enumerators": [{"name": "NotReady",
 "value": 0, "wire": "notReady", "doc": "since they started, nobody has permitted them power"}, {
 "name": "Stopped", "value": 1, "wire": "stopped",
@@ -347,23 +347,23 @@ constexpr char kDrivesDescription[] = R"json(
 "doc": "without power, which they are permitted to have: what brakes they have are on"}, {
 "name": "On", "value": 3, "wire": "on", "doc": "the joints follow their goals"}]}], "structs": [{
 "name": "robots::DriveGoal",
-"doc": "Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.",
+"doc": "Says where the actuators shall be, in the same order. The entry of a gripper has no effect.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "joints",
 "type": {"kind": "UInt32"}, "default": 0}]}, {"name": "robots::DriveFeedback",
-"doc": "The drives measure this in each of their cycles. It is of actuators, in the order of the joints\nof the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which nothing\ndrives. What the actuators of an arm are to its joints is in coupling.h; most are their joint.\nOne of a prismatic joint has m, m/s and N.",
+"doc": "Is what the drives measure in each of their cycles. It is of actuators, in the order of the\njoints of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which\nnothing drives. coupling.h says how the actuators of an arm turn its joints; most are their\njoint. The actuator of a prismatic joint has m, m/s and N.",
 "fields": [{"name": "position", "doc": "The first `joints` entries count.", "type": {
 "kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad"}, {"name": "velocity",
 "type": {"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "rad/s"}, {
 "name": "joints", "type": {"kind": "UInt32"}, "default": 0}, {"name": "power", "type": {
 "kind": "enum", "name": "robots::DrivePower"}, "default": "NotReady"}, {"name": "permitted",
-"doc": "When they were last permitted to have power. Another moment than before: they have stopped\nmeanwhile, or are others, which an arm may not have seen.",
-"type": {"kind": "time", "clock": "steady"}}, {"name": "stamp", "doc": "The drives' cycle.",
-"type": {"kind": "time", "clock": "steady"}}, {"name": "effort",
-"doc": "What the motors give, as their currents tell.", "type": {"kind": "array", "element": {
-"kind": "Float64"}, "length": 8}, "unit": "N.m"}, {"name": "measures_effort",
-"wire": "measuresEffort",
-"doc": "Whether `effort` is measured. Joints that are simulated without mass need none, and tell 0; so\ndoes a simulated jaw, which has no mass whatever this says.",
+"doc": "Is when they were last permitted to have power. If this changes, they have stopped meanwhile,\nor are other drives, which an arm may not have seen.",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "stamp",
+"doc": "Is that of the drives' cycle.", "type": {"kind": "time", "clock": "steady"}}, {
+"name": "effort", "doc": "Is what the motors give, as their currents show it.", "type": {
+"kind": "array", "element": {"kind": "Float64"}, "length": 8}, "unit": "N.m"}, {
+"name": "measures_effort", "wire": "measuresEffort",
+"doc": "Is true if `effort` is measured. Joints that are simulated without mass need none, and have 0;\nso does a simulated jaw, which has no mass whatever this says.",
 "type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x91efda82df1adc01",
 "kind": "interface", "name": "Drives", "cxx": "robots::Drives", "members": [{"at": 0,
 "name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe59a5d931070aa84"}, {

@@ -12,10 +12,10 @@
 
 namespace robots {
 
-/// The drives measure this in each of their cycles. It is of actuators, in the order of the joints
-/// of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which nothing
-/// drives. What the actuators of an arm are to its joints is in coupling.h; most are their joint.
-/// One of a prismatic joint has m, m/s and N.
+/// Is what the drives measure in each of their cycles. It is of actuators, in the order of the
+/// joints of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which
+/// nothing drives. coupling.h says how the actuators of an arm turn its joints; most are their
+/// joint. The actuator of a prismatic joint has m, m/s and N.
 struct DriveFeedbackSlot {
   std::array<double, 8> position;  // rad
   std::array<double, 8> velocity;  // rad/s
@@ -31,7 +31,7 @@ bool store(const DriveFeedback& value, DriveFeedbackSlot& slot);
 void load(const DriveFeedbackSlot& slot, DriveFeedback& value);
 void shiftStamps(DriveFeedbackSlot& slot, suture::Duration shift);
 
-/// Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.
+/// Says where the actuators shall be, in the same order. The entry of a gripper has no effect.
 struct DriveGoalSlot {
   std::array<double, 8> position;  // rad
   std::uint32_t joints;
@@ -101,13 +101,14 @@ class Required<robots::Drives> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that
+  /// Releases the brakes. The joints hold where they are. `permitted` is that of the feedback that
   /// this answers: drives that have stopped since then, or may not have power, stay as they are.
   Command<&Contract::power_on, robots::DrivesPowerOnArguments> power_on{
       *this, static_cast<std::uint16_t>(Id::power_on)};
-  /// The brakes hold the joints where they are; those of an arm that has none sink by their weight.
+  /// Lets the brakes hold the joints where they are. The joints of an arm that has none sink by
+  /// their weight.
   Command<&Contract::power_off, NoSlot> power_off{*this, static_cast<std::uint16_t>(Id::power_off)};
-  /// Streams goals, newest wins. Without power, or with the wrong number of joints, one changes
+  /// Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes
   /// nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
   Command<&Contract::servo_jp, robots::DrivesServoJpArguments> servo_jp{
       *this, static_cast<std::uint16_t>(Id::servo_jp)};
@@ -119,7 +120,7 @@ class Required<robots::Drives> : public RequiredBase {
     explicit Events(RequiredBase& required)
         : power{required, static_cast<std::uint16_t>(EventId::power)} {}
 
-    /// Each change, and the last one to whoever connects.
+    /// Reports each change, and the last one to a client that connects.
     Subscription<std::uint8_t, robots::DrivePower> power;
   };
   Events& on() { return events_; }
@@ -148,7 +149,7 @@ class Provided<robots::Drives> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : power{provided, static_cast<std::uint16_t>(EventId::power)} {}
 
-    /// Each change, and the last one to whoever connects.
+    /// Reports each change, and the last one to a client that connects.
     Emitter<std::uint8_t, robots::DrivePower> power;
   };
   Events& emit() { return events_; }

@@ -72,10 +72,10 @@ constexpr suture::CommandInfo kGripperHandCommands[] = {
 // The self-description, as in drives/gripper_hand.suture.json.
 constexpr char kGripperHandDescription[] = R"json(
 {"name": "robots::GripperHand",
-"doc": "Simulated drives of a master provide it as \"Hand\", for real ones have a surgeon's. Commands run\nin the drives' own thread before its next cycle.",
+"doc": "Simulated drives of a master provide this as \"Hand\", because real ones have a surgeon's.\nCommands run in the drives' own thread before its next cycle.",
 "hash": "2f170b4de6ff45ce5d5a523ed80fb21b", "commands": [{"name": "squeeze", "kind": "write",
 "ordinal": 1,
-"doc": "The fingers press the handles to this angle, newest wins: there it stays until another one.\nThe gripper follows with the lag of the drives, and no further than its stops.",
+"doc": "Makes the fingers press the handles to this angle, newest wins. It stays there until another\none comes. The gripper follows with the lag of the drives, and no further than its stops.",
 "parameters": [{"name": "angle", "type": {"kind": "Float64"}, "unit": "rad"}], "queue": 16,
 "latest": true, "ttl": 0.1}], "events": [], "enums": [], "structs": [], "wire": [{
 "id": "@0xfdcd88fcdd8f3434", "kind": "interface", "name": "GripperHand",

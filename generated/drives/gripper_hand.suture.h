@@ -41,8 +41,8 @@ class Required<robots::GripperHand> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// The fingers press the handles to this angle, newest wins: there it stays until another one.
-  /// The gripper follows with the lag of the drives, and no further than its stops.
+  /// Makes the fingers press the handles to this angle, newest wins. It stays there until another
+  /// one comes. The gripper follows with the lag of the drives, and no further than its stops.
   Command<&Contract::squeeze, robots::GripperHandSqueezeArguments> squeeze{
       *this, static_cast<std::uint16_t>(Id::squeeze)};
 

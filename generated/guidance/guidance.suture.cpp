@@ -276,15 +276,15 @@ constexpr char kGuidanceDescription[] = R"json(
 "hash": "64bae6c767a3a15b052609c5193c0b34", "commands": [{"name": "guidance_state", "kind": "read",
 "ordinal": 1, "wire": "guidanceState", "result": {"type": {"kind": "enum",
 "name": "robots::GuidanceState"}}, "queue": 16}, {"name": "progress", "kind": "read", "ordinal": 2,
-"doc": "It is told also while the guide waits for something, as far as the knot has been seen.",
+"doc": "Is updated even while the guide waits for something, as far as the knot has been seen.",
 "result": {"type": {"kind": "struct", "name": "robots::GuidanceProgress"}}, "queue": 16}, {
 "name": "enable", "kind": "void", "ordinal": 3,
-"doc": "Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.\nAn arm in FAULT is not enabled: whoever has removed the cause enables it.",
+"doc": "Enables and homes arms that are not, then guides. This also works after an arm was disabled or\nrestarted. It does not enable an arm in FAULT: the operator who has removed the cause does.",
 "queue": 16}, {"name": "disable", "kind": "void", "ordinal": 4,
-"doc": "Stops guiding; both slaves hold.", "queue": 16}], "events": [{"name": "guidance_state",
+"doc": "Stops guiding. Both slaves hold.", "queue": 16}], "events": [{"name": "guidance_state",
 "kind": "write", "ordinal": 1, "wire": "guidanceState",
-"doc": "Each change, and the last one to whoever connects.", "payload": {"type": {"kind": "enum",
-"name": "robots::GuidanceState"}}, "queue": 16, "latched": true}], "enums": [{
+"doc": "Reports each change, and the last one to a client that connects.", "payload": {"type": {
+"kind": "enum", "name": "robots::GuidanceState"}}, "queue": 16, "latched": true}], "enums": [{
 "name": "robots::GuidanceState", "underlying": "UInt8", "enumerators": [{"name": "Preparing",
 "value": 0, "wire": "preparing",
 "doc": "waits for the registration, and for all four arms: connected, enabled, homed,\nfresh data of each, and slaves that take goals"
@@ -296,19 +296,19 @@ constexpr char kGuidanceDescription[] = R"json(
 "name": "Clutched", "value": 4, "wire": "clutched",
 "doc": "a pedal takes the masters from their slaves, or nobody is at the console: both\nslaves hold, and the masters are the surgeon's to move"
 }]}], "structs": [{"name": "robots::GuidanceProgress", "fields": [{"name": "knot",
-"doc": "Where the knot is by the last sighting and by what the tips have moved since; in the scene.",
+"doc": "Is where the knot is by the last sighting and by what the tips have moved since, in the scene.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {
 "name": "distance_to_target", "wire": "distanceToTarget",
-"doc": "Along the line of approach; below zero behind the target.", "type": {"kind": "Float64"},
-"unit": "m", "default": 0.0}, {"name": "lateral_error", "wire": "lateralError",
-"doc": "From the line of approach.", "type": {"kind": "Float64"}, "unit": "m", "default": 0.0}, {
-"name": "stamp", "doc": "The guide's cycle.", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "valid", "doc": "False unless the knot has been seen lately.", "type": {"kind": "Bool"},
-"default": false}]}], "wire": [{"id": "@0xf839a0ec32e2aeaf", "kind": "interface",
-"name": "Guidance", "cxx": "robots::Guidance", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xf87738b35a660df1"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "guidanceState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"doc": "Is the distance along the line of approach; it is below zero behind the target.", "type": {
+"kind": "Float64"}, "unit": "m", "default": 0.0}, {"name": "lateral_error", "wire": "lateralError",
+"doc": "Is the distance from the line of approach.", "type": {"kind": "Float64"}, "unit": "m",
+"default": 0.0}, {"name": "stamp", "doc": "Is that of the guide's cycle.", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "valid", "doc": "Is false unless the knot has been seen lately.",
+"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xf839a0ec32e2aeaf",
+"kind": "interface", "name": "Guidance", "cxx": "robots::Guidance", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xf87738b35a660df1"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "guidanceState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0x909952bd3e04c1b4"
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "progress", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,

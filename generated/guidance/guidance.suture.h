@@ -68,13 +68,13 @@ class Required<robots::Guidance> : public RequiredBase {
 
   ReadCommand<&Contract::guidance_state, std::uint8_t> guidance_state{
       *this, static_cast<std::uint16_t>(Id::guidance_state)};
-  /// It is told also while the guide waits for something, as far as the knot has been seen.
+  /// Is updated even while the guide waits for something, as far as the knot has been seen.
   ReadCommand<&Contract::progress, robots::GuidanceProgressSlot> progress{
       *this, static_cast<std::uint16_t>(Id::progress)};
-  /// Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
-  /// An arm in FAULT is not enabled: whoever has removed the cause enables it.
+  /// Enables and homes arms that are not, then guides. This also works after an arm was disabled or
+  /// restarted. It does not enable an arm in FAULT: the operator who has removed the cause does.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
-  /// Stops guiding; both slaves hold.
+  /// Stops guiding. Both slaves hold.
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
 
   /// Subscribes to the events of robots::Guidance.
@@ -82,7 +82,7 @@ class Required<robots::Guidance> : public RequiredBase {
     explicit Events(RequiredBase& required)
         : guidance_state{required, static_cast<std::uint16_t>(EventId::guidance_state)} {}
 
-    /// Each change, and the last one to whoever connects.
+    /// Reports each change, and the last one to a client that connects.
     Subscription<std::uint8_t, robots::GuidanceState> guidance_state;
   };
   Events& on() { return events_; }
@@ -111,7 +111,7 @@ class Provided<robots::Guidance> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : guidance_state{provided, static_cast<std::uint16_t>(EventId::guidance_state)} {}
 
-    /// Each change, and the last one to whoever connects.
+    /// Reports each change, and the last one to a client that connects.
     Emitter<std::uint8_t, robots::GuidanceState> guidance_state;
   };
   Events& emit() { return events_; }

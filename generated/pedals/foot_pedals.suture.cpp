@@ -200,37 +200,37 @@ constexpr char kFootPedalsDescription[] = R"json(
 "hash": "f2201b1981864fec0edf03f41c20c8c0", "commands": [{"name": "pedals", "kind": "read",
 "ordinal": 1, "result": {"type": {"kind": "struct", "name": "robots::PedalState"}}, "queue": 16}],
 "events": [{"name": "clutch", "kind": "write", "ordinal": 1,
-"doc": "Pressed or released, and as it is now to whoever connects.", "payload": {"type": {
-"kind": "Bool"}}, "queue": 16, "latched": true}, {"name": "camera", "kind": "write", "ordinal": 2,
-"payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true}, {"name": "coagulation",
-"kind": "write", "ordinal": 3, "payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true}
-], "enums": [], "structs": [{"name": "robots::PedalState",
-"doc": "What the feet do. It counts for as long as it is fresh: whoever does not hear of the pedals any\nmore must take them for pressed.",
-"fields": [{"name": "clutch", "doc": "Masters move without their slaves.", "type": {"kind": "Bool"
-}, "default": false}, {"name": "camera", "doc": "Masters move the camera instead of their slaves.",
-"type": {"kind": "Bool"}, "default": false}, {"name": "coagulation",
-"doc": "Energy is applied to the tissue.", "type": {"kind": "Bool"}, "default": false}, {
-"name": "stamp", "doc": "The cycle that they were looked at in.", "type": {"kind": "time",
-"clock": "steady"}}]}], "wire": [{"id": "@0xeef483a34001461c", "kind": "interface",
-"name": "FootPedals", "cxx": "robots::FootPedals", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xeb48eb818a9b108b"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "pedals", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xcff309898affe286"
-}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {"id": "@0xeb48eb818a9b108b", "kind": "interface",
-"name": "FootPedalsEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
-"name": "row", "is": "@0xec8fc265517e6c7c"}]}, {"at": 1, "name": "clutch", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2,
-"name": "camera", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
-"name": "stamp", "is": "Int64"}]}, {"at": 3, "name": "coagulation", "parameters": [{"at": 0,
-"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xec8fc265517e6c7c", "kind": "struct", "name": "FootPedalsStateRow", "members": [{"at": 0,
-"name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "pedals", "is": "@0xcff309898affe286"}]}, {
-"id": "@0xcff309898affe286", "kind": "struct", "name": "PedalState", "members": [{"at": 0,
-"name": "clutch", "is": "Bool"}, {"at": 1, "name": "camera", "is": "Bool"}, {"at": 2,
-"name": "coagulation", "is": "Bool"}, {"at": 3, "name": "stamp", "is": "Int64 clock \"steady\""}]}]
-})json";
+"doc": "Reports each press and release, and the present state to a client that connects.",
+"payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true}, {"name": "camera",
+"kind": "write", "ordinal": 2, "payload": {"type": {"kind": "Bool"}}, "queue": 16, "latched": true
+}, {"name": "coagulation", "kind": "write", "ordinal": 3, "payload": {"type": {"kind": "Bool"}},
+"queue": 16, "latched": true}], "enums": [], "structs": [{"name": "robots::PedalState",
+"doc": "Says what the feet do. It counts only as long as it is fresh: a client that does not receive it\nany more must assume that all pedals are pressed.",
+"fields": [{"name": "clutch", "doc": "If it is true, masters move without their slaves.", "type": {
+"kind": "Bool"}, "default": false}, {"name": "camera",
+"doc": "If it is true, masters move the camera instead of their slaves.", "type": {"kind": "Bool"},
+"default": false}, {"name": "coagulation", "doc": "If it is true, energy is applied to the tissue.",
+"type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
+"doc": "Is the cycle in which they were looked at.", "type": {"kind": "time", "clock": "steady"}}]}
+], "wire": [{"id": "@0xeef483a34001461c", "kind": "interface", "name": "FootPedals",
+"cxx": "robots::FootPedals", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
+"name": "events", "is": "@0xeb48eb818a9b108b"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
+"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "pedals", "is": "kind \"read\"",
+"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
+"name": "value", "is": "@0xcff309898affe286"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
+"id": "@0xeb48eb818a9b108b", "kind": "interface", "name": "FootPedalsEvents", "members": [{"at": 0,
+"name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xec8fc265517e6c7c"}]}, {"at": 1,
+"name": "clutch", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "camera", "parameters": [{"at": 0,
+"name": "value", "is": "Bool"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 3,
+"name": "coagulation", "parameters": [{"at": 0, "name": "value", "is": "Bool"}, {"at": 1,
+"name": "stamp", "is": "Int64"}]}]}, {"id": "@0xec8fc265517e6c7c", "kind": "struct",
+"name": "FootPedalsStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "pedals", "is": "@0xcff309898affe286"}]}, {"id": "@0xcff309898affe286", "kind": "struct",
+"name": "PedalState", "members": [{"at": 0, "name": "clutch", "is": "Bool"}, {"at": 1,
+"name": "camera", "is": "Bool"}, {"at": 2, "name": "coagulation", "is": "Bool"}, {"at": 3,
+"name": "stamp", "is": "Int64 clock \"steady\""}]}]})json";
 
 }  // namespace
 }  // namespace robots

@@ -12,8 +12,8 @@
 
 namespace robots {
 
-/// What the feet do. It counts for as long as it is fresh: whoever does not hear of the pedals any
-/// more must take them for pressed.
+/// Says what the feet do. It counts only as long as it is fresh: a client that does not receive it
+/// any more must assume that all pedals are pressed.
 struct PedalStateSlot {
   std::uint8_t clutch;       // bool
   std::uint8_t camera;       // bool
@@ -75,7 +75,7 @@ class Required<robots::FootPedals> : public RequiredBase {
           camera{required, static_cast<std::uint16_t>(EventId::camera)},
           coagulation{required, static_cast<std::uint16_t>(EventId::coagulation)} {}
 
-    /// Pressed or released, and as it is now to whoever connects.
+    /// Reports each press and release, and the present state to a client that connects.
     Subscription<std::uint8_t, bool> clutch;
     Subscription<std::uint8_t, bool> camera;
     Subscription<std::uint8_t, bool> coagulation;
@@ -108,7 +108,7 @@ class Provided<robots::FootPedals> : public ProvidedBase {
           camera{provided, static_cast<std::uint16_t>(EventId::camera)},
           coagulation{provided, static_cast<std::uint16_t>(EventId::coagulation)} {}
 
-    /// Pressed or released, and as it is now to whoever connects.
+    /// Reports each press and release, and the present state to a client that connects.
     Emitter<std::uint8_t, bool> clutch;
     Emitter<std::uint8_t, bool> camera;
     Emitter<std::uint8_t, bool> coagulation;

@@ -165,11 +165,12 @@ constexpr char kOperatorPresenceDescription[] = R"json(
 "name": "presence", "kind": "read", "ordinal": 1, "result": {"type": {"kind": "struct",
 "name": "robots::Presence"}}, "queue": 16}], "events": [{"name": "operator_present",
 "kind": "write", "ordinal": 1, "wire": "operatorPresent",
-"doc": "Each change, and as it is now to whoever connects.", "payload": {"type": {"kind": "Bool"}},
-"queue": 16, "latched": true}], "enums": [], "structs": [{"name": "robots::Presence",
-"doc": "A head in the viewer. It counts for as long as it is fresh.", "fields": [{
+"doc": "Reports each change, and the present state to a client that connects.", "payload": {
+"type": {"kind": "Bool"}}, "queue": 16, "latched": true}], "enums": [], "structs": [{
+"name": "robots::Presence",
+"doc": "Says if a head is in the viewer. It counts only as long as it is fresh.", "fields": [{
 "name": "present", "type": {"kind": "Bool"}, "default": false}, {"name": "stamp",
-"doc": "The cycle that it was looked for in.", "type": {"kind": "time", "clock": "steady"}}]}],
+"doc": "Is the cycle in which it was looked for.", "type": {"kind": "time", "clock": "steady"}}]}],
 "wire": [{"id": "@0x8946bef4362e465d", "kind": "interface", "name": "OperatorPresence",
 "cxx": "robots::OperatorPresence", "members": [{"at": 0, "name": "subscribe", "parameters": [{
 "at": 0, "name": "events", "is": "@0xd9df1a4d2e881c27"}, {"at": 1, "name": "eventMask",

@@ -12,7 +12,7 @@
 
 namespace robots {
 
-/// A head in the viewer. It counts for as long as it is fresh.
+/// Says if a head is in the viewer. It counts only as long as it is fresh.
 struct PresenceSlot {
   std::uint8_t present;  // bool
   std::int64_t stamp;    // suture::Time, ns
@@ -68,7 +68,7 @@ class Required<robots::OperatorPresence> : public RequiredBase {
     explicit Events(RequiredBase& required)
         : operator_present{required, static_cast<std::uint16_t>(EventId::operator_present)} {}
 
-    /// Each change, and as it is now to whoever connects.
+    /// Reports each change, and the present state to a client that connects.
     Subscription<std::uint8_t, bool> operator_present;
   };
   Events& on() { return events_; }
@@ -97,7 +97,7 @@ class Provided<robots::OperatorPresence> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : operator_present{provided, static_cast<std::uint16_t>(EventId::operator_present)} {}
 
-    /// Each change, and as it is now to whoever connects.
+    /// Reports each change, and the present state to a client that connects.
     Emitter<std::uint8_t, bool> operator_present;
   };
   Events& emit() { return events_; }

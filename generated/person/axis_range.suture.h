@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// What an absolute axis of an input device says at its two ends. `evtest` prints it.
+/// Holds what an absolute axis of an input device says at its two ends. `evtest` prints it.
 struct AxisRangeSlot {
   std::int32_t lowest;
   std::int32_t highest;

@@ -12,7 +12,7 @@
 
 namespace robots {
 
-/// Where things are: slaves and camera in the frame of the scene, whose z points away from the
+/// Says where things are: slaves and camera in the frame of the scene, whose z points away from the
 /// tissue; masters and display in that of the console.
 struct SceneFramesSlot {
   std::array<double, 12> left_base;     // Eigen::Isometry3d, m
@@ -68,11 +68,12 @@ class Required<robots::Registration> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// As they were registered last; each rotation is one to 1e-6. Ask with `frames.at(stamp)` for
-  /// what an image or a pose of that stamp belongs to.
+  /// Are the frames as they were registered last; each rotation is one to 1e-6. Ask with
+  /// `frames.at(stamp)` for those to which an image or a pose of that stamp belongs.
   ReadCommand<&Contract::frames, robots::SceneFramesSlot> frames{
       *this, static_cast<std::uint16_t>(Id::frames)};
-  /// The left camera has been moved to there. Ignored, with a warning, unless its rotation is one.
+  /// Says that the left camera has been moved there. It is ignored, with a warning, unless its
+  /// rotation is one.
   Command<&Contract::set_camera, robots::RegistrationSetCameraArguments> set_camera{
       *this, static_cast<std::uint16_t>(Id::set_camera)};
 

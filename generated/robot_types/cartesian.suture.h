@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
+/// Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
 struct TwistSlot {
   std::array<double, 3> linear;   // Eigen::Vector3d, m/s
   std::array<double, 3> angular;  // Eigen::Vector3d, rad/s
@@ -22,7 +22,7 @@ bool store(const Twist& value, TwistSlot& slot);
 void load(const TwistSlot& slot, Twist& value);
 void shiftStamps(TwistSlot& slot, suture::Duration shift);
 
-/// A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
+/// Is a velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
 struct TwistGoalSlot {
   std::array<double, 3> linear;                // Eigen::Vector3d, m/s
   std::array<double, 3> angular;               // Eigen::Vector3d, rad/s
@@ -36,7 +36,7 @@ bool store(const TwistGoal& value, TwistGoalSlot& slot);
 void load(const TwistGoalSlot& slot, TwistGoal& value);
 void shiftStamps(TwistGoalSlot& slot, suture::Duration shift);
 
-/// Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
+/// Is force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
 struct WrenchSlot {
   std::array<double, 3> force;   // Eigen::Vector3d, N
   std::array<double, 3> torque;  // Eigen::Vector3d, N.m
@@ -51,7 +51,7 @@ bool store(const Wrench& value, WrenchSlot& slot);
 void load(const WrenchSlot& slot, Wrench& value);
 void shiftStamps(WrenchSlot& slot, suture::Duration shift);
 
-/// Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
+/// Is force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
 struct WrenchGoalSlot {
   std::array<double, 3> force;   // Eigen::Vector3d, N
   std::array<double, 3> torque;  // Eigen::Vector3d, N.m
@@ -63,7 +63,7 @@ bool store(const WrenchGoal& value, WrenchGoalSlot& slot);
 void load(const WrenchGoalSlot& slot, WrenchGoal& value);
 void shiftStamps(WrenchGoalSlot& slot, suture::Duration shift);
 
-/// Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
+/// Is pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
 struct CartesianStateSlot {
   std::uint32_t moving_frame;
   std::uint32_t reference_frame;
@@ -82,7 +82,7 @@ bool store(const CartesianState& value, CartesianStateSlot& slot);
 void load(const CartesianStateSlot& slot, CartesianState& value);
 void shiftStamps(CartesianStateSlot& slot, suture::Duration shift);
 
-/// A pose to reach, with how to get there: prmPositionCartesianSet.
+/// Is a pose to reach, and how to get there: prmPositionCartesianSet.
 struct CartesianGoalSlot {
   std::array<double, 12> goal;                 // Eigen::Isometry3d, m
   std::array<double, 3> linear_velocity;       // Eigen::Vector3d, m/s
@@ -100,7 +100,7 @@ bool store(const CartesianGoal& value, CartesianGoalSlot& slot);
 void load(const CartesianGoalSlot& slot, CartesianGoal& value);
 void shiftStamps(CartesianGoalSlot& slot, suture::Duration shift);
 
-/// Position, velocity and effort in one servo command: prmServoCartesian.
+/// Has position, velocity and effort in one servo command: prmServoCartesian.
 struct ServoCartesianSlot {
   std::array<double, 12> task_frame;       // Eigen::Isometry3d, m
   std::array<double, 12> position;         // Eigen::Isometry3d, m
@@ -116,7 +116,7 @@ bool store(const ServoCartesian& value, ServoCartesianSlot& slot);
 void load(const ServoCartesianSlot& slot, ServoCartesian& value);
 void shiftStamps(ServoCartesianSlot& slot, suture::Duration shift);
 
-/// How stiffly one side of an axis holds: force = p * distance + d * speed + bias beyond the
+/// Says how stiffly one side of an axis holds: force = p * distance + d * speed + bias beyond the
 /// deadband.
 struct HalfPlaneGainsSlot {
   std::array<double, 3> p;         // Eigen::Vector3d, N/m
@@ -128,7 +128,7 @@ struct HalfPlaneGainsSlot {
 bool store(const HalfPlaneGains& value, HalfPlaneGainsSlot& slot);
 void load(const HalfPlaneGainsSlot& slot, HalfPlaneGains& value);
 
-/// The same about an axis.
+/// Is the same about an axis.
 struct AngularHalfPlaneGainsSlot {
   std::array<double, 3> p;         // Eigen::Vector3d, N.m/rad
   std::array<double, 3> d;         // Eigen::Vector3d, N.m.s/rad
@@ -139,7 +139,7 @@ struct AngularHalfPlaneGainsSlot {
 bool store(const AngularHalfPlaneGains& value, AngularHalfPlaneGainsSlot& slot);
 void load(const AngularHalfPlaneGainsSlot& slot, AngularHalfPlaneGains& value);
 
-/// A spring that holds the tool tip, per axis and side: prmCartesianImpedance.
+/// Is a spring that holds the tool tip, per axis and side: prmCartesianImpedance.
 struct CartesianImpedanceSlot {
   std::array<double, 9> force_orientation;   // Eigen::Matrix3d
   std::array<double, 3> force_position;      // Eigen::Vector3d, m

@@ -75,7 +75,7 @@ void load(const JointEffortGoalSlot& slot, JointEffortGoal& value);
 void reserve(const JointEffortGoalSlot*, JointEffortGoal& value);
 void shiftStamps(JointEffortGoalSlot& slot, suture::Duration shift);
 
-/// What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.
+/// Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.
 struct JointConfigurationSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;
   suture::BoundedList<std::uint8_t, 8> type;
@@ -94,7 +94,7 @@ bool store(const JointConfiguration& value, JointConfigurationSlot& slot);
 void load(const JointConfigurationSlot& slot, JointConfiguration& value);
 void reserve(const JointConfigurationSlot*, JointConfiguration& value);
 
-/// Position, velocity and effort in one servo command: prmServoJoint.
+/// Has position, velocity and effort in one servo command: prmServoJoint.
 struct ServoJointSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;
   suture::BoundedList<std::uint16_t, 8> mode;
@@ -110,7 +110,7 @@ void load(const ServoJointSlot& slot, ServoJoint& value);
 void reserve(const ServoJointSlot*, ServoJoint& value);
 void shiftStamps(ServoJointSlot& slot, suture::Duration shift);
 
-/// What turns actuators into joints and back, joints x actuators, row-major:
+/// Turns actuators into joints and back, joints x actuators, row-major:
 /// prmActuatorJointCoupling.
 struct ActuatorJointCouplingSlot {
   std::uint32_t joints;
@@ -125,7 +125,7 @@ bool store(const ActuatorJointCoupling& value, ActuatorJointCouplingSlot& slot);
 void load(const ActuatorJointCouplingSlot& slot, ActuatorJointCoupling& value);
 void reserve(const ActuatorJointCouplingSlot*, ActuatorJointCoupling& value);
 
-/// 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
+/// Is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
 struct JacobianSlot {
   std::uint32_t joints;
   suture::BoundedList<double, 48> coefficients;

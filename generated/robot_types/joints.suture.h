@@ -8,8 +8,8 @@
 
 namespace robots {
 
-/// The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is
-/// empty where its quantity is not known, and as long as `name` otherwise.
+/// Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list
+/// is empty if its quantity is not known, and as long as `name` otherwise.
 struct JointStateSlot {
   suture::BoundedList<suture::BoundedText<15>, 8> name;
   suture::BoundedList<double, 8> position;  // rad
@@ -24,7 +24,7 @@ void load(const JointStateSlot& slot, JointState& value);
 void reserve(const JointStateSlot*, JointState& value);
 void shiftStamps(JointStateSlot& slot, suture::Duration shift);
 
-/// Where joints shall go: CRTK's servo_jp and move_jp.
+/// Says where joints shall go: CRTK's servo_jp and move_jp.
 struct JointGoalSlot {
   suture::BoundedList<double, 8> position;  // rad
   std::int64_t stamp;                       // suture::Time, ns
@@ -35,7 +35,7 @@ void load(const JointGoalSlot& slot, JointGoal& value);
 void reserve(const JointGoalSlot*, JointGoal& value);
 void shiftStamps(JointGoalSlot& slot, suture::Duration shift);
 
-/// A joint vector that an arm computed, without heap so that a control loop may return it.
+/// Is a joint vector that an arm computed, without heap so that a control loop may return it.
 struct JointSolutionSlot {
   std::array<double, 8> position;  // rad
   std::uint32_t joints;

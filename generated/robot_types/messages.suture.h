@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// How regularly a task ran, over its last window.
+/// Says how regularly a task ran, over its last window.
 struct IntervalStatisticsSlot {
   double period_average;    // s
   double period_deviation;  // s

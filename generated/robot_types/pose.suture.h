@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
+/// Is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.
 struct PoseStampedSlot {
   std::array<double, 12> pose;  // Eigen::Isometry3d, m
   std::int64_t stamp;           // suture::Time, ns
@@ -19,7 +19,8 @@ bool store(const PoseStamped& value, PoseStampedSlot& slot);
 void load(const PoseStampedSlot& slot, PoseStamped& value);
 void shiftStamps(PoseStampedSlot& slot, suture::Duration shift);
 
-/// Where one frame is in another, for whoever cannot know from the interface which they are.
+/// Says where one frame is in another, for a reader that cannot know from the interface which they
+/// are.
 struct TransformStampedSlot {
   std::array<double, 12> transform;  // Eigen::Isometry3d, m
   std::uint32_t reference_frame;
@@ -32,7 +33,7 @@ bool store(const TransformStamped& value, TransformStampedSlot& slot);
 void load(const TransformStampedSlot& slot, TransformStamped& value);
 void shiftStamps(TransformStampedSlot& slot, suture::Duration shift);
 
-/// The pose of the latency figures: 120 bytes and no strings.
+/// Is the pose of the latency measurements: 120 bytes and no strings.
 struct PoseSampleSlot {
   std::array<double, 9> rotation;  // Eigen::Matrix3d
   std::array<double, 3> position;  // Eigen::Vector3d, m
@@ -45,7 +46,7 @@ bool store(const PoseSample& value, PoseSampleSlot& slot);
 void load(const PoseSampleSlot& slot, PoseSample& value);
 void shiftStamps(PoseSampleSlot& slot, suture::Duration shift);
 
-/// The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
+/// Has the fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's
 /// measurements.
 struct PosePrmSlot {
   std::int64_t timestamp;            // suture::Time, ns

@@ -8,7 +8,7 @@
 
 namespace robots {
 
-/// The poses of several tools at once: prmPositionCartesianArrayGet.
+/// Has the poses of several tools at once: prmPositionCartesianArrayGet.
 struct PoseArraySlot {
   suture::BoundedText<15> reference_frame;
   suture::BoundedList<suture::BoundedText<15>, 16> moving_frames;
@@ -54,7 +54,7 @@ bool store(const CameraInfo& value, CameraInfoSlot& slot);
 void load(const CameraInfoSlot& slot, CameraInfo& value);
 void shiftStamps(CameraInfoSlot& slot, suture::Duration shift);
 
-/// A cloud of coloured points: prmDepthMap.
+/// Is a cloud of coloured points: prmDepthMap.
 struct DepthMapSlot {
   suture::BoundedText<15> reference_frame;
   std::uint32_t width;

@@ -57,7 +57,7 @@ class Required<robots::StrandView> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// As it is at the end of the simulation's last cycle, which is its stamp.
+  /// Is the strand as it is at the end of the simulation's last cycle, which is its stamp.
   ReadCommand<&Contract::strand, robots::StrandStateSlot> strand{
       *this, static_cast<std::uint16_t>(Id::strand)};
 

@@ -489,63 +489,65 @@ constexpr char kTeleoperationDescription[] = R"json(
 "doc": "Commands run in the teleoperation's own thread before its next cycle. A change of the settings\nwhile it follows does not move the slave: it follows from where it is.",
 "hash": "ce8c110f1e23bc0acf8dc69700b6dfa0", "commands": [{"name": "enable", "kind": "void",
 "ordinal": 1,
-"doc": "Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has\nremoved the cause enables it.",
+"doc": "Enables and homes arms that are not, then follows. It does not enable an arm in FAULT: the\noperator who has removed the cause does.",
 "queue": 16}, {"name": "disable", "kind": "void", "ordinal": 2,
-"doc": "Stops following; the slave holds.", "queue": 16}, {"name": "teleop_state", "kind": "read",
+"doc": "Stops following. The slave holds.", "queue": 16}, {"name": "teleop_state", "kind": "read",
 "ordinal": 3, "wire": "teleopState", "result": {"type": {"kind": "enum",
 "name": "robots::TeleopState"}}, "queue": 16}, {"name": "anchors", "kind": "read", "ordinal": 4,
-"doc": "The anchors of the present or last time of following.", "result": {"type": {
+"doc": "Are the anchors of the present or last time of following.", "result": {"type": {
 "kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16}, {"name": "set_scale",
 "kind": "write", "ordinal": 5, "wire": "setScale", "parameters": [{"name": "scale", "type": {
 "kind": "Float64"}, "range": [0.01, 10.0]}], "queue": 16}, {"name": "lock_rotation",
 "kind": "write", "ordinal": 6, "wire": "lockRotation",
-"doc": "The slave keeps its orientation. Unlocked, the master is aligned anew before following.",
+"doc": "Makes the slave keep its orientation. When it is unlocked, the master is aligned anew before\nthe slave follows.",
 "parameters": [{"name": "lock", "type": {"kind": "Bool"}}], "queue": 16}, {
 "name": "lock_translation", "kind": "write", "ordinal": 7, "wire": "lockTranslation",
-"doc": "The slave keeps its position.", "parameters": [{"name": "lock", "type": {"kind": "Bool"}}],
-"queue": 16}, {"name": "settings", "kind": "read", "ordinal": 8, "result": {"type": {
-"kind": "struct", "name": "robots::TeleopSettings"}}, "queue": 16}], "events": [{
+"doc": "Makes the slave keep its position.", "parameters": [{"name": "lock", "type": {
+"kind": "Bool"}}], "queue": 16}, {"name": "settings", "kind": "read", "ordinal": 8, "result": {
+"type": {"kind": "struct", "name": "robots::TeleopSettings"}}, "queue": 16}], "events": [{
 "name": "teleop_state", "kind": "write", "ordinal": 1, "wire": "teleopState", "payload": {"type": {
 "kind": "enum", "name": "robots::TeleopState"}}, "queue": 16, "latched": true}, {
 "name": "followed", "kind": "write", "ordinal": 2,
-"doc": "Following begins, or goes on by other settings.", "payload": {"type": {"kind": "struct",
-"name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}, {"name": "settings",
-"kind": "write", "ordinal": 3, "doc": "Each change, and the last one to whoever connects.",
-"payload": {"type": {"kind": "struct", "name": "robots::TeleopSettings"}}, "queue": 16,
-"latched": true}], "enums": [{"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [
-{"name": "Disabled", "value": 0, "wire": "disabled", "doc": "until enable()"}, {
-"name": "Preparing", "value": 1, "wire": "preparing",
-"doc": "waits for both arms: connected, enabled, homed, and fresh data of both"}, {
-"name": "Following", "value": 2, "wire": "following"}, {"name": "Aligning", "value": 3,
+"doc": "Reports that following begins, or goes on with other settings.", "payload": {"type": {
+"kind": "struct", "name": "robots::FollowAnchors"}}, "queue": 16, "latched": true}, {
+"name": "settings", "kind": "write", "ordinal": 3,
+"doc": "Reports each change, and the last one to a client that connects.", "payload": {"type": {
+"kind": "struct", "name": "robots::TeleopSettings"}}, "queue": 16, "latched": true}], "enums": [{
+"name": "robots::TeleopState", "underlying": "UInt8", "enumerators": [{"name": "Disabled",
+"value": 0, "wire": "disabled", "doc": "until enable()"}, {"name": "Preparing", "value": 1,
+"wire": "preparing", "doc": "waits for both arms: connected, enabled, homed, and fresh data of both"
+}, {"name": "Following", "value": 2, "wire": "following"}, {"name": "Aligning", "value": 3,
 "wire": "aligning", "doc": "turns the master to the orientation that the slave has in the view"}, {
 "name": "Clutched", "value": 4, "wire": "clutched",
 "doc": "the clutch is pressed, or nobody is at the console: the slave holds, the master is\nthe surgeon's to move"
 }]}], "structs": [{"name": "robots::FollowAnchors",
-"doc": "Where following began: with it and the master's poses, anyone can compute what the slave should\ndo.",
+"doc": "Says where following began: with this and the master's poses, anyone can compute what the slave\nshould do.",
 "fields": [{"name": "master_stamp", "wire": "masterStamp",
-"doc": "Stamp of the first master pose that was followed.", "type": {"kind": "time",
+"doc": "Is the stamp of the first master pose that was followed.", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "master",
-"doc": "The master's measured pose at that stamp, in the master's reference frame.", "type": {
+"doc": "Is the master's measured pose at that stamp, in the master's reference frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "slave_setpoint",
-"wire": "slaveSetpoint", "doc": "The slave's set-point at entry, in the slave's reference frame.",
-"type": {"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "scale",
-"doc": "Slave metres a master metre.", "type": {"kind": "Float64"}, "default": 0.0}, {
-"name": "entry",
-"doc": "How many times following began, this one included; 0: never. A change of what it follows by\ncounts too, and does not move the slave.",
+"wire": "slaveSetpoint",
+"doc": "Is the slave's set-point at entry, in the slave's reference frame.", "type": {
+"kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "scale",
+"doc": "Is how many metres the slave moves for each metre of the master.", "type": {
+"kind": "Float64"}, "default": 0.0}, {"name": "entry",
+"doc": "Is how many times following began, including this one; 0 if it never did. A change of the\nsettings counts too, and does not move the slave.",
 "type": {"kind": "UInt64"}, "default": 0}, {"name": "view",
-"doc": "From directions of the master's reference frame to those of the slave's that look the same to\nthe surgeon.",
+"doc": "Rotates directions of the master's reference frame to those of the slave's that look the same\nto the surgeon.",
 "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 3}}, {
 "name": "rotation_locked", "wire": "rotationLocked", "type": {"kind": "Bool"}, "default": false}, {
 "name": "translation_locked", "wire": "translationLocked", "type": {"kind": "Bool"},
-"default": false}]}, {"name": "robots::TeleopSettings", "doc": "What the slave follows by.",
-"fields": [{"name": "scale", "doc": "Slave metres a master metre.", "type": {"kind": "Float64"},
-"default": 0.0}, {"name": "rotation_locked", "wire": "rotationLocked", "type": {"kind": "Bool"},
-"default": false}, {"name": "translation_locked", "wire": "translationLocked", "type": {
-"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x9c2044876661808e", "kind": "interface",
-"name": "Teleoperation", "cxx": "robots::Teleoperation", "members": [{"at": 0, "name": "subscribe",
-"parameters": [{"at": 0, "name": "events", "is": "@0xe8de6e374cc63239"}, {"at": 1,
-"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
-"name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"default": false}]}, {"name": "robots::TeleopSettings",
+"doc": "Holds the settings by which the slave follows.", "fields": [{"name": "scale",
+"doc": "Is how many metres the slave moves for each metre of the master.", "type": {
+"kind": "Float64"}, "default": 0.0}, {"name": "rotation_locked", "wire": "rotationLocked", "type": {
+"kind": "Bool"}, "default": false}, {"name": "translation_locked", "wire": "translationLocked",
+"type": {"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0x9c2044876661808e",
+"kind": "interface", "name": "Teleoperation", "cxx": "robots::Teleoperation", "members": [{"at": 0,
+"name": "subscribe", "parameters": [{"at": 0, "name": "events", "is": "@0xe8de6e374cc63239"}, {
+"at": 1, "name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {
+"at": 1, "name": "enable", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "disable", "is": "kind \"void\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
 "name": "teleopState", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",

@@ -12,8 +12,8 @@
 
 namespace robots {
 
-/// Where following began: with it and the master's poses, anyone can compute what the slave should
-/// do.
+/// Says where following began: with this and the master's poses, anyone can compute what the slave
+/// should do.
 struct FollowAnchorsSlot {
   std::int64_t master_stamp;              // suture::Time, ns
   std::array<double, 12> master;          // Eigen::Isometry3d, m
@@ -29,7 +29,7 @@ bool store(const FollowAnchors& value, FollowAnchorsSlot& slot);
 void load(const FollowAnchorsSlot& slot, FollowAnchors& value);
 void shiftStamps(FollowAnchorsSlot& slot, suture::Duration shift);
 
-/// What the slave follows by.
+/// Holds the settings by which the slave follows.
 struct TeleopSettingsSlot {
   double scale;
   std::uint8_t rotation_locked;     // bool
@@ -113,22 +113,23 @@ class Required<robots::Teleoperation> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has
-  /// removed the cause enables it.
+  /// Enables and homes arms that are not, then follows. It does not enable an arm in FAULT: the
+  /// operator who has removed the cause does.
   Command<&Contract::enable, NoSlot> enable{*this, static_cast<std::uint16_t>(Id::enable)};
-  /// Stops following; the slave holds.
+  /// Stops following. The slave holds.
   Command<&Contract::disable, NoSlot> disable{*this, static_cast<std::uint16_t>(Id::disable)};
   ReadCommand<&Contract::teleop_state, std::uint8_t> teleop_state{
       *this, static_cast<std::uint16_t>(Id::teleop_state)};
-  /// The anchors of the present or last time of following.
+  /// Are the anchors of the present or last time of following.
   ReadCommand<&Contract::anchors, robots::FollowAnchorsSlot> anchors{
       *this, static_cast<std::uint16_t>(Id::anchors)};
   Command<&Contract::set_scale, robots::TeleoperationSetScaleArguments> set_scale{
       *this, static_cast<std::uint16_t>(Id::set_scale)};
-  /// The slave keeps its orientation. Unlocked, the master is aligned anew before following.
+  /// Makes the slave keep its orientation. When it is unlocked, the master is aligned anew before
+  /// the slave follows.
   Command<&Contract::lock_rotation, robots::TeleoperationLockRotationArguments> lock_rotation{
       *this, static_cast<std::uint16_t>(Id::lock_rotation)};
-  /// The slave keeps its position.
+  /// Makes the slave keep its position.
   Command<&Contract::lock_translation,
           robots::TeleoperationLockTranslationArguments> lock_translation{
       *this, static_cast<std::uint16_t>(Id::lock_translation)};
@@ -143,9 +144,9 @@ class Required<robots::Teleoperation> : public RequiredBase {
           settings{required, static_cast<std::uint16_t>(EventId::settings)} {}
 
     Subscription<std::uint8_t, robots::TeleopState> teleop_state;
-    /// Following begins, or goes on by other settings.
+    /// Reports that following begins, or goes on with other settings.
     Subscription<robots::FollowAnchorsSlot, robots::FollowAnchors> followed;
-    /// Each change, and the last one to whoever connects.
+    /// Reports each change, and the last one to a client that connects.
     Subscription<robots::TeleopSettingsSlot, robots::TeleopSettings> settings;
   };
   Events& on() { return events_; }
@@ -177,9 +178,9 @@ class Provided<robots::Teleoperation> : public ProvidedBase {
           settings{provided, static_cast<std::uint16_t>(EventId::settings)} {}
 
     Emitter<std::uint8_t, robots::TeleopState> teleop_state;
-    /// Following begins, or goes on by other settings.
+    /// Reports that following begins, or goes on with other settings.
     Emitter<robots::FollowAnchorsSlot, robots::FollowAnchors> followed;
-    /// Each change, and the last one to whoever connects.
+    /// Reports each change, and the last one to a client that connects.
     Emitter<robots::TeleopSettingsSlot, robots::TeleopSettings> settings;
   };
   Events& emit() { return events_; }

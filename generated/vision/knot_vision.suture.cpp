@@ -155,17 +155,16 @@ constexpr suture::CommandInfo kKnotVisionCommands[] = {
 // The self-description, as in vision/knot_vision.suture.json.
 constexpr char kKnotVisionDescription[] = R"json(
 {"name": "robots::KnotVision", "hash": "3501142906d2f97c6ee13fa414de1248", "commands": [{
-"name": "sighting", "kind": "read", "ordinal": 1,
-"doc": "Answers with what the last pair of images showed.", "result": {"type": {"kind": "struct",
-"name": "robots::KnotSighting"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
-"name": "robots::KnotSighting",
-"doc": "In the frame of the left camera: x to the right and y downward in the image, z ahead.",
+"name": "sighting", "kind": "read", "ordinal": 1, "doc": "Is what the last pair of images showed.",
+"result": {"type": {"kind": "struct", "name": "robots::KnotSighting"}}, "queue": 16}], "events": [],
+"enums": [], "structs": [{"name": "robots::KnotSighting",
+"doc": "Is in the frame of the left camera: x to the right and y downward in the image, z ahead.",
 "fields": [{"name": "knot", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1
 }, "unit": "m"}, {"name": "left_tip", "wire": "leftTip", "type": {"kind": "matrix",
 "scalar": "Float64", "rows": 3, "columns": 1}, "unit": "m"}, {"name": "right_tip",
 "wire": "rightTip", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "m"}, {"name": "stamp", "doc": "When the images were exposed.", "type": {"kind": "time",
-"clock": "steady"}}, {"name": "valid", "doc": "False unless both eyes see all three.", "type": {
+"unit": "m"}, {"name": "stamp", "doc": "Is when the images were exposed.", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "valid", "doc": "Is false unless both eyes see all three.", "type": {
 "kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xd18623f4fbc55b4a", "kind": "interface",
 "name": "KnotVision", "cxx": "robots::KnotVision", "members": [{"at": 0, "name": "subscribe",
 "parameters": [{"at": 0, "name": "events", "is": "@0xe0f71ba712630172"}, {"at": 1,

@@ -12,7 +12,7 @@
 
 namespace robots {
 
-/// In the frame of the left camera: x to the right and y downward in the image, z ahead.
+/// Is in the frame of the left camera: x to the right and y downward in the image, z ahead.
 struct KnotSightingSlot {
   std::array<double, 3> knot;       // Eigen::Vector3d, m
   std::array<double, 3> left_tip;   // Eigen::Vector3d, m
@@ -57,7 +57,7 @@ class Required<robots::KnotVision> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Answers with what the last pair of images showed.
+  /// Is what the last pair of images showed.
   ReadCommand<&Contract::sighting, robots::KnotSightingSlot> sighting{
       *this, static_cast<std::uint16_t>(Id::sighting)};
 

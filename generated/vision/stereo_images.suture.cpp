@@ -198,21 +198,21 @@ constexpr suture::CommandInfo kStereoImagesCommands[] = {
 constexpr char kStereoImagesDescription[] = R"json(
 {"name": "robots::StereoImages", "hash": "afed174675115ccf925dea30a59e7bd5", "commands": [{
 "name": "images", "kind": "read", "ordinal": 1,
-"doc": "The last pair; invalid while there is nothing to see.", "result": {"type": {
+"doc": "Is the last pair; it is not valid while there is nothing to see.", "result": {"type": {
 "kind": "struct", "name": "robots::StereoPair"}}, "queue": 16}, {"name": "exposed", "kind": "read",
 "ordinal": 2,
-"doc": "The stamp of the last pair, and 0 while there is nothing to see: who asks this first copies\nmegabytes only if they are new.",
+"doc": "Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this\nfirst copies megabytes only if they are new.",
 "result": {"type": {"kind": "time", "clock": "steady"}}, "queue": 16}], "events": [], "enums": [],
 "structs": [{"name": "robots::ImageFrame", "doc": "prmImageFrame.", "fields": [{"name": "width",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "height", "type": {"kind": "UInt32"},
 "default": 0}, {"name": "channels", "type": {"kind": "UInt32"}, "default": 0}, {"name": "data",
-"doc": "Row by row, channels interleaved, 8 bits each.", "type": {"kind": "list", "element": {
+"doc": "Goes row by row, channels interleaved, 8 bits each.", "type": {"kind": "list", "element": {
 "kind": "UInt8"}, "capacity": 2097152}}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}]}, {
 "name": "robots::StereoPair",
-"doc": "Two rectified images of one moment; both stamps are that of the exposure.", "fields": [{
-"name": "left", "type": {"kind": "struct", "name": "robots::ImageFrame"}}, {"name": "right",
-"type": {"kind": "struct", "name": "robots::ImageFrame"}}]}], "wire": [{
+"doc": "Holds two rectified images of one moment; both stamps are that of the exposure.",
+"fields": [{"name": "left", "type": {"kind": "struct", "name": "robots::ImageFrame"}}, {
+"name": "right", "type": {"kind": "struct", "name": "robots::ImageFrame"}}]}], "wire": [{
 "id": "@0xefa57eee714fcf37", "kind": "interface", "name": "StereoImages",
 "cxx": "robots::StereoImages", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
 "name": "events", "is": "@0xed57a378bacd9ffb"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {

@@ -13,7 +13,7 @@
 
 namespace robots {
 
-/// Two rectified images of one moment; both stamps are that of the exposure.
+/// Holds two rectified images of one moment; both stamps are that of the exposure.
 struct StereoPairSlot {
   ImageFrameSlot left;
   ImageFrameSlot right;
@@ -58,11 +58,11 @@ class Required<robots::StereoImages> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// The last pair; invalid while there is nothing to see.
+  /// Is the last pair; it is not valid while there is nothing to see.
   ReadCommand<&Contract::images, robots::StereoPairSlot> images{
       *this, static_cast<std::uint16_t>(Id::images)};
-  /// The stamp of the last pair, and 0 while there is nothing to see: who asks this first copies
-  /// megabytes only if they are new.
+  /// Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this
+  /// first copies megabytes only if they are new.
   ReadCommand<&Contract::exposed, std::int64_t> exposed{
       *this, static_cast<std::uint16_t>(Id::exposed)};
 

@@ -16,7 +16,8 @@ class JsonReader;
 
 namespace robots {
 
-/// Blur, dropouts and latency are our own figures: none was found for an endoscope of this kind.
+/// Blur, dropouts and latency are our own numbers, because none was found for an endoscope of this
+/// kind.
 struct EndoscopeParametersSlot {
   std::int64_t period;  // std::chrono::nanoseconds, ns
   double noise;

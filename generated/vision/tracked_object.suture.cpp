@@ -142,44 +142,46 @@ constexpr suture::CommandInfo kTrackedObjectCommands[] = {
 // The self-description, as in vision/tracked_object.suture.json.
 constexpr char kTrackedObjectDescription[] = R"json(
 {"name": "robots::TrackedObject",
-"doc": "A ball in the frame of the left camera: x to the right and y downward in the image, z ahead. It\nhas no orientation, so that of its pose is the camera's.",
+"doc": "Is a ball in the frame of the left camera: x to the right and y downward in the image, z ahead.\nIt has no orientation, so that of its pose is the camera's.",
 "hash": "6bed34eb9aee4b7278b34e35020ef06a", "crtk": true, "commands": [{"name": "measured_cp",
 "kind": "read", "ordinal": 1, "wire": "measuredCp",
-"doc": "Where it is at the stamp, which is the tracker's cycle: images are old when they come, and\nthis is what they showed, carried on by its velocity. Not valid unless the last pair of images\nshowed it, and not long ago.",
+"doc": "Says where it is at the stamp, which is that of the tracker's cycle: images are old when they\ncome, and this is what they showed, extrapolated by its velocity. It is not valid unless the\nlast pair of images showed it, and not long ago.",
 "result": {"type": {"kind": "struct", "name": "robots::PoseStamped"}}, "queue": 16}, {
 "name": "measured_cv", "kind": "read", "ordinal": 2, "wire": "measuredCv",
-"doc": "How fast it moves; valid when the pose is.", "result": {"type": {"kind": "struct",
-"name": "robots::Twist"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
-"name": "robots::PoseStamped",
-"doc": "A pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [{
-"name": "pose", "doc": "The moving frame of the interface in its reference frame.", "type": {
+"doc": "Says how fast it moves; it is valid when the pose is.", "result": {"type": {
+"kind": "struct", "name": "robots::Twist"}}, "queue": 16}], "events": [], "enums": [], "structs": [
+{"name": "robots::PoseStamped",
+"doc": "Is a pose at a time: what CRTK's measured_cp, setpoint_cp and servo_cp carry.", "fields": [
+{"name": "pose", "doc": "Is the moving frame of the interface in its reference frame.", "type": {
 "kind": "isometry", "scalar": "Float64"}, "unit": "m"}, {"name": "stamp",
-"doc": "When the pose was true; of a set-point, the stamp of the data it was made from.", "type": {
-"kind": "time", "clock": "steady"}}, {"name": "valid", "doc": "False: do not use.", "type": {
-"kind": "Bool"}, "default": false}]}, {"name": "robots::Twist",
-"doc": "A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.", "fields": [
-{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3, "columns": 1},
-"unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
-"columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame", "type": {
-"kind": "UInt32"}, "default": 0}, {"name": "reference_frame", "wire": "referenceFrame", "type": {
-"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}, {
-"name": "valid", "doc": "False: do not use.", "type": {"kind": "Bool"}, "default": false}]}],
-"wire": [{"id": "@0xcf966e39ebac7c24", "kind": "interface", "name": "TrackedObject",
-"cxx": "robots::TrackedObject", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xaefa37f144e6fbd6"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "measuredCp",
+"doc": "Is when the pose was true; for a set-point it is the stamp of the data from which it was made.",
+"type": {"kind": "time", "clock": "steady"}}, {"name": "valid",
+"doc": "If it is false, do not use it.", "type": {"kind": "Bool"}, "default": false}]}, {
+"name": "robots::Twist",
+"doc": "Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.",
+"fields": [{"name": "linear", "type": {"kind": "matrix", "scalar": "Float64", "rows": 3,
+"columns": 1}, "unit": "m/s"}, {"name": "angular", "type": {"kind": "matrix", "scalar": "Float64",
+"rows": 3, "columns": 1}, "unit": "rad/s"}, {"name": "moving_frame", "wire": "movingFrame",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "reference_frame", "wire": "referenceFrame",
+"type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
+"clock": "steady"}}, {"name": "valid", "doc": "If it is false, do not use it.", "type": {
+"kind": "Bool"}, "default": false}]}], "wire": [{"id": "@0xcf966e39ebac7c24", "kind": "interface",
+"name": "TrackedObject", "cxx": "robots::TrackedObject", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xaefa37f144e6fbd6"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "measuredCp", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"
+}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 2, "name": "measuredCv",
 "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
-"results": [{"at": 0, "name": "value", "is": "@0xe84bc0a4b9a0c529"}, {"at": 1, "name": "stamp",
-"is": "Int64"}]}, {"at": 2, "name": "measuredCv", "is": "kind \"read\"", "parameters": [{"at": 0,
-"name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
-"is": "@0xaa62fba3aef11562"}, {"at": 1, "name": "stamp", "is": "Int64"}]}]}, {
-"id": "@0xaefa37f144e6fbd6", "kind": "interface", "name": "TrackedObjectEvents", "members": [{
-"at": 0, "name": "state", "parameters": [{"at": 0, "name": "row", "is": "@0xf542a4f122cd9459"}]}]},
-{"id": "@0xf542a4f122cd9459", "kind": "struct", "name": "TrackedObjectStateRow", "members": [{
-"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1, "name": "evaluated", "is": "UInt64"}, {"at": 2,
-"name": "tooLarge", "is": "UInt64"}, {"at": 3, "name": "measuredCp", "is": "@0xe84bc0a4b9a0c529"}, {
-"at": 4, "name": "measuredCv", "is": "@0xaa62fba3aef11562"}]}, {"id": "@0xe84bc0a4b9a0c529",
-"kind": "struct", "name": "PoseStamped", "members": [{"at": 0, "name": "pose",
+"results": [{"at": 0, "name": "value", "is": "@0xaa62fba3aef11562"}, {"at": 1, "name": "stamp",
+"is": "Int64"}]}]}, {"id": "@0xaefa37f144e6fbd6", "kind": "interface",
+"name": "TrackedObjectEvents", "members": [{"at": 0, "name": "state", "parameters": [{"at": 0,
+"name": "row", "is": "@0xf542a4f122cd9459"}]}]}, {"id": "@0xf542a4f122cd9459", "kind": "struct",
+"name": "TrackedObjectStateRow", "members": [{"at": 0, "name": "stamp", "is": "Int64"}, {"at": 1,
+"name": "evaluated", "is": "UInt64"}, {"at": 2, "name": "tooLarge", "is": "UInt64"}, {"at": 3,
+"name": "measuredCp", "is": "@0xe84bc0a4b9a0c529"}, {"at": 4, "name": "measuredCv",
+"is": "@0xaa62fba3aef11562"}]}, {"id": "@0xe84bc0a4b9a0c529", "kind": "struct",
+"name": "PoseStamped", "members": [{"at": 0, "name": "pose",
 "is": "/suture/types.capnp:Pose unit \"m\""}, {"at": 1, "name": "stamp",
 "is": "Int64 clock \"steady\""}, {"at": 2, "name": "valid", "is": "Bool"}]}, {
 "id": "@0xaa62fba3aef11562", "kind": "struct", "name": "Twist", "members": [{"at": 0,

@@ -42,12 +42,12 @@ class Required<robots::TrackedObject> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Where it is at the stamp, which is the tracker's cycle: images are old when they come, and
-  /// this is what they showed, carried on by its velocity. Not valid unless the last pair of images
-  /// showed it, and not long ago.
+  /// Says where it is at the stamp, which is that of the tracker's cycle: images are old when they
+  /// come, and this is what they showed, extrapolated by its velocity. It is not valid unless the
+  /// last pair of images showed it, and not long ago.
   ReadCommand<&Contract::measured_cp, robots::PoseStampedSlot> measured_cp{
       *this, static_cast<std::uint16_t>(Id::measured_cp)};
-  /// How fast it moves; valid when the pose is.
+  /// Says how fast it moves; it is valid when the pose is.
   ReadCommand<&Contract::measured_cv, robots::TwistSlot> measured_cv{
       *this, static_cast<std::uint16_t>(Id::measured_cv)};
 

@@ -11,9 +11,9 @@ interface Counter @0xd6d42f0aed709948 $Meta.cxx("counting::Counter") {
   subscribe @0 (events :CounterEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   add @1 (amount :Int32, sent :Rpc.Sent) -> () $Meta.kind("write") $Meta.queue(8);
-  # Adds to the count. Runs in the provider's thread.
+  # Adds to the count, in the provider's thread.
   value @2 (sent :Rpc.Sent) -> (value :Int64, stamp :Int64) $Meta.kind("read");
-  # The newest count; never waits for anyone.
+  # Returns the newest count; never waits for anyone.
 }
 
 interface CounterEvents @0xab8aa54e33362c79 $Meta.eventsOf("counting::Counter") {
@@ -22,7 +22,7 @@ interface CounterEvents @0xab8aa54e33362c79 $Meta.eventsOf("counting::Counter") 
   state @0 (row :CounterStateRow) -> ();
   # A new row of the columns asked for.
   tenMore @1 (value :Int64, stamp :Int64) -> () $Meta.cxx("ten_more") $Meta.queue(16);
-  # The count has passed a multiple of ten.
+  # Reports that the count has passed a multiple of ten.
 }
 
 struct CounterStateRow @0xbfec877b65b98c5c $Meta.stateOf("counting::Counter") {

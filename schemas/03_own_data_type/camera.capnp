@@ -8,11 +8,11 @@ $Cxx.namespace("tracking::wire");
 $Meta.header("03_own_data_type/camera.h");
 
 struct CameraParameters @0xae270534326f144a $Meta.cxx("tracking::CameraParameters") {
-  # The deployment file gives these as JSON, the whole observation among them.
+  # Are given by the deployment file as JSON, including the whole observation.
 
   first @0 :Observation.Observation;
-  # What the camera sees first.
+  # Is what the camera sees first.
   turnRate @1 :Float64 = 0.5 $Meta.cxx("turn_rate") $Meta.range(lowest = -10, highest = 10)
       $Meta.unit("rad/s");
-  # How fast the instrument turns about its own z axis.
+  # Is how fast the instrument turns about its own z axis.
 }

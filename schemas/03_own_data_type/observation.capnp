@@ -19,15 +19,15 @@ struct Marker @0x8dd86c5318c04d7e $Meta.cxx("tracking::Marker") {
 }
 
 struct Observation @0xb007f771f460d934 $Meta.cxx("tracking::Observation") {
-  # What a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
+  # Is what a tracking camera knows of a surgical instrument at one moment, in the camera's frame.
 
   instrument @0 :Text $Meta.capacity([31]);
   visibility @1 :Visibility;
   tip @2 :Types.Pose $Meta.unit("m");
-  # The pose of its tip.
+  # Is the pose of its tip.
   markers @3 :List(Marker) $Meta.capacity([8]);
-  # The markers that are seen.
+  # Are the markers that are seen.
   jawAngle @4 :Float64 $Meta.cxx("jaw_angle") $Meta.range(lowest = 0, highest = 1.6)
       $Meta.unit("rad");
-  # How far its jaws are open.
+  # Is how far its jaws are open.
 }

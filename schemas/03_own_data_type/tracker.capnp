@@ -13,7 +13,7 @@ interface Tracker @0xfadff631147631f3 $Meta.cxx("tracking::Tracker") {
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   observation @1 (sent :Rpc.Sent) -> (value :Observation.Observation, stamp :Int64)
       $Meta.kind("read");
-  # The newest observation; never waits for anyone.
+  # Returns the newest observation; never waits for anyone.
 }
 
 interface TrackerEvents @0xbe3f6f6614035211 $Meta.eventsOf("tracking::Tracker") {

@@ -11,7 +11,7 @@ interface Joystick @0xba57d83dcf98cd85 $Meta.cxx("following::Joystick") {
   subscribe @0 (events :JoystickEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   angle @1 (sent :Rpc.Sent) -> (value :Float64 $Meta.unit("rad"), stamp :Int64) $Meta.kind("read");
-  # How far the stick is turned.
+  # Says how far the stick is turned.
 }
 
 interface JoystickEvents @0xbca1b09e26acd380 $Meta.eventsOf("following::Joystick") {

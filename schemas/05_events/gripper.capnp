@@ -19,7 +19,7 @@ interface Gripper @0x94d688a82ce7d169 $Meta.cxx("gripping::Gripper") {
   grasp @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Begins to close the jaws.
   release @2 (sent :Rpc.Sent) -> (value :Bool) $Meta.kind("voidReturn") $Meta.queue(16);
-  # Opens the jaws. True if they held something.
+  # Opens the jaws. Returns true if they held something.
 }
 
 interface GripperEvents @0xb6c3be53b63b21bb $Meta.eventsOf("gripping::Gripper") {
@@ -29,9 +29,9 @@ interface GripperEvents @0xb6c3be53b63b21bb $Meta.eventsOf("gripping::Gripper") 
   # A new row of the columns asked for.
   jawsChanged @1 (value :Jaws, stamp :Int64) -> () $Meta.cxx("jaws_changed") $Meta.latched
       $Meta.queue(16);
-  # A state: whoever subscribes late is told the last one at once.
+  # Reports a state: a client that subscribes late receives the last one at once.
   touched @2 (value :Float64 $Meta.unit("N"), stamp :Int64) -> () $Meta.queue(16);
-  # Something that happens: each one counts, so 16 may wait at a subscriber that is busy.
+  # Reports something that happens: each one counts, so 16 may wait at a subscriber that is busy.
 }
 
 struct GripperStateRow @0x996aaf9b482d97d6 $Meta.stateOf("gripping::Gripper") {

@@ -31,139 +31,139 @@ enum ArmWarning @0xa4117f14f97ed1bb $Meta.cxx("robots::ArmWarning") $Meta.remove
 interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta.cxx("robots::Arm")
     $Meta.major(2) $Meta.version(2) {
   # Commands run in the arm's own thread before its next cycle; reads are from the end of its last
-  # one. An arm starts, and restarts, undefined; once it hears of its drives, and they may have
+  # one. An arm starts, and restarts, undefined. Once it hears of its drives, and they may have
   # power, it is disabled and not homed. Until it is enabled it ignores motion commands.
   #
   # An arm that is not homed, or not any more after an encoder jumped or unhome(), does not know
   # where its tip is. It refuses Cartesian motion, servo, interpolation and moves, and obeys joint
   # commands.
   #
-  # So does an arm that works through a cannula until its wrist is far enough beyond the remote
-  # centre: a da Vinci's is 45 mm beyond it, and 2 mm more to begin. Joint commands and homing are
-  # what inserts it.
+  # An arm that works through a cannula does the same until its wrist is far enough beyond the
+  # remote centre: a da Vinci's must be 45 mm beyond it, and 2 mm more to begin. Joint commands and
+  # homing insert it.
   #
   # `local_` poses are of the tool tip in the arm's base frame, all others in the reference frame of
-  # the interface, in which base_frame() is the arm's base; the two are one until somebody sets
-  # another. A motion command replaces the one before it, of whichever space; relative goals are
-  # relative to the set-point. A servo stream that falls silent for 0.1 s ends as hold(), and so
-  # does any stream whose client is gone.
+  # the interface, in which base_frame() is the arm's base; the two are the same until a client sets
+  # another. A motion command replaces the one before it, of either space; relative goals are
+  # relative to the set-point. A servo stream that falls silent for 0.1 s ends as with hold(), and
+  # so does any stream whose client is gone.
   #
   # Status, warning and error are the standard messages. Their `code` is an ArmWarning
-  # (arm_warning.h) where the arm refuses a command or something has befallen it; each reason is
-  # told once until the arm obeys again, a refused state command each time.
+  # (arm_warning.h) if the arm refuses a command or something has happened to it. Each reason is
+  # reported once until the arm obeys again, a refused state command each time.
 
   subscribe @0 (events :ArmEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   enable @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Gives the drives power; the arm holds its position.
+  # Gives the drives power. The arm holds its position.
   disable @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Stops at once, without power, and ignores motion until enabled again.
+  # Stops the arm at once, without power. It ignores motion until it is enabled again.
   home @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Moves to the home position; needs an enabled arm. Ends with goal_reached.
+  # Moves the arm to its home position, if it is enabled. The move ends with goal_reached.
   hold @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   # Drops what is under way; the set-point stays where it is.
   servoCp @5 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("servo_cp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along that, at the
-  # nearest that the limits leave; a goal out of reach, or too far for one step, leaves the
-  # set-point. It says so. setpoint_cp keeps the goal's stamp.
+  # Streams Cartesian goals, newest wins. Beyond a joint limit the arm slides along it, at the
+  # nearest point that the limits admit. A goal that is out of reach, or too far for one step,
+  # leaves the set-point. The arm reports both. setpoint_cp keeps the goal's stamp.
   servoJp @6 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at that.
+  # Streams joint goals, newest wins. A joint whose goal lies beyond its limit stays at the limit.
   moveJp @7 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("move_jp") $Meta.kind("write")
       $Meta.queue(16);
   # Moves plan and execute a smooth motion from the set-point, and from the velocity that it has:
   # one may begin while it moves. Each ends at rest and with goal_reached.
   measuredJs @8 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
-  # Where the joints are, and what their motors give, which is empty of drives that do not measure
-  # it. Stamp: the drives' cycle that measured them.
+  # Says where the joints are, and what their motors give; that list is empty if the drives do not
+  # measure it. The stamp is that of the drives' cycle that measured them.
   setpointJs @9 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("setpoint_js") $Meta.kind("read");
-  # Where the joints shall be.
+  # Says where the joints shall be.
   measuredCp @10 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("measured_cp") $Meta.kind("read");
-  # Where the tool tip is. Stamp: the drives' cycle that measured the joints.
+  # Says where the tool tip is. The stamp is that of the drives' cycle that measured the joints.
   setpointCp @11 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("setpoint_cp") $Meta.kind("read");
-  # Where the tool tip shall be. Stamp: that of the servo_cp or interpolate_cp goal it came from,
-  # else the arm's cycle.
+  # Says where the tool tip shall be. The stamp is that of the servo_cp or interpolate_cp goal
+  # from which it came, else that of the arm's cycle.
   operatingState @12 (sent :Rpc.Sent) -> (value :OperatingState.OperatingState, stamp :Int64)
       $Meta.cxx("operating_state") $Meta.kind("read");
   forwardKinematics @13 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
       $Meta.cxx("forward_kinematics") $Meta.kind("qualifiedRead");
-  # The tool tip for a joint vector; not valid if it has the wrong length.
+  # Computes the tool tip for a joint vector; it is not valid if the vector has the wrong length.
   inverseKinematics @14 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> (value :Joints.JointSolution)
       $Meta.cxx("inverse_kinematics") $Meta.kind("qualifiedRead");
-  # A joint vector for a tool tip, searched from the present set-point.
+  # Computes a joint vector for a tool tip, searched from the present set-point.
   configurationJs @15 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration, stamp :Int64)
       $Meta.cxx("configuration_js") $Meta.kind("read");
-  # What the joints are and may do. Velocities are their rate limits, accelerations those of
-  # moves. Efforts are the most that the motors give; of a da Vinci they are published
-  # (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. Where nothing is bounded the
-  # lists are empty.
+  # Says what the joints are and what they may do. Velocities are their rate limits, accelerations
+  # those of moves. Efforts are the most that the motors give; for a da Vinci they are published
+  # (dynamics/davinci_inertia.cpp: ftmax), accelerations are not. If nothing is bounded the lists
+  # are empty.
   periodStatistics @16 (sent :Rpc.Sent) -> (value :Messages.IntervalStatistics, stamp :Int64)
       $Meta.cxx("period_statistics") $Meta.kind("read");
-  # How regularly the arm's task ran in the last second.
+  # Says how regularly the arm's task ran in the last second.
   pause @17 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Stops where the joints are and ignores motion until resume().
+  # Stops the arm where the joints are. It ignores motion until resume().
   resume @18 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
   unhome @19 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Forgets that it is homed.
+  # Makes the arm forget that it is homed.
   stateCommand @20 (name :Text $Meta.capacity([15]), sent :Rpc.Sent) -> ()
       $Meta.cxx("state_command") $Meta.kind("write") $Meta.queue(16);
-  # One of the six above, by name; anything else is an `error`.
+  # Does one of the six above, by its name; any other name is an `error`.
   goalJs @21 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64) $Meta.cxx("goal_js")
       $Meta.kind("read");
-  # Where the move under way ends; without one, the set-point.
+  # Says where the present move ends; without one, it is the set-point.
   goalCp @22 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64) $Meta.cxx("goal_cp")
       $Meta.kind("read");
-  # Where the move under way ends; without one, the set-point.
+  # Says where the present move ends; without one, it is the set-point.
   localMeasuredCp @23 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("local_measured_cp") $Meta.kind("read");
   localSetpointCp @24 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("local_setpoint_cp") $Meta.kind("read");
   measuredCv @25 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
       $Meta.cxx("measured_cv") $Meta.kind("read");
-  # How the tip moves, in the directions of the reference frame, which the twist names.
+  # Says how the tip moves, in the directions of the reference frame, which the twist names.
   setpointCv @26 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64)
       $Meta.cxx("setpoint_cv") $Meta.kind("read");
-  # How the set-point moves, whatever moves it, in the same directions. Where it jumped, and in
-  # the first cycle of a motion, it is 0. Stamp: the arm's cycle.
+  # Says how the set-point moves, whatever moves it, in the same directions. If it jumped, and in
+  # the first cycle of a motion, this is 0. The stamp is that of the arm's cycle.
   bodyMeasuredCf @27 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("body_measured_cf") $Meta.kind("read");
-  # This is the wrench that the arm presses with at its tip, in the tip's own directions: the
-  # motors' efforts, less the arm's weight as its model has it, through the transposed Jacobian.
-  # Friction, inertia and what that model has wrong are in it, so it is near a contact's force
-  # only when the arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci
-  # Research Kit; what touches the tip presses on it with the opposite. Not valid where the drives
-  # measure no effort, without power, and beside a singularity. Stamp: the drives' cycle that
+  # Says with which wrench the arm presses at its tip, in the tip's own directions: the motors'
+  # efforts, less the arm's weight by its model, through the transposed Jacobian. It includes
+  # friction, inertia and the errors of that model, so it is near a contact's force only if the
+  # arm is slow and presses hard. Its sign is that of servo_cf, as in the da Vinci Research Kit;
+  # what touches the tip presses on it with the opposite. It is not valid if the drives measure no
+  # effort, without power, and beside a singularity. The stamp is that of the drives' cycle that
   # measured the joints.
   spatialMeasuredCf @28 (sent :Rpc.Sent) -> (value :Cartesian.Wrench, stamp :Int64)
       $Meta.cxx("spatial_measured_cf") $Meta.kind("read");
-  # The same in the directions of the arm's base frame.
+  # Is the same in the directions of the arm's base frame.
   measuredCs @29 (sent :Rpc.Sent) -> (value :Cartesian.CartesianState, stamp :Int64)
       $Meta.cxx("measured_cs") $Meta.kind("read");
-  # Pose, velocity and force of one cycle, in the reference frame.
+  # Gives pose, velocity and force of one cycle, in the reference frame.
   bodyJacobian @30 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
       $Meta.cxx("body_jacobian") $Meta.kind("read");
-  # From joint velocities to those of the tip, in its own directions. Stamp: the drives' cycle
-  # that measured the joints.
+  # Maps joint velocities to those of the tip, in its own directions. The stamp is that of the
+  # drives' cycle that measured the joints.
   spatialJacobian @31 (sent :Rpc.Sent) -> (value :JointCommands.Jacobian, stamp :Int64)
       $Meta.cxx("spatial_jacobian") $Meta.kind("read");
-  # The same in the directions of the arm's base frame.
+  # Is the same in the directions of the arm's base frame.
   baseFrame @32 (sent :Rpc.Sent) -> (value :Pose.TransformStamped, stamp :Int64)
       $Meta.cxx("base_frame") $Meta.kind("read");
   setBaseFrame @33 (base :Pose.TransformStamped, sent :Rpc.Sent) -> () $Meta.cxx("set_base_frame")
       $Meta.kind("write") $Meta.queue(16);
-  # The arm's base in the reference frame of this interface. Refused if it is given in another
-  # one, and while the arm moves or follows a stream.
+  # Sets the arm's base in the reference frame of this interface. It is refused if it is given in
+  # another frame, and while the arm moves or follows a stream.
   free @34 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Lets go: the set-point follows the joints until another command.
+  # Lets the set-point follow the joints until another command.
   useGravityCompensation @35 (use :Bool, sent :Rpc.Sent) -> ()
       $Meta.cxx("use_gravity_compensation") $Meta.kind("write") $Meta.queue(16);
-  # For the record: it is told in gravity_compensation and changes no motor, which is the business
-  # of the drives.
+  # Is only noted: the event gravity_compensation reports it. It changes no motor, because
+  # compensation belongs to the drives.
   servoJr @36 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
   servoJv @37 (goal :JointCommands.JointVelocityGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jv")
@@ -172,21 +172,23 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   servoCr @39 (step :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("servo_cr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(20000000);
-  # The step's translation in the reference frame; its rotation turns the tip about itself.
+  # Steps the set-point: the translation is in the reference frame, the rotation turns the tip
+  # about itself.
   servoCv @40 (goal :Cartesian.TwistGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_cv")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   bodyServoCf @41 (goal :Cartesian.WrenchGoal, sent :Rpc.Sent) -> () $Meta.cxx("body_servo_cf")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # In the tip's own directions.
+  # Streams wrenches in the tip's own directions, newest wins.
   spatialServoCf @42 (goal :Cartesian.WrenchGoal, sent :Rpc.Sent) -> ()
       $Meta.cxx("spatial_servo_cf") $Meta.kind("write") $Meta.latest $Meta.queue(16)
       $Meta.ttl(20000000);
-  # In the directions of the arm's base frame.
+  # Streams wrenches in the directions of the arm's base frame, newest wins.
   interpolateJp @43 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_jp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(200000000);
-  # Goals that come more slowly than the arm's cycles, newest wins. The set-point goes to each in
-  # a straight line of the joints, in as much time as lay between it and the goal before it, but
-  # no faster than the joints can, and stays there. Limits and reach are as of servo commands.
+  # Streams goals that come more slowly than the arm's cycles, newest wins. The set-point goes to
+  # each in a straight line of the joints, in as much time as lay between it and the goal before
+  # it, but no faster than the joints can, and stays there. Limits and reach are those of servo
+  # commands.
   interpolateJr @44 (step :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_jr")
       $Meta.kind("write") $Meta.queue(16) $Meta.ttl(200000000);
   interpolateCp @45 (goal :Pose.PoseStamped, sent :Rpc.Sent) -> () $Meta.cxx("interpolate_cp")
@@ -201,24 +203,25 @@ interface Arm @0xd2a6fc6237d6fd07 extends(SuturestandardMessages.Messages) $Meta
       $Meta.kind("write") $Meta.queue(16);
   trajectoryJSetRatio @50 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
       $Meta.cxx("trajectory_j_set_ratio") $Meta.kind("write") $Meta.queue(16);
-  # How fast moves are, of what the joints can do: velocity and acceleration together.
+  # Sets which share of what the joints can do moves use: of velocity and acceleration together.
   trajectoryJSetRatioV @51 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
       $Meta.cxx("trajectory_j_set_ratio_v") $Meta.kind("write") $Meta.queue(16);
   trajectoryJSetRatioA @52 (ratio :Float64 $Meta.range(lowest = 0.01, highest = 1), sent :Rpc.Sent) -> ()
       $Meta.cxx("trajectory_j_set_ratio_a") $Meta.kind("write") $Meta.queue(16);
   trajectoryJRatio @53 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
       $Meta.cxx("trajectory_j_ratio") $Meta.kind("read");
-  # The smaller of the two below.
+  # Is the smaller of the two below.
   trajectoryJRatioV @54 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
       $Meta.cxx("trajectory_j_ratio_v") $Meta.kind("read");
   trajectoryJRatioA @55 (sent :Rpc.Sent) -> (value :Float64, stamp :Int64)
       $Meta.cxx("trajectory_j_ratio_a") $Meta.kind("read");
   queryCp @56 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
       $Meta.cxx("query_cp") $Meta.kind("qualifiedRead");
-  # The pose of the link behind as many joints as the vector has, at most all: none, the base.
+  # Computes the pose of the link behind as many joints as the vector has, at most all; without
+  # any, that of the base.
   localQueryCp @57 (q :Joints.JointGoal, sent :Rpc.Sent) -> (value :Pose.PoseStamped)
       $Meta.cxx("local_query_cp") $Meta.kind("qualifiedRead");
-  # The same in the arm's base frame.
+  # Computes the same in the arm's base frame.
 }
 
 interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
@@ -228,21 +231,21 @@ interface ArmEvents @0xdcbc184d8af1d03c $Meta.eventsOf("robots::Arm") {
   # A new row of the columns asked for.
   operatingState @1 (value :OperatingState.OperatingState, stamp :Int64) -> ()
       $Meta.cxx("operating_state") $Meta.latched $Meta.queue(16);
-  # Each change of the operating state, and the last one to whoever connects.
+  # Reports each change of the operating state, and the last one to a client that connects.
   goalReached @2 (value :Bool, stamp :Int64) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
-  # A move ended: true at its goal, false when something else replaced it.
+  # Reports the end of a move: true at its goal, false if something else replaced it.
   warning @3 (value :SuturestandardMessages.Message, stamp :Int64) -> () $Meta.latched
       $Meta.queue(16);
-  # Something was refused, or is not as it should be; the component goes on.
+  # Reports that something was refused, or is not as it should be; the component goes on.
   status @4 (value :SuturestandardMessages.Message, stamp :Int64) -> () $Meta.latched
       $Meta.queue(16);
-  # All is well; something has been done.
+  # Reports that something has been done, and nothing is wrong.
   error @5 (value :SuturestandardMessages.Message, stamp :Int64) -> () $Meta.latched
       $Meta.queue(16);
-  # Something failed, and somebody should see to it.
+  # Reports that something failed, and needs somebody's attention.
   desiredState @6 (value :OperatingState.ArmState, stamp :Int64) -> () $Meta.cxx("desired_state")
       $Meta.latched $Meta.queue(16);
-  # The state that a command asked for.
+  # Reports the state that a command asked for.
   gravityCompensation @7 (value :Bool, stamp :Int64) -> () $Meta.cxx("gravity_compensation")
       $Meta.latched $Meta.queue(16);
   trajectoryJRatio @8 (value :Float64, stamp :Int64) -> () $Meta.cxx("trajectory_j_ratio")

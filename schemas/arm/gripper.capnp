@@ -10,18 +10,20 @@ $Cxx.namespace("robots::wire");
 $Meta.header("arm/gripper.h");
 
 interface Gripper @0x8486a1563ccf77e4 $Meta.cxx("robots::Gripper") {
-  # The master provides it as an interface of its own, "Gripper". Reads are from the end of its last
-  # cycle. Joint vectors have one entry, the angle between the handles in rad: 0 is closed, and less
-  # is squeezed harder. Nothing drives it, so it is measured whether the master has power or not.
+  # The master provides this as an interface of its own, "Gripper". Reads are from the end of its
+  # last cycle. Joint vectors have one entry, the angle between the handles in rad: 0 is closed, and
+  # a smaller angle is squeezed harder. Nothing drives the gripper, so it is measured with or
+  # without power of the master.
 
   subscribe @0 (events :GripperEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   configurationJs @1 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration, stamp :Int64)
       $Meta.cxx("configuration_js") $Meta.kind("read");
-  # What the joint is and may do.
+  # Says what the joint is and what it may do.
   measuredJs @2 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
-  # Where it is. Stamp: the drives' cycle that measured it. Not valid before there was one.
+  # Says where the joint is. The stamp is that of the drives' cycle that measured it. It is not
+  # valid before there was one.
 }
 
 interface GripperEvents @0xc5f5014ab20db54c $Meta.eventsOf("robots::Gripper") {
@@ -30,8 +32,8 @@ interface GripperEvents @0xc5f5014ab20db54c $Meta.eventsOf("robots::Gripper") {
   state @0 (row :GripperStateRow) -> ();
   # A new row of the columns asked for.
   closed @1 (value :Bool, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Whether it is closed, each time that changes, and the last one to whoever connects: dVRK's
-  # gripper/closed.
+  # Reports if the gripper is closed, each time that this changes, and the last one to a client
+  # that connects: dVRK's gripper/closed.
 }
 
 struct GripperStateRow @0xb54cebda06a7e912 $Meta.stateOf("robots::Gripper") {

@@ -11,15 +11,15 @@ $Cxx.namespace("robots::wire");
 $Meta.header("arm/jaw.h");
 
 interface Jaw @0xf5776c4cb1ab9076 extends(Messages.Messages) $Meta.cxx("robots::Jaw") {
-  # The arm that holds the instrument provides it as an interface of its own, "Jaw". Commands run in
-  # the arm's thread before its next cycle; reads are from the end of its last one. Joint vectors
-  # have one entry, the angle between the blades in rad: 0 is closed, and less presses them
-  # together. It may be -0.698 to 1.396 rad (-40 to 80 degrees) on the large needle driver of a da
-  # Vinci.
+  # The arm that holds the instrument provides this as an interface of its own, "Jaw". Commands run
+  # in the arm's thread before its next cycle; reads are from the end of its last one. Joint vectors
+  # have one entry, the angle between the blades in rad: 0 is closed, and a smaller angle presses
+  # them together. It may be -0.698 to 1.396 rad (-40 to 80 degrees) on the large needle driver of a
+  # da Vinci.
   #
-  # The jaw has the power of its arm, and needs one that is enabled: otherwise it ignores commands
-  # of motion and says so in a warning, once until it obeys again. When its arm stops being enabled,
-  # it stops where it is. Homing the arm leaves it as it is.
+  # The jaw has the power of its arm, and needs an arm that is enabled: otherwise it ignores
+  # commands of motion and says so in a warning, once until it obeys again. When its arm stops being
+  # enabled, it stops where it is. Homing the arm leaves it as it is.
   #
   # A command replaces the one before it. A servo stream that falls silent for 0.1 s, or whose
   # client is gone, leaves the set-point where it is.
@@ -31,18 +31,18 @@ interface Jaw @0xf5776c4cb1ab9076 extends(Messages.Messages) $Meta.cxx("robots::
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   configurationJs @1 (sent :Rpc.Sent) -> (value :JointCommands.JointConfiguration, stamp :Int64)
       $Meta.cxx("configuration_js") $Meta.kind("read");
-  # What the joint is and may do. Its effort limit is published
-  # (LARGE_NEEDLE_DRIVER_400006.json), its acceleration limit, which is that of moves, is not.
+  # Says what the joint is and what it may do. Its effort limit is published
+  # (LARGE_NEEDLE_DRIVER_400006.json); its acceleration limit, which is that of moves, is not.
   measuredJs @2 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("measured_js") $Meta.kind("read");
-  # Where it is. Stamp: the drives' cycle that measured it.
+  # Says where the joint is. The stamp is that of the drives' cycle that measured it.
   setpointJs @3 (sent :Rpc.Sent) -> (value :Joints.JointState, stamp :Int64)
       $Meta.cxx("setpoint_js") $Meta.kind("read");
-  # Where it shall be. The effort is that of servo_jf, else 0.
+  # Says where the joint shall be. The effort is that of servo_jf, else 0.
   servoJp @4 (goal :Joints.JointGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   # Streams goals, newest wins. The set-point goes there no faster than the joint can; a goal
-  # beyond a limit leads as far as that.
+  # beyond a limit leads only to the limit.
   servoJf @5 (goal :JointCommands.JointEffortGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jf")
       $Meta.kind("write") $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
   # Streams efforts, newest wins; a negative one closes. The simulated jaw has no mass: an effort
@@ -59,13 +59,13 @@ interface JawEvents @0xd6c2953fc4455ac0 $Meta.eventsOf("robots::Jaw") {
   state @0 (row :JawStateRow) -> ();
   # A new row of the columns asked for.
   status @1 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # All is well; something has been done.
+  # Reports that something has been done, and nothing is wrong.
   warning @2 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Something was refused, or is not as it should be; the component goes on.
+  # Reports that something was refused, or is not as it should be; the component goes on.
   error @3 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Something failed, and somebody should see to it.
+  # Reports that something failed, and needs somebody's attention.
   goalReached @4 (value :Bool, stamp :Int64) -> () $Meta.cxx("goal_reached") $Meta.queue(16);
-  # A move ended: true at its goal, false when something else replaced it.
+  # Reports the end of a move: true at its goal, false if something else replaced it.
 }
 
 struct JawStateRow @0xa03ee03faaaeccdd $Meta.stateOf("robots::Jaw") {

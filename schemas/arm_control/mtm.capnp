@@ -20,27 +20,28 @@ struct MtmParameters @0x82e61784da147f11 $Meta.cxx("robots::MtmParameters") {
       $Meta.unit("rad/s");
   followingError @3 :Float64 = 0.8 $Meta.cxx("following_error")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
-  # A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
-  # 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  # A rotating joint that trails its set-point by more than this faults the arm. A servo goal may
+  # lie 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
   servoHorizon @4 :Float64 = 0.1 $Meta.cxx("servo_horizon")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
-  # A servo goal may lie so far from the set-point as the joints can move in this time at their
-  # rate limits; one that lies farther is refused. By default as long as a stream may be silent:
-  # what the master does in 0.1 s is far below the rates of the slave.
+  # A servo goal may lie as far from the set-point as the joints can move in this time at their
+  # rate limits; one that lies farther is refused. By default this is as long as a stream may be
+  # silent: what the master does in 0.1 s is far below the rates of the slave.
   gripperClosed @5 :Float64 $Meta.cxx("gripper_closed") $Meta.range(lowest = -0.2, highest = 1.05)
       $Meta.unit("rad");
-  # The gripper is closed at this angle or less.
+  # At this angle or less the gripper is closed.
   gripperDebounce @6 :Float64 = 0.02 $Meta.cxx("gripper_debounce")
       $Meta.range(lowest = 0, highest = 1) $Meta.unit("s");
-  # It has to be closed, or open, for so long until that is told.
+  # The gripper must be closed, or open, for this long before that is reported.
   jumpFactor @7 :Float64 = 5.0 $Meta.cxx("jump_factor") $Meta.range(lowest = 1, highest = 1000);
-  # A joint whose encoder tells more than this many times what the joint can move faults the arm.
+  # A joint whose encoder measures a motion of more than this many times what the joint can do
+  # faults the arm.
   overloadTime @8 :Float64 = 0.1 $Meta.cxx("overload_time")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
-  # So does an effort that is above what the joint may take for longer than this.
+  # An effort that is above what the joint may take for longer than this faults the arm too.
   angularAcceleration @9 :Float64 = 40.0 $Meta.cxx("angular_acceleration")
       $Meta.range(lowest = 0.1, highest = 1000) $Meta.unit("rad/s2");
-  # This is how fast the joints may speed up and slow down in a move. Nothing is published of what
-  # they can, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the
-  # roll's to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
+  # Is how fast the joints may speed up and slow down in a move. Nothing is published of what they
+  # can do, so this is our own. The da Vinci Research Kit's moves keep to 0.785 rad/s2, the roll's
+  # to 6.28 (mtsIntuitiveResearchKitMTM.cpp: m_trajectory_j.a_max).
 }

@@ -10,42 +10,43 @@ struct PsmParameters @0x9dae68576e1e4769 $Meta.cxx("robots::PsmParameters") {
   period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
   angularRate @1 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
       $Meta.unit("rad/s");
-  # Rate limit of the rotating joints.
+  # Is the rate limit of the rotating joints.
   followingError @2 :Float64 = 0.8 $Meta.cxx("following_error")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("rad");
-  # A rotating joint that trails its set-point by more faults the arm. A servo goal may lie
-  # 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
+  # A rotating joint that trails its set-point by more than this faults the arm. A servo goal may
+  # lie 0.4 rad ahead of the joints at these rates, and the joints trail by rate x time constant.
   insertionRate @3 :Float64 = 0.4 $Meta.cxx("insertion_rate")
       $Meta.range(lowest = 0.001, highest = 2) $Meta.unit("m/s");
-  # Rate limit of the insertion.
+  # Is the rate limit of the insertion.
   insertionFollowingError @4 :Float64 = 0.08 $Meta.cxx("insertion_following_error")
       $Meta.range(lowest = 1e-04, highest = 1) $Meta.unit("m");
-  # The same bound for the insertion.
+  # Is the same bound for the insertion.
   servoHorizon @5 :Float64 = 0.1 $Meta.cxx("servo_horizon")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
-  # A servo goal may lie so far from the set-point as the joints can move in this time at their
-  # rate limits; one that lies farther is refused. By default as long as a stream may be silent:
-  # what the master does in 0.1 s is far below the rates of the slave.
+  # A servo goal may lie as far from the set-point as the joints can move in this time at their
+  # rate limits; one that lies farther is refused. By default this is as long as a stream may be
+  # silent: what the master does in 0.1 s is far below the rates of the slave.
   jawRate @6 :Float64 = 12.566 $Meta.cxx("jaw_rate") $Meta.range(lowest = 0.01, highest = 50)
       $Meta.unit("rad/s");
-  # Rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
+  # Is the rate limit of the jaw; by default that of the da Vinci Research Kit's teleoperation.
   jumpFactor @7 :Float64 = 5.0 $Meta.cxx("jump_factor") $Meta.range(lowest = 1, highest = 1000);
-  # A joint whose encoder tells more than this many times what the joint can move faults the arm.
+  # A joint whose encoder measures a motion of more than this many times what the joint can do
+  # faults the arm.
   overloadTime @8 :Float64 = 0.1 $Meta.cxx("overload_time")
       $Meta.range(lowest = 0.001, highest = 10) $Meta.unit("s");
-  # So does an effort that is above what the joint may take for longer than this.
+  # An effort that is above what the joint may take for longer than this faults the arm too.
   angularAcceleration @9 :Float64 = 40.0 $Meta.cxx("angular_acceleration")
       $Meta.range(lowest = 0.1, highest = 1000) $Meta.unit("rad/s2");
-  # This is how fast the rotating joints may speed up and slow down in a move. Nothing is
-  # published of what the joints can, so this is our own, as are the two below.
+  # Is how fast the rotating joints may speed up and slow down in a move. Nothing is published of
+  # what the joints can do, so this is our own, as are the two below.
   insertionAcceleration @10 :Float64 = 4.0 $Meta.cxx("insertion_acceleration")
       $Meta.range(lowest = 0.01, highest = 100) $Meta.unit("m/s2");
-  # The same of the insertion.
+  # Is the same for the insertion.
   jawAcceleration @11 :Float64 = 200.0 $Meta.cxx("jaw_acceleration")
       $Meta.range(lowest = 0.1, highest = 10000) $Meta.unit("rad/s2");
-  # The same of the jaw.
+  # Is the same for the jaw.
   homeInsertion @12 :Float64 = 0.12 $Meta.cxx("home_insertion")
       $Meta.range(lowest = 0, highest = 0.24) $Meta.unit("m");
-  # How deep home() inserts the instrument. Cartesian control needs 0.063 m: then the wrist is 47
-  # mm beyond the remote centre.
+  # Is how deep home() inserts the instrument. Cartesian control needs 0.063 m: then the wrist is
+  # 47 mm beyond the remote centre.
 }

@@ -9,10 +9,10 @@ $Meta.header("assistant/assistant.h");
 struct AssistantParameters @0xbd0af4013de1de7e $Meta.cxx("robots::AssistantParameters") {
   period @0 :Int64 = 10000000 $Meta.period("1/1000000000");
   pressAfter @1 :Int64 $Meta.cxx("press_after") $Meta.period("1/1000000000");
-  # Presses the stop so long after it has released the first one; 0: never.
+  # The assistant presses the stop this long after it has released the first one; 0 means never.
   releaseAfter @2 :Int64 = 1000000000 $Meta.cxx("release_after") $Meta.period("1/1000000000");
-  # Releases what it has pressed so much later.
+  # It releases what it has pressed this much later.
   patience @3 :Int64 = 500000000 $Meta.period("1/1000000000");
-  # Enables what has waited for its arms for so long, with power permitted. A person would look
-  # first.
+  # It enables what has waited for its arms for this long, with power permitted. A person would
+  # look first.
 }

@@ -25,15 +25,15 @@ enum ConsoleState @0xe5858b1b3b511bbf $Meta.cxx("robots::ConsoleState") $Meta.un
 
 interface Console @0xdf92213fbec2997e extends(Messages.Messages) $Meta.cxx("robots::Console") {
   # Commands run in the console's own thread before its next cycle. Status, warning and error are
-  # the standard messages: what is missing, and which part did not do what it was asked.
+  # the standard messages: they say what is missing, and which part did not do what it was asked.
 
   subscribe @0 (events :ConsoleEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   bringUp @1 (sent :Rpc.Sent) -> () $Meta.cxx("bring_up") $Meta.kind("void") $Meta.queue(16);
-  # Refused, with an error that names each reason, unless the console is down, every part of the
-  # system is there, and the emergency stop is released.
+  # Brings the system up. It is refused, with an error that names each reason, unless the console
+  # is down, every part of the system is there, and the emergency stop is released.
   bringDown @2 (sent :Rpc.Sent) -> () $Meta.cxx("bring_down") $Meta.kind("void") $Meta.queue(16);
-  # Disables everything in the opposite order. Also while it is being brought up.
+  # Disables everything in the opposite order, even while the system is being brought up.
   consoleState @3 (sent :Rpc.Sent) -> (value :ConsoleState, stamp :Int64)
       $Meta.cxx("console_state") $Meta.kind("read");
 }
@@ -44,14 +44,14 @@ interface ConsoleEvents @0x84a81ff77b719ad6 $Meta.eventsOf("robots::Console") {
   state @0 (row :ConsoleStateRow) -> ();
   # A new row of the columns asked for.
   status @1 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # All is well; something has been done.
+  # Reports that something has been done, and nothing is wrong.
   warning @2 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Something was refused, or is not as it should be; the component goes on.
+  # Reports that something was refused, or is not as it should be; the component goes on.
   error @3 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Something failed, and somebody should see to it.
+  # Reports that something failed, and needs somebody's attention.
   consoleState @4 (value :ConsoleState, stamp :Int64) -> () $Meta.cxx("console_state")
       $Meta.latched $Meta.queue(16);
-  # Each change, and the last one to whoever connects.
+  # Reports each change, and the last one to a client that connects.
 }
 
 struct ConsoleStateRow @0xc2af8ce57e1b558c $Meta.stateOf("robots::Console") {

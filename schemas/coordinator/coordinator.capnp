@@ -8,5 +8,5 @@ $Meta.header("coordinator/coordinator.h");
 
 struct CoordinatorParameters @0xd3f3d59d64dba2a2 $Meta.cxx("robots::CoordinatorParameters") {
   period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
-  # How often the permit is renewed, and how long a command to stop may wait.
+  # Is how often the permit is renewed, and how long a command to stop may wait.
 }

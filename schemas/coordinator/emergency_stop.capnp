@@ -8,16 +8,16 @@ $Cxx.namespace("robots::wire");
 $Meta.header("coordinator/emergency_stop.h");
 
 struct Permit @0xd02fe436dab69cbc $Meta.cxx("robots::Permit") {
-  # It lets drives have power. It counts for as long as it is fresh, so that whoever does not
-  # hear of it any more stops too.
+  # Lets drives have power. It counts only as long as it is fresh, so that drives that do not
+  # receive it any more stop too.
 
   granted @0 :Bool;
   stamp @1 :Int64 $Meta.clock("steady");
-  # The cycle that it was renewed in.
+  # Is the cycle in which it was renewed.
 }
 
 struct StopNews @0xcd5512b8a090183f $Meta.cxx("robots::StopNews") {
-  # The emergency stop was pressed, or released.
+  # Says that the emergency stop was pressed, or released.
 
   pressed @0 :Bool;
   stamp @1 :Int64 $Meta.clock("steady");
@@ -29,12 +29,12 @@ interface EmergencyStop @0x85a101cfc49eccfc $Meta.cxx("robots::EmergencyStop") {
   subscribe @0 (events :EmergencyStopEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   press @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # All drives stop, and none has power until release().
+  # Stops all drives. None has power until release().
   release @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # An operator's decision: drives may have power again. Arms stay disabled until somebody enables
-  # them, such as a console that brings its system up by itself.
+  # Lets drives have power again, which an operator must have decided. Arms stay disabled until
+  # somebody enables them, such as a console that brings its system up by itself.
   permit @3 (sent :Rpc.Sent) -> (value :Permit, stamp :Int64) $Meta.kind("read");
-  # Renewed in each cycle.
+  # Is renewed in each cycle.
 }
 
 interface EmergencyStopEvents @0xd5baa187cf46a24d $Meta.eventsOf("robots::EmergencyStop") {
@@ -43,7 +43,7 @@ interface EmergencyStopEvents @0xd5baa187cf46a24d $Meta.eventsOf("robots::Emerge
   state @0 (row :EmergencyStopStateRow) -> ();
   # A new row of the columns asked for.
   stop @1 (value :StopNews, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Each press and each release, and the last one to whoever connects.
+  # Reports each press and each release, and the last one to a client that connects.
 }
 
 struct EmergencyStopStateRow @0xf44715265e64d420 $Meta.stateOf("robots::EmergencyStop") {

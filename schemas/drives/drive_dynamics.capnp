@@ -14,20 +14,20 @@ enum DriveDynamics @0xf9d9ac4e5a5868fe $Meta.cxx("robots::DriveDynamics") $Meta.
 }
 
 struct RigidBodyOptions @0xebb0c1af002736b6 $Meta.cxx("robots::RigidBodyOptions") {
-  # What can be chosen of joints with mass.
+  # Chooses the properties of joints with mass.
 
   gravityCompensation @0 :Bool = true $Meta.cxx("gravity_compensation");
-  # Whether the motors carry the arm's weight beside what their controllers give.
+  # If it is true, the motors carry the arm's weight beside what their controllers give.
   quantisation @1 :Bool = true;
-  # Whether encoders tell whole counts.
+  # If it is true, encoders read whole counts.
   noise @2 :Float64 $Meta.range(lowest = 0, highest = 1000);
-  # The standard deviation of what encoders add, in counts.
+  # Is the standard deviation of the noise of encoders, in counts.
   seed @3 :UInt32 = 1;
   # Equal seeds, goals and times give equal noise.
   brakes @4 :Bool = true;
-  # It says whether brakes hold the joints without power. The PSM and the MTM of the da Vinci
-  # Classic have none: what their motors carried sinks then.
+  # If it is true, brakes hold the joints without power. The PSM and the MTM of the da Vinci
+  # Classic have none, so what their motors carried sinks then.
   currentGain @5 :Float64 = 1.0 $Meta.cxx("current_gain") $Meta.range(lowest = 0.1, highest = 100);
-  # This is the share of each motor's current that sensors tell. Motors never give more than they
-  # can, so an over-current has to be planted: a sensor that tells too much is one to the arm.
+  # Is the share of each motor's current that sensors measure. Motors never give more than they
+  # can, so a test must cause an over-current: a sensor that measures too much is one to the arm.
 }

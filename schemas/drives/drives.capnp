@@ -19,10 +19,10 @@ enum DrivePower @0xd2f9073be1a76833 $Meta.cxx("robots::DrivePower") $Meta.underl
 }
 
 struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
-  # The drives measure this in each of their cycles. It is of actuators, in the order of the joints
-  # of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which nothing
-  # drives. What the actuators of an arm are to its joints is in coupling.h; most are their joint.
-  # One of a prismatic joint has m, m/s and N.
+  # Is what the drives measure in each of their cycles. It is of actuators, in the order of the
+  # joints of the chain, and of the tool behind them: a slave's jaw, or a master's gripper, which
+  # nothing drives. coupling.h says how the actuators of an arm turn its joints; most are their
+  # joint. The actuator of a prismatic joint has m, m/s and N.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
@@ -30,19 +30,19 @@ struct DriveFeedback @0xc6e6797127c781ed $Meta.cxx("robots::DriveFeedback") {
   joints @2 :UInt32;
   power @3 :DrivePower;
   permitted @4 :Int64 $Meta.clock("steady");
-  # When they were last permitted to have power. Another moment than before: they have stopped
-  # meanwhile, or are others, which an arm may not have seen.
+  # Is when they were last permitted to have power. If this changes, they have stopped meanwhile,
+  # or are other drives, which an arm may not have seen.
   stamp @5 :Int64 $Meta.clock("steady");
-  # The drives' cycle.
+  # Is that of the drives' cycle.
   effort @6 :List(Float64) $Meta.shape("8") $Meta.unit("N.m");
-  # What the motors give, as their currents tell.
+  # Is what the motors give, as their currents show it.
   measuresEffort @7 :Bool $Meta.cxx("measures_effort");
-  # Whether `effort` is measured. Joints that are simulated without mass need none, and tell 0; so
-  # does a simulated jaw, which has no mass whatever this says.
+  # Is true if `effort` is measured. Joints that are simulated without mass need none, and have 0;
+  # so does a simulated jaw, which has no mass whatever this says.
 }
 
 struct DriveGoal @0xe3033c33c5a1f822 $Meta.cxx("robots::DriveGoal") {
-  # Where the actuators shall be, in the same order. What is there for a gripper counts for nothing.
+  # Says where the actuators shall be, in the same order. The entry of a gripper has no effect.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
@@ -57,13 +57,14 @@ interface Drives @0x91efda82df1adc01 $Meta.cxx("robots::Drives") {
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   powerOn @1 (permitted :Int64 $Meta.clock("steady"), sent :Rpc.Sent) -> () $Meta.cxx("power_on")
       $Meta.kind("write") $Meta.queue(16);
-  # Releases the brakes; the joints hold where they are. `permitted` is that of the feedback that
+  # Releases the brakes. The joints hold where they are. `permitted` is that of the feedback that
   # this answers: drives that have stopped since then, or may not have power, stay as they are.
   powerOff @2 (sent :Rpc.Sent) -> () $Meta.cxx("power_off") $Meta.kind("void") $Meta.queue(16);
-  # The brakes hold the joints where they are; those of an arm that has none sink by their weight.
+  # Lets the brakes hold the joints where they are. The joints of an arm that has none sink by
+  # their weight.
   servoJp @3 (goal :DriveGoal, sent :Rpc.Sent) -> () $Meta.cxx("servo_jp") $Meta.kind("write")
       $Meta.latest $Meta.queue(16) $Meta.ttl(20000000);
-  # Streams goals, newest wins. Without power, or with the wrong number of joints, one changes
+  # Streams goals, newest wins. Without power, or with the wrong number of joints, a goal changes
   # nothing. A stream that falls silent for 0.1 s leaves the joints where they are.
   feedback @4 (sent :Rpc.Sent) -> (value :DriveFeedback, stamp :Int64) $Meta.kind("read");
 }
@@ -74,7 +75,7 @@ interface DrivesEvents @0xe59a5d931070aa84 $Meta.eventsOf("robots::Drives") {
   state @0 (row :DrivesStateRow) -> ();
   # A new row of the columns asked for.
   power @1 (value :DrivePower, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Each change, and the last one to whoever connects.
+  # Reports each change, and the last one to a client that connects.
 }
 
 struct DrivesStateRow @0xf51328c4223872e4 $Meta.stateOf("robots::Drives") {

@@ -8,15 +8,15 @@ $Cxx.namespace("robots::wire");
 $Meta.header("drives/gripper_hand.h");
 
 interface GripperHand @0xfdcd88fcdd8f3434 $Meta.cxx("robots::GripperHand") {
-  # Simulated drives of a master provide it as "Hand", for real ones have a surgeon's. Commands run
-  # in the drives' own thread before its next cycle.
+  # Simulated drives of a master provide this as "Hand", because real ones have a surgeon's.
+  # Commands run in the drives' own thread before its next cycle.
 
   subscribe @0 (events :GripperHandEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   squeeze @1 (angle :Float64 $Meta.unit("rad"), sent :Rpc.Sent) -> () $Meta.kind("write")
       $Meta.latest $Meta.queue(16) $Meta.ttl(100000000);
-  # The fingers press the handles to this angle, newest wins: there it stays until another one.
-  # The gripper follows with the lag of the drives, and no further than its stops.
+  # Makes the fingers press the handles to this angle, newest wins. It stays there until another
+  # one comes. The gripper follows with the lag of the drives, and no further than its stops.
 }
 
 interface GripperHandEvents @0xc0df5b70383bca9d $Meta.eventsOf("robots::GripperHand") {

@@ -16,20 +16,20 @@ enum MasterSide @0x93df6efffc351cf4 $Meta.cxx("robots::MasterSide") $Meta.remove
 
 struct MtmDrivesParameters @0xe72c8047229da521 $Meta.cxx("robots::MtmDrivesParameters") {
   side @0 :Side.Side;
-  # Which of a surgeon's two masters: their joints have mirrored limits.
+  # Says which of a surgeon's two masters it is, because their joints have mirrored limits.
   period @1 :Int64 = 667000 $Meta.period("1/1000000000");
   timeConstant @2 :Float64 = 0.01 $Meta.cxx("time_constant")
       $Meta.range(lowest = 1e-04, highest = 10) $Meta.unit("s");
-  # How far the measured joints trail their goal: here, the hand that moves the master.
+  # Is how far the measured joints trail their goal: here, the hand that moves the master.
   angularRate @3 :Float64 = 4.0 $Meta.cxx("angular_rate") $Meta.range(lowest = 0.01, highest = 20)
       $Meta.unit("rad/s");
-  # How fast the joints can be.
+  # Is how fast the joints can be.
   permit @4 :Int64 = 30000000 $Meta.period("1/1000000000");
-  # How old the permit of the emergency stop may be. 0: power needs none, as on a bench where
-  # nobody can be hurt.
+  # Is how old the permit of the emergency stop may be. With 0, power needs none, as on a bench
+  # where nobody can be hurt.
   dynamics @5 :DriveDynamics.DriveDynamics;
   # Lag: the joints trail their goal. RigidBody: motors move bodies that have mass, and
   # `time_constant` does not count.
   rigidBody @6 :DriveDynamics.RigidBodyOptions $Meta.cxx("rigid_body");
-  # They count with RigidBody.
+  # These have an effect only with RigidBody.
 }

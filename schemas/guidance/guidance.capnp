@@ -24,17 +24,17 @@ enum GuidanceState @0x909952bd3e04c1b4 $Meta.cxx("robots::GuidanceState") $Meta.
 
 struct GuidanceProgress @0xb62a9e40cb04e11e $Meta.cxx("robots::GuidanceProgress") {
   knot @0 :Types.Vec3 $Meta.unit("m");
-  # Where the knot is by the last sighting and by what the tips have moved since; in the scene.
+  # Is where the knot is by the last sighting and by what the tips have moved since, in the scene.
   removed1 @1 :Float64 $Meta.cxx("to_go") $Meta.removed("toGo") $Meta.unit("m");
   removed2 @2 :Float64 $Meta.removed("aside") $Meta.unit("m");
   stamp @3 :Int64 $Meta.clock("steady");
-  # The guide's cycle.
+  # Is that of the guide's cycle.
   valid @4 :Bool;
-  # False unless the knot has been seen lately.
+  # Is false unless the knot has been seen lately.
   distanceToTarget @5 :Float64 $Meta.cxx("distance_to_target") $Meta.unit("m");
-  # Along the line of approach; below zero behind the target.
+  # Is the distance along the line of approach; it is below zero behind the target.
   lateralError @6 :Float64 $Meta.cxx("lateral_error") $Meta.unit("m");
-  # From the line of approach.
+  # Is the distance from the line of approach.
 }
 
 interface Guidance @0xf839a0ec32e2aeaf $Meta.cxx("robots::Guidance") {
@@ -46,12 +46,12 @@ interface Guidance @0xf839a0ec32e2aeaf $Meta.cxx("robots::Guidance") {
   guidanceState @1 (sent :Rpc.Sent) -> (value :GuidanceState, stamp :Int64)
       $Meta.cxx("guidance_state") $Meta.kind("read");
   progress @2 (sent :Rpc.Sent) -> (value :GuidanceProgress, stamp :Int64) $Meta.kind("read");
-  # It is told also while the guide waits for something, as far as the knot has been seen.
+  # Is updated even while the guide waits for something, as far as the knot has been seen.
   enable @3 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Enables and homes arms that are not, then guides. Also after an arm was disabled or restarted.
-  # An arm in FAULT is not enabled: whoever has removed the cause enables it.
+  # Enables and homes arms that are not, then guides. This also works after an arm was disabled or
+  # restarted. It does not enable an arm in FAULT: the operator who has removed the cause does.
   disable @4 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Stops guiding; both slaves hold.
+  # Stops guiding. Both slaves hold.
 }
 
 interface GuidanceEvents @0xf87738b35a660df1 $Meta.eventsOf("robots::Guidance") {
@@ -61,7 +61,7 @@ interface GuidanceEvents @0xf87738b35a660df1 $Meta.eventsOf("robots::Guidance") 
   # A new row of the columns asked for.
   guidanceState @1 (value :GuidanceState, stamp :Int64) -> () $Meta.cxx("guidance_state")
       $Meta.latched $Meta.queue(16);
-  # Each change, and the last one to whoever connects.
+  # Reports each change, and the last one to a client that connects.
 }
 
 struct GuidanceStateRow @0xaa6c5932ff7a6316 $Meta.stateOf("robots::Guidance") {

@@ -10,31 +10,32 @@ $Meta.header("guidance/knot_guide.h");
 struct GuideParameters @0xc5a448822c5a8c36 $Meta.cxx("robots::GuideParameters") {
   period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
   scale @1 :Float64 = 0.4 $Meta.range(lowest = 0.01, highest = 10);
-  # Slave metres a master metre.
+  # Is how many metres a slave moves for each metre of its master.
   maxAge @2 :Int64 = 20000000 $Meta.cxx("max_age") $Meta.period("1/1000000000");
-  # An arm's data that are older are not acted on: both slaves hold.
+  # If an arm's data are older than this, both slaves hold.
   sightingAge @3 :Int64 = 250000000 $Meta.cxx("sighting_age") $Meta.period("1/1000000000");
-  # The same for what the cameras saw: some three images.
+  # Is the same bound for what the cameras saw: some three images.
   fixtures @4 :Bool = true;
-  # Without, the slaves follow their masters wherever the knot is.
+  # If it is false, the slaves follow their masters wherever the knot is.
   target @5 :Types.Vec3 $Meta.unit("m");
-  # Where the knot shall be, in the scene.
+  # Is where the knot shall be, in the scene.
   approach @6 :Types.Vec3;
-  # Along which it shall come there; of any length but zero.
+  # Is the direction in which it shall come there, of any length but zero.
   radius @7 :Float64 = 0.0003 $Meta.range(lowest = 1e-04, highest = 0.1) $Meta.unit("m");
-  # Radius of the corridor at the target, and by how much it widens before that.
+  # Are the radius of the corridor at the target, and by how much it widens before that.
   slope @8 :Float64 = 0.3 $Meta.range(lowest = 0, highest = 1);
   speed @9 :Float64 = 0.1 $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("m/s");
-  # How fast a tip moves along each axis.
+  # Is how fast a tip may move along each axis.
   separation @10 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 0.1) $Meta.unit("m");
-  # How near the tips come to each other.
+  # Is how near the tips may come to each other.
   removed11 @11 :Float64 = -0.16 $Meta.range(lowest = -1, highest = 1) $Meta.removed("floor")
       $Meta.unit("m");
   enableAtStart @12 :Bool = true $Meta.cxx("enable_at_start");
-  # Prepare and guide without waiting for enable().
+  # If it is true, the guide prepares and guides without waiting for enable().
   registrationAge @13 :Int64 = 250000000 $Meta.cxx("registration_age") $Meta.period("1/1000000000");
-  # Nor is guiding begun by a registration that was renewed longer ago, or a sighting believed
-  # whose camera was registered so long before it. Guiding goes on by the one that it began with.
+  # Guiding does not begin with a registration that was renewed longer ago than this, and a
+  # sighting does not count if its camera was registered that long before it. Guiding goes on with
+  # the registration with which it began.
   operatorAge @14 :Int64 = 200000000 $Meta.cxx("operator_age") $Meta.period("1/1000000000");
-  # Pedals and presence that are older are not known: both slaves hold.
+  # If pedals or presence are older than this, they are not known, and both slaves hold.
 }

@@ -8,17 +8,17 @@ $Cxx.namespace("robots::wire");
 $Meta.header("pedals/foot_pedals.h");
 
 struct PedalState @0xcff309898affe286 $Meta.cxx("robots::PedalState") {
-  # What the feet do. It counts for as long as it is fresh: whoever does not hear of the pedals any
-  # more must take them for pressed.
+  # Says what the feet do. It counts only as long as it is fresh: a client that does not receive it
+  # any more must assume that all pedals are pressed.
 
   clutch @0 :Bool;
-  # Masters move without their slaves.
+  # If it is true, masters move without their slaves.
   camera @1 :Bool;
-  # Masters move the camera instead of their slaves.
+  # If it is true, masters move the camera instead of their slaves.
   coagulation @2 :Bool;
-  # Energy is applied to the tissue.
+  # If it is true, energy is applied to the tissue.
   stamp @3 :Int64 $Meta.clock("steady");
-  # The cycle that they were looked at in.
+  # Is the cycle in which they were looked at.
 }
 
 interface FootPedals @0xeef483a34001461c $Meta.cxx("robots::FootPedals") {
@@ -35,7 +35,7 @@ interface FootPedalsEvents @0xeb48eb818a9b108b $Meta.eventsOf("robots::FootPedal
   state @0 (row :FootPedalsStateRow) -> ();
   # A new row of the columns asked for.
   clutch @1 (value :Bool, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Pressed or released, and as it is now to whoever connects.
+  # Reports each press and release, and the present state to a client that connects.
   camera @2 (value :Bool, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
   coagulation @3 (value :Bool, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
 }

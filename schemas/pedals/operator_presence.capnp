@@ -8,11 +8,11 @@ $Cxx.namespace("robots::wire");
 $Meta.header("pedals/operator_presence.h");
 
 struct Presence @0xa9429a655b83829a $Meta.cxx("robots::Presence") {
-  # A head in the viewer. It counts for as long as it is fresh.
+  # Says if a head is in the viewer. It counts only as long as it is fresh.
 
   present @0 :Bool;
   stamp @1 :Int64 $Meta.clock("steady");
-  # The cycle that it was looked for in.
+  # Is the cycle in which it was looked for.
 }
 
 interface OperatorPresence @0x8946bef4362e465d $Meta.cxx("robots::OperatorPresence") {
@@ -28,7 +28,7 @@ interface OperatorPresenceEvents @0xd9df1a4d2e881c27 $Meta.eventsOf("robots::Ope
   # A new row of the columns asked for.
   operatorPresent @1 (value :Bool, stamp :Int64) -> () $Meta.cxx("operator_present") $Meta.latched
       $Meta.queue(16);
-  # Each change, and as it is now to whoever connects.
+  # Reports each change, and the present state to a client that connects.
 }
 
 struct OperatorPresenceStateRow @0x970403e5511b6372 $Meta.stateOf("robots::OperatorPresence") {

@@ -9,9 +9,10 @@ $Meta.header("pedals/scripted_pedals.h");
 struct ScriptedPedalsParameters @0xb6e10f137b585887 $Meta.cxx("robots::ScriptedPedalsParameters") {
   period @0 :Int64 = 5000000 $Meta.period("1/1000000000");
   clutchAfter @1 :Int64 $Meta.cxx("clutch_after") $Meta.period("1/1000000000");
-  # Presses the clutch so long after the start, and releases it so much later; 0: never.
+  # The clutch is pressed this long after the start, and released this much later; 0 means never.
   clutchFor @2 :Int64 = 1000000000 $Meta.cxx("clutch_for") $Meta.period("1/1000000000");
   leaveAfter @3 :Int64 $Meta.cxx("leave_after") $Meta.period("1/1000000000");
-  # Leaves the viewer so long after the start, and is back so much later; 0: never.
+  # The surgeon leaves the viewer this long after the start, and is back this much later; 0 means
+  # never.
   leaveFor @4 :Int64 = 1000000000 $Meta.cxx("leave_for") $Meta.period("1/1000000000");
 }

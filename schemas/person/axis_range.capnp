@@ -7,7 +7,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("person/axis_range.h");
 
 struct AxisRange @0x84fffca3b307b5df $Meta.cxx("robots::AxisRange") {
-  # What an absolute axis of an input device says at its two ends. `evtest` prints it.
+  # Holds what an absolute axis of an input device says at its two ends. `evtest` prints it.
 
   lowest @0 :Int32;
   highest @1 :Int32;

@@ -15,6 +15,6 @@ struct KeyboardParameters @0x8e0f5ddd24393fee $Meta.cxx("robots::KeyboardParamet
   opening @4 :Float64 = 0.5 $Meta.range(lowest = 0, highest = 1.047) $Meta.unit("rad");
   # The gripper is this far open when it is not closed.
   hold @5 :Int64 = 150000000 $Meta.period("1/1000000000");
-  # The motion ends this long after the last repeat of its key. Where the terminal's first repeat
+  # The motion ends this long after the last repeat of its key. If the terminal's first repeat
   # comes later than this, the hand rests for a moment after the first press.
 }

@@ -8,7 +8,7 @@ $Meta.header("recorder/recorder.h");
 
 struct RecorderParameters @0xf93ade88705176f1 $Meta.cxx("robots::RecorderParameters") {
   period @0 :Int64 $Meta.default("1000000") $Meta.period("1/1000000000");
-  # At least as fast as the arm, or cycles are missed.
+  # Must be at least as fast as the arm, or cycles are missed.
   file @1 :Text $Meta.capacity([255]);
-  # Replaced at the start; one JSON line a record.
+  # Is the file, with one JSON line for each record. It is replaced at the start.
 }

@@ -9,19 +9,19 @@ $Cxx.namespace("robots::wire");
 $Meta.header("registration/registration.h");
 
 struct SceneFrames @0xe63e7e972f06e442 $Meta.cxx("robots::SceneFrames") {
-  # Where things are: slaves and camera in the frame of the scene, whose z points away from the
+  # Says where things are: slaves and camera in the frame of the scene, whose z points away from the
   # tissue; masters and display in that of the console.
 
   leftBase @0 :Types.Pose $Meta.cxx("left_base") $Meta.unit("m");
   rightBase @1 :Types.Pose $Meta.cxx("right_base") $Meta.unit("m");
   camera @2 :Types.Pose $Meta.unit("m");
-  # The left camera: x to the right and y downward in the image, z ahead.
+  # Is the left camera: x to the right and y downward in the image, z ahead.
   tissue @3 :Float64 = -0.16 $Meta.unit("m");
-  # The tissue's surface: its z.
+  # Is the z of the tissue's surface.
   leftMaster @4 :Types.Pose $Meta.cxx("left_master") $Meta.unit("m");
   rightMaster @5 :Types.Pose $Meta.cxx("right_master") $Meta.unit("m");
   display @6 :Types.Pose $Meta.unit("m");
-  # The picture that the surgeon looks at, with the axes of the camera: x to the right and y
+  # Is the picture that the surgeon looks at, with the axes of the camera: x to the right and y
   # downward in it, z ahead.
 }
 
@@ -31,11 +31,12 @@ interface Registration @0xe9484f8fbd271c3f $Meta.cxx("robots::Registration") {
   subscribe @0 (events :RegistrationEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   frames @1 (sent :Rpc.Sent) -> (value :SceneFrames, stamp :Int64) $Meta.kind("read");
-  # As they were registered last; each rotation is one to 1e-6. Ask with `frames.at(stamp)` for
-  # what an image or a pose of that stamp belongs to.
+  # Are the frames as they were registered last; each rotation is one to 1e-6. Ask with
+  # `frames.at(stamp)` for those to which an image or a pose of that stamp belongs.
   setCamera @2 (camera :Types.Pose $Meta.unit("m"), sent :Rpc.Sent) -> () $Meta.cxx("set_camera")
       $Meta.kind("write") $Meta.queue(16);
-  # The left camera has been moved to there. Ignored, with a warning, unless its rotation is one.
+  # Says that the left camera has been moved there. It is ignored, with a warning, unless its
+  # rotation is one.
 }
 
 interface RegistrationEvents @0xead83c2c10b9a601 $Meta.eventsOf("robots::Registration") {

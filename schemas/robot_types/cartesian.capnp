@@ -8,7 +8,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/cartesian.h");
 
 enum ServoMode @0xeed5266eb5c2e892 $Meta.cxx("robots::ServoMode") $Meta.underlying("UInt8") {
-  # What an axis of a mixed servo command follows.
+  # Says what an axis of a mixed servo command follows.
 
   none @0 $Meta.cxx("None") $Meta.value(0);
   position @1 $Meta.cxx("Position") $Meta.value(1);
@@ -21,7 +21,7 @@ enum ServoMode @0xeed5266eb5c2e892 $Meta.cxx("robots::ServoMode") $Meta.underlyi
 }
 
 struct Twist @0xaa62fba3aef11562 $Meta.cxx("robots::Twist") {
-  # A velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
+  # Is a velocity: CRTK's measured_cv. The cisst libraries' prmVelocityCartesianGet.
 
   linear @0 :Types.Vec3 $Meta.unit("m/s");
   angular @1 :Types.Vec3 $Meta.unit("rad/s");
@@ -29,47 +29,47 @@ struct Twist @0xaa62fba3aef11562 $Meta.cxx("robots::Twist") {
   referenceFrame @3 :UInt32 $Meta.cxx("reference_frame");
   stamp @4 :Int64 $Meta.clock("steady");
   valid @5 :Bool;
-  # False: do not use.
+  # If it is false, do not use it.
 }
 
 struct TwistGoal @0xb9f9a4ea2665be7e $Meta.cxx("robots::TwistGoal") {
-  # A velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
+  # Is a velocity to follow: CRTK's servo_cv. prmVelocityCartesianSet.
 
   linear @0 :Types.Vec3 $Meta.unit("m/s");
   angular @1 :Types.Vec3 $Meta.unit("rad/s");
   linearAcceleration @2 :Types.Vec3 $Meta.cxx("linear_acceleration") $Meta.unit("m/s2");
   angularAcceleration @3 :Types.Vec3 $Meta.cxx("angular_acceleration") $Meta.unit("rad/s2");
   mask @4 :List(Bool) $Meta.shape("6");
-  # Which of x, y, z and the rotations about them count.
+  # Says which of x, y, z and the rotations about them count.
   stamp @5 :Int64 $Meta.clock("steady");
 }
 
 struct Wrench @0xdefffdcf07aeb2d1 $Meta.cxx("robots::Wrench") {
-  # Force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
+  # Is force and torque at the tool tip: CRTK's measured_cf. prmForceCartesianGet.
 
   force @0 :Types.Vec3 $Meta.unit("N");
   torque @1 :Types.Vec3 $Meta.unit("N.m");
   mask @2 :List(Bool) $Meta.shape("6");
-  # Which components are known.
+  # Says which components are known.
   movingFrame @3 :UInt32 $Meta.cxx("moving_frame");
   referenceFrame @4 :UInt32 $Meta.cxx("reference_frame");
   stamp @5 :Int64 $Meta.clock("steady");
   valid @6 :Bool;
-  # False: do not use.
+  # If it is false, do not use it.
 }
 
 struct WrenchGoal @0x913714b88c44b8c4 $Meta.cxx("robots::WrenchGoal") {
-  # Force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
+  # Is force and torque to apply: CRTK's servo_cf. prmForceCartesianSet.
 
   force @0 :Types.Vec3 $Meta.unit("N");
   torque @1 :Types.Vec3 $Meta.unit("N.m");
   mask @2 :List(Bool) $Meta.shape("6");
-  # Which components count.
+  # Says which components count.
   stamp @3 :Int64 $Meta.clock("steady");
 }
 
 struct CartesianState @0xe8c20fc8c27161a7 $Meta.cxx("robots::CartesianState") {
-  # Pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
+  # Is pose, velocity and force of one instant: CRTK's measured_cs. prmStateCartesian.
 
   movingFrame @0 :UInt32 $Meta.cxx("moving_frame");
   referenceFrame @1 :UInt32 $Meta.cxx("reference_frame");
@@ -85,7 +85,7 @@ struct CartesianState @0xe8c20fc8c27161a7 $Meta.cxx("robots::CartesianState") {
 }
 
 struct CartesianGoal @0xe4d650549dee47fd $Meta.cxx("robots::CartesianGoal") {
-  # A pose to reach, with how to get there: prmPositionCartesianSet.
+  # Is a pose to reach, and how to get there: prmPositionCartesianSet.
 
   goal @0 :Types.Pose $Meta.unit("m");
   linearVelocity @1 :Types.Vec3 $Meta.cxx("linear_velocity") $Meta.unit("m/s");
@@ -93,7 +93,7 @@ struct CartesianGoal @0xe4d650549dee47fd $Meta.cxx("robots::CartesianGoal") {
   linearAcceleration @3 :Types.Vec3 $Meta.cxx("linear_acceleration") $Meta.unit("m/s2");
   angularAcceleration @4 :Types.Vec3 $Meta.cxx("angular_acceleration") $Meta.unit("rad/s2");
   mask @5 :List(Bool) $Meta.shape("2");
-  # Whether position and orientation count.
+  # Says if position and orientation count.
   movingFrame @6 :UInt32 $Meta.cxx("moving_frame");
   referenceFrame @7 :UInt32 $Meta.cxx("reference_frame");
   stamp @8 :Int64 $Meta.clock("steady");
@@ -101,22 +101,22 @@ struct CartesianGoal @0xe4d650549dee47fd $Meta.cxx("robots::CartesianGoal") {
 }
 
 struct ServoCartesian @0x90f303a4951092d4 $Meta.cxx("robots::ServoCartesian") {
-  # Position, velocity and effort in one servo command: prmServoCartesian.
+  # Has position, velocity and effort in one servo command: prmServoCartesian.
 
   taskFrame @0 :Types.Pose $Meta.cxx("task_frame") $Meta.unit("m");
-  # The axes below are those of this frame, in the base frame.
+  # Is the frame, in the base frame, whose axes are used below.
   position @1 :Types.Pose $Meta.unit("m");
   linearVelocity @2 :Types.Vec3 $Meta.cxx("linear_velocity") $Meta.unit("m/s");
   angularVelocity @3 :Types.Vec3 $Meta.cxx("angular_velocity") $Meta.unit("rad/s");
   force @4 :Types.Vec3 $Meta.unit("N");
   torque @5 :Types.Vec3 $Meta.unit("N.m");
   axisMode @6 :List(ServoMode) $Meta.cxx("axis_mode") $Meta.shape("6");
-  # The modes of x, y, z and the rotations about them, in this order.
+  # Are the modes of x, y, z and the rotations about them, in this order.
   stamp @7 :Int64 $Meta.clock("steady");
 }
 
 struct HalfPlaneGains @0xf5adf6b47f45412f $Meta.cxx("robots::HalfPlaneGains") {
-  # How stiffly one side of an axis holds: force = p * distance + d * speed + bias beyond the
+  # Says how stiffly one side of an axis holds: force = p * distance + d * speed + bias beyond the
   # deadband.
 
   p @0 :Types.Vec3 $Meta.unit("N/m");
@@ -126,7 +126,7 @@ struct HalfPlaneGains @0xf5adf6b47f45412f $Meta.cxx("robots::HalfPlaneGains") {
 }
 
 struct AngularHalfPlaneGains @0xb5891631aa394628 $Meta.cxx("robots::AngularHalfPlaneGains") {
-  # The same about an axis.
+  # Is the same about an axis.
 
   p @0 :Types.Vec3 $Meta.unit("N.m/rad");
   d @1 :Types.Vec3 $Meta.unit("N.m.s/rad");
@@ -135,14 +135,14 @@ struct AngularHalfPlaneGains @0xb5891631aa394628 $Meta.cxx("robots::AngularHalfP
 }
 
 struct CartesianImpedance @0xa1baf72e8978a5b3 $Meta.cxx("robots::CartesianImpedance") {
-  # A spring that holds the tool tip, per axis and side: prmCartesianImpedance.
+  # Is a spring that holds the tool tip, per axis and side: prmCartesianImpedance.
 
   forceOrientation @0 :Types.Mat3 $Meta.cxx("force_orientation");
-  # The axes along which the forces act.
+  # Holds the axes along which the forces act.
   forcePosition @1 :Types.Vec3 $Meta.cxx("force_position") $Meta.unit("m");
-  # Where the springs rest.
+  # Is where the springs rest.
   torqueOrientation @2 :Types.Mat3 $Meta.cxx("torque_orientation");
-  # The axes about which the torques act.
+  # Holds the axes about which the torques act.
   positionPositive @3 :HalfPlaneGains $Meta.cxx("position_positive");
   positionNegative @4 :HalfPlaneGains $Meta.cxx("position_negative");
   orientationPositive @5 :AngularHalfPlaneGains $Meta.cxx("orientation_positive");

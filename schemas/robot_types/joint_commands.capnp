@@ -20,7 +20,7 @@ struct JointPosition @0x8d40d571bf8db891 $Meta.cxx("robots::JointPosition") {
 
   position @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
   stamps @1 :List(Int64) $Meta.capacity([8]) $Meta.clock("steady");
-  # When each joint was read.
+  # Say when each joint was read.
   stamp @2 :Int64 $Meta.clock("steady");
   valid @3 :Bool;
 }
@@ -30,13 +30,13 @@ struct JointPositionGoal @0xcc0da9976c58b05d $Meta.cxx("robots::JointPositionGoa
 
   goal @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
   velocity @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
-  # Optional.
+  # Is optional.
   acceleration @2 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s2");
-  # Optional.
+  # Is optional.
   timeLimit @3 :Int64 $Meta.cxx("time_limit") $Meta.period("1/1000000000");
-  # 0: none.
+  # Has no limit if it is 0.
   isCoordinated @4 :Bool = true $Meta.cxx("is_coordinated");
-  # All joints arrive together.
+  # If it is true, all joints arrive together.
   stamp @5 :Int64 $Meta.clock("steady");
 }
 
@@ -53,13 +53,13 @@ struct JointVelocityGoal @0xf166e3d075579061 $Meta.cxx("robots::JointVelocityGoa
 
   goal @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
   acceleration @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s2");
-  # Optional.
+  # Is optional.
   deceleration @2 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s2");
-  # Optional.
+  # Is optional.
   guard @3 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
-  # Optional: the positions not to pass.
+  # Is optional: the positions not to pass.
   mask @4 :List(Bool) $Meta.capacity([8]);
-  # Optional: which joints count; empty: all.
+  # Is optional, and says which joints count; if it is empty, all do.
   stamp @5 :Int64 $Meta.clock("steady");
 }
 
@@ -68,12 +68,12 @@ struct JointEffortGoal @0xd704fc0995280ce6 $Meta.cxx("robots::JointEffortGoal") 
 
   effort @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("N.m");
   mask @1 :List(Bool) $Meta.capacity([8]);
-  # Optional: which joints count; empty: all.
+  # Is optional, and says which joints count; if it is empty, all do.
   stamp @2 :Int64 $Meta.clock("steady");
 }
 
 struct JointConfiguration @0xf723b5ed0dc2d63c $Meta.cxx("robots::JointConfiguration") {
-  # What the joints are and may do: CRTK's configuration_js. prmConfigurationJoint.
+  # Says what the joints are and what they may do: CRTK's configuration_js. prmConfigurationJoint.
 
   name @0 :List(Text) $Meta.capacity([8, 15]);
   type @1 :List(JointType) $Meta.capacity([8]);
@@ -91,21 +91,21 @@ struct JointConfiguration @0xf723b5ed0dc2d63c $Meta.cxx("robots::JointConfigurat
 }
 
 struct ServoJoint @0xf49c2efeb3512c06 $Meta.cxx("robots::ServoJoint") {
-  # Position, velocity and effort in one servo command: prmServoJoint.
+  # Has position, velocity and effort in one servo command: prmServoJoint.
 
   name @0 :List(Text) $Meta.capacity([8, 15]);
   mode @1 :List(UInt16) $Meta.capacity([8]);
-  # Bits of each joint: 1 position, 2 velocity, 4 effort.
+  # Has these bits for each joint: 1 position, 2 velocity, 4 effort.
   position @2 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
   velocity @3 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad/s");
   effort @4 :List(Float64) $Meta.capacity([8]) $Meta.unit("N.m");
   positionProjection @5 :List(Float64) $Meta.capacity([64]) $Meta.cxx("position_projection");
-  # Row-major, joints x joints: what position control may act on.
+  # Says what position control may act on; row-major, joints x joints.
   stamp @6 :Int64 $Meta.clock("steady");
 }
 
 struct ActuatorJointCoupling @0xc217034d474a2284 $Meta.cxx("robots::ActuatorJointCoupling") {
-  # What turns actuators into joints and back, joints x actuators, row-major:
+  # Turns actuators into joints and back, joints x actuators, row-major:
   # prmActuatorJointCoupling.
 
   joints @0 :UInt32;
@@ -121,7 +121,7 @@ struct ActuatorJointCoupling @0xc217034d474a2284 $Meta.cxx("robots::ActuatorJoin
 }
 
 struct Jacobian @0x9172ad0b0a6919ab $Meta.cxx("robots::Jacobian") {
-  # 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
+  # Is 6 x joints, column-major: linear rows first, in m/s and rad/s per unit of joint velocity.
 
   joints @0 :UInt32;
   coefficients @1 :List(Float64) $Meta.capacity([48]);

@@ -7,8 +7,8 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/joints.h");
 
 struct JointState @0xac24dfe518a4963f $Meta.cxx("robots::JointState") {
-  # The state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list is
-  # empty where its quantity is not known, and as long as `name` otherwise.
+  # Is the state of all joints of an arm, in chain order: CRTK's measured_js and setpoint_js. A list
+  # is empty if its quantity is not known, and as long as `name` otherwise.
 
   name @0 :List(Text) $Meta.capacity([8, 15]);
   position @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
@@ -16,23 +16,24 @@ struct JointState @0xac24dfe518a4963f $Meta.cxx("robots::JointState") {
   effort @3 :List(Float64) $Meta.capacity([8]) $Meta.unit("N.m");
   stamp @4 :Int64 $Meta.clock("steady");
   valid @5 :Bool;
-  # False: do not use.
+  # If it is false, do not use the state.
 }
 
 struct JointGoal @0x8943f2eac122865a $Meta.cxx("robots::JointGoal") {
-  # Where joints shall go: CRTK's servo_jp and move_jp.
+  # Says where joints shall go: CRTK's servo_jp and move_jp.
 
   position @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
-  # One entry a joint, in chain order.
+  # Has one entry for each joint, in chain order.
   stamp @1 :Int64 $Meta.clock("steady");
 }
 
 struct JointSolution @0x871d0a082eb81ee3 $Meta.cxx("robots::JointSolution") {
-  # A joint vector that an arm computed, without heap so that a control loop may return it.
+  # Is a joint vector that an arm computed, without heap so that a control loop may return it.
 
   position @0 :List(Float64) $Meta.shape("8") $Meta.unit("rad");
   # The first `joints` entries count.
   joints @1 :UInt32;
   found @2 :Bool;
-  # False: no joint vector within limits reaches the pose; `position` is the nearest one found.
+  # If it is false, no joint vector within limits reaches the pose, and `position` is the nearest
+  # one found.
 }

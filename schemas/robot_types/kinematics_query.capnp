@@ -15,18 +15,18 @@ struct ForwardKinematicsResponse @0xf4d4f62736e384ee $Meta.cxx("robots::ForwardK
   cp @0 :Types.Pose $Meta.unit("m");
   result @1 :Bool;
   message @2 :Text $Meta.capacity([63]);
-  # Why not; empty when `result`.
+  # Says why there is no answer; empty when `result`.
 }
 
 struct InverseKinematicsRequest @0xe4e42c0ed163244d $Meta.cxx("robots::InverseKinematicsRequest") {
   cp @0 :Types.Pose $Meta.unit("m");
   jp @1 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
-  # Where the search begins.
+  # Is where the search begins.
 }
 
 struct InverseKinematicsResponse @0x92a37797402bc4bd $Meta.cxx("robots::InverseKinematicsResponse") {
   jp @0 :List(Float64) $Meta.capacity([8]) $Meta.unit("rad");
   result @1 :Bool;
   message @2 :Text $Meta.capacity([63]);
-  # Why not; empty when `result`.
+  # Says why there is no answer; empty when `result`.
 }

@@ -7,7 +7,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/messages.h");
 
 struct IntervalStatistics @0xff815195ac6343a7 $Meta.cxx("robots::IntervalStatistics") {
-  # How regularly a task ran, over its last window.
+  # Says how regularly a task ran, over its last window.
 
   periodAverage @0 :Float64 $Meta.cxx("period_average") $Meta.unit("s");
   periodDeviation @1 :Float64 $Meta.cxx("period_deviation") $Meta.unit("s");

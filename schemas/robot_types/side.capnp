@@ -7,7 +7,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/side.h");
 
 enum Side @0xc0f52a1d56f2b1f3 $Meta.cxx("robots::Side") $Meta.underlying("UInt8") {
-  # Which of two, as the surgeon at the console sees them.
+  # Says which of two it is, as the surgeon at the console sees them.
 
   left @0 $Meta.cxx("Left") $Meta.value(0);
   right @1 $Meta.cxx("Right") $Meta.value(1);

@@ -8,7 +8,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("robot_types/vision.h");
 
 struct PoseArray @0x82e359ec39f34eeb $Meta.cxx("robots::PoseArray") {
-  # The poses of several tools at once: prmPositionCartesianArrayGet.
+  # Has the poses of several tools at once: prmPositionCartesianArrayGet.
 
   referenceFrame @0 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
   movingFrames @1 :List(Text) $Meta.capacity([16, 15]) $Meta.cxx("moving_frames");
@@ -25,7 +25,7 @@ struct ImageFrame @0xbc8f68d82913b3fb $Meta.cxx("robots::ImageFrame") {
   height @1 :UInt32;
   channels @2 :UInt32;
   data @3 :Data $Meta.capacity([2097152]);
-  # Row by row, channels interleaved, 8 bits each.
+  # Goes row by row, channels interleaved, 8 bits each.
   stamp @4 :Int64 $Meta.clock("steady");
   valid @5 :Bool;
 }
@@ -36,25 +36,25 @@ struct CameraInfo @0x9e06e5f90a5909e5 $Meta.cxx("robots::CameraInfo") {
   width @0 :UInt32;
   height @1 :UInt32;
   distortion @2 :List(Float64) $Meta.shape("5");
-  # k1, k2, p1, p2, k3 (Brown and Conrady).
+  # Is k1, k2, p1, p2, k3 (Brown and Conrady).
   intrinsic @3 :Types.Mat3 $Meta.unit("px");
   rectification @4 :Types.Mat3;
   projection @5 :List(Float64) $Meta.shape("3x4");
-  # 3 x 4, of the rectified image.
+  # Is 3 x 4, of the rectified image.
   stamp @6 :Int64 $Meta.clock("steady");
   valid @7 :Bool;
 }
 
 struct DepthMap @0xc2fcffc3788a4bec $Meta.cxx("robots::DepthMap") {
-  # A cloud of coloured points: prmDepthMap.
+  # Is a cloud of coloured points: prmDepthMap.
 
   referenceFrame @0 :Text $Meta.capacity([15]) $Meta.cxx("reference_frame");
   width @1 :UInt32;
   height @2 :UInt32;
   points @3 :List(Float32) $Meta.capacity([196608]) $Meta.unit("m");
-  # x, y, z of each point.
+  # Has x, y, z of each point.
   color @4 :Data $Meta.capacity([196608]);
-  # Red, green, blue of each point.
+  # Has red, green, blue of each point.
   stamp @5 :Int64 $Meta.clock("steady");
   valid @6 :Bool;
 }

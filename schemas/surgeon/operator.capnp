@@ -10,33 +10,34 @@ $Meta.header("surgeon/operator.h");
 struct OperatorParameters @0xaf56e73ffd937125 $Meta.cxx("robots::OperatorParameters") {
   period @0 :Int64 = 1000000 $Meta.period("1/1000000000");
   target @1 :Types.Vec3 $Meta.unit("m");
-  # Where the knot shall be, in the scene.
+  # Is where the knot shall be, in the scene.
   scale @2 :Float64 = 0.4 $Meta.range(lowest = 0.01, highest = 10);
-  # How far the knot moves for a metre of both hands: the scale of the guide, to which operators
-  # adapt themselves.
+  # Is how far the knot moves for a metre of both hands: the scale of the guide, to which
+  # operators adapt themselves.
   crossoverFrequency @3 :Float64 = 3.0 $Meta.cxx("crossover_frequency")
       $Meta.range(lowest = 0.1, highest = 20) $Meta.unit("rad/s");
-  # McRuer's model has this and the next three (surgeon/crossover_model.h).
+  # This and the next three are those of McRuer's model (surgeon/crossover_model.h).
   delay @4 :Int64 = 200000000 $Meta.period("1/1000000000");
-  # From seeing to moving; not below zero.
+  # Is the time from seeing to moving; not below zero.
   remnant @5 :Float64 = 0.01 $Meta.range(lowest = 0, highest = 1);
-  # The noise in what is seen: power in each rad/s by the power of the error.
+  # Is the noise in what is seen: its power in each rad/s divided by the power of the error.
   seed @6 :UInt32 = 1;
   # Equal seeds and pictures give equal noise and tremor.
   tremor @7 :Float64 = 0.0001 $Meta.range(lowest = 0, highest = 0.002) $Meta.unit("m");
-  # The root mean square of each hand's tremor (hand/tremor.h).
+  # Is the root mean square of each hand's tremor (hand/tremor.h).
   speed @8 :Float64 = 0.2 $Meta.range(lowest = 0.001, highest = 1) $Meta.unit("m/s");
   # The hands go no faster, whatever the error: our own estimate of careful work.
   pictureAge @9 :Int64 = 1000000000 $Meta.cxx("picture_age") $Meta.period("1/1000000000");
   # The operator does not act on a picture that was exposed longer ago, nor if its camera was
   # registered so long before it.
   forceFeedback @10 :ForceFeedback $Meta.cxx("force_feedback");
-  # What the hands feel of the slaves.
+  # Says what the hands feel of the slaves.
   stiffness @11 :Float64 = 300.0 $Meta.range(lowest = 0, highest = 5000) $Meta.unit("N/m");
-  # How stiffly, and how much damped, each master is drawn to where its slave is known to be.
+  # Are how stiffly, and how much damped, each master is drawn to where its slave is known to be.
   damping @12 :Float64 = 3.0 $Meta.range(lowest = 0, highest = 100) $Meta.unit("N.s/m");
   passive @13 :Bool = true;
-  # With the passivity controller; without, hands may get more energy than they gave.
+  # If it is true, the passivity controller works; without it, hands may get more energy than they
+  # gave.
   slaveAge @14 :Int64 = 300000000 $Meta.cxx("slave_age") $Meta.period("1/1000000000");
   # A slave that was measured longer ago is not felt.
 }

@@ -22,23 +22,23 @@ enum TeleopState @0x82c72c556eb58a10 $Meta.cxx("robots::TeleopState") $Meta.unde
 }
 
 struct FollowAnchors @0x8cdd0eb841f978ce $Meta.cxx("robots::FollowAnchors") {
-  # Where following began: with it and the master's poses, anyone can compute what the slave should
-  # do.
+  # Says where following began: with this and the master's poses, anyone can compute what the slave
+  # should do.
 
   masterStamp @0 :Int64 $Meta.clock("steady") $Meta.cxx("master_stamp");
-  # Stamp of the first master pose that was followed.
+  # Is the stamp of the first master pose that was followed.
   master @1 :Types.Pose $Meta.unit("m");
-  # The master's measured pose at that stamp, in the master's reference frame.
+  # Is the master's measured pose at that stamp, in the master's reference frame.
   slaveSetpoint @2 :Types.Pose $Meta.cxx("slave_setpoint") $Meta.unit("m");
-  # The slave's set-point at entry, in the slave's reference frame.
+  # Is the slave's set-point at entry, in the slave's reference frame.
   scale @3 :Float64;
-  # Slave metres a master metre.
+  # Is how many metres the slave moves for each metre of the master.
   entry @4 :UInt64;
-  # How many times following began, this one included; 0: never. A change of what it follows by
-  # counts too, and does not move the slave.
+  # Is how many times following began, including this one; 0 if it never did. A change of the
+  # settings counts too, and does not move the slave.
   view @5 :Types.Mat3;
-  # From directions of the master's reference frame to those of the slave's that look the same to
-  # the surgeon.
+  # Rotates directions of the master's reference frame to those of the slave's that look the same
+  # to the surgeon.
   rotationLocked @6 :Bool $Meta.cxx("rotation_locked");
   translationLocked @7 :Bool $Meta.cxx("translation_locked");
 }
@@ -50,22 +50,23 @@ interface Teleoperation @0x9c2044876661808e $Meta.cxx("robots::Teleoperation") {
   subscribe @0 (events :TeleoperationEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   enable @1 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Enables and homes arms that are not, then follows. An arm in FAULT is not enabled: whoever has
-  # removed the cause enables it.
+  # Enables and homes arms that are not, then follows. It does not enable an arm in FAULT: the
+  # operator who has removed the cause does.
   disable @2 (sent :Rpc.Sent) -> () $Meta.kind("void") $Meta.queue(16);
-  # Stops following; the slave holds.
+  # Stops following. The slave holds.
   teleopState @3 (sent :Rpc.Sent) -> (value :TeleopState, stamp :Int64) $Meta.cxx("teleop_state")
       $Meta.kind("read");
   anchors @4 (sent :Rpc.Sent) -> (value :FollowAnchors, stamp :Int64) $Meta.kind("read");
-  # The anchors of the present or last time of following.
+  # Are the anchors of the present or last time of following.
   setScale @5 (scale :Float64 $Meta.range(lowest = 0.01, highest = 10), sent :Rpc.Sent) -> ()
       $Meta.cxx("set_scale") $Meta.kind("write") $Meta.queue(16);
   lockRotation @6 (lock :Bool, sent :Rpc.Sent) -> () $Meta.cxx("lock_rotation") $Meta.kind("write")
       $Meta.queue(16);
-  # The slave keeps its orientation. Unlocked, the master is aligned anew before following.
+  # Makes the slave keep its orientation. When it is unlocked, the master is aligned anew before
+  # the slave follows.
   lockTranslation @7 (lock :Bool, sent :Rpc.Sent) -> () $Meta.cxx("lock_translation")
       $Meta.kind("write") $Meta.queue(16);
-  # The slave keeps its position.
+  # Makes the slave keep its position.
   settings @8 (sent :Rpc.Sent) -> (value :TeleopSettings, stamp :Int64) $Meta.kind("read");
 }
 
@@ -77,9 +78,9 @@ interface TeleoperationEvents @0xe8de6e374cc63239 $Meta.eventsOf("robots::Teleop
   teleopState @1 (value :TeleopState, stamp :Int64) -> () $Meta.cxx("teleop_state") $Meta.latched
       $Meta.queue(16);
   followed @2 (value :FollowAnchors, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Following begins, or goes on by other settings.
+  # Reports that following begins, or goes on with other settings.
   settings @3 (value :TeleopSettings, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Each change, and the last one to whoever connects.
+  # Reports each change, and the last one to a client that connects.
 }
 
 struct TeleoperationStateRow @0xbc0e291de17cadad $Meta.stateOf("robots::Teleoperation") {
@@ -97,10 +98,10 @@ struct TeleoperationStateRow @0xbc0e291de17cadad $Meta.stateOf("robots::Teleoper
 }
 
 struct TeleopSettings @0xe1eab6cf5390e93b $Meta.cxx("robots::TeleopSettings") {
-  # What the slave follows by.
+  # Holds the settings by which the slave follows.
 
   scale @0 :Float64;
-  # Slave metres a master metre.
+  # Is how many metres the slave moves for each metre of the master.
   rotationLocked @1 :Bool $Meta.cxx("rotation_locked");
   translationLocked @2 :Bool $Meta.cxx("translation_locked");
 }

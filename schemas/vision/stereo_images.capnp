@@ -9,7 +9,7 @@ $Cxx.namespace("robots::wire");
 $Meta.header("vision/stereo_images.h");
 
 struct StereoPair @0xc5ad7542a285d330 $Meta.cxx("robots::StereoPair") {
-  # Two rectified images of one moment; both stamps are that of the exposure.
+  # Holds two rectified images of one moment; both stamps are that of the exposure.
 
   left @0 :Vision.ImageFrame;
   right @1 :Vision.ImageFrame;
@@ -19,11 +19,11 @@ interface StereoImages @0xefa57eee714fcf37 $Meta.cxx("robots::StereoImages") {
   subscribe @0 (events :StereoImagesEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   images @1 (sent :Rpc.Sent) -> (value :StereoPair, stamp :Int64) $Meta.kind("read");
-  # The last pair; invalid while there is nothing to see.
+  # Is the last pair; it is not valid while there is nothing to see.
   exposed @2 (sent :Rpc.Sent) -> (value :Int64 $Meta.clock("steady"), stamp :Int64)
       $Meta.kind("read");
-  # The stamp of the last pair, and 0 while there is nothing to see: who asks this first copies
-  # megabytes only if they are new.
+  # Is the stamp of the last pair, and 0 while there is nothing to see. A client that asks this
+  # first copies megabytes only if they are new.
 }
 
 interface StereoImagesEvents @0xed57a378bacd9ffb $Meta.eventsOf("robots::StereoImages") {

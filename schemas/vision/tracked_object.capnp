@@ -10,19 +10,19 @@ $Cxx.namespace("robots::wire");
 $Meta.header("vision/tracked_object.h");
 
 interface TrackedObject @0xcf966e39ebac7c24 $Meta.cxx("robots::TrackedObject") {
-  # A ball in the frame of the left camera: x to the right and y downward in the image, z ahead. It
-  # has no orientation, so that of its pose is the camera's.
+  # Is a ball in the frame of the left camera: x to the right and y downward in the image, z ahead.
+  # It has no orientation, so that of its pose is the camera's.
 
   subscribe @0 (events :TrackedObjectEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   measuredCp @1 (sent :Rpc.Sent) -> (value :Pose.PoseStamped, stamp :Int64)
       $Meta.cxx("measured_cp") $Meta.kind("read");
-  # Where it is at the stamp, which is the tracker's cycle: images are old when they come, and
-  # this is what they showed, carried on by its velocity. Not valid unless the last pair of images
-  # showed it, and not long ago.
+  # Says where it is at the stamp, which is that of the tracker's cycle: images are old when they
+  # come, and this is what they showed, extrapolated by its velocity. It is not valid unless the
+  # last pair of images showed it, and not long ago.
   measuredCv @2 (sent :Rpc.Sent) -> (value :Cartesian.Twist, stamp :Int64) $Meta.cxx("measured_cv")
       $Meta.kind("read");
-  # How fast it moves; valid when the pose is.
+  # Says how fast it moves; it is valid when the pose is.
 }
 
 interface TrackedObjectEvents @0xaefa37f144e6fbd6 $Meta.eventsOf("robots::TrackedObject") {

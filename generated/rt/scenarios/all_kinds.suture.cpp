@@ -898,33 +898,34 @@ constexpr char kAllKindsDescription[] = R"json(
 "kind": "struct", "name": "robots::PosePrm"}}, "queue": 16}, {"name": "text_set", "kind": "write",
 "ordinal": 5, "wire": "textSet", "payload": {"type": {"kind": "text", "capacity": 31}}, "queue": 16
 }], "enums": [], "structs": [{"name": "robots::PosePrm",
-"doc": "The fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
+"doc": "Has the fields of the cisst libraries' prmPositionCartesianGet, the type of the paper's\nmeasurements.",
 "fields": [{"name": "timestamp", "type": {"kind": "time", "clock": "steady"}}, {
 "name": "automatic_timestamp", "wire": "automaticTimestamp",
-"doc": "Whether the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true}, {
-"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
+"doc": "Is true if the provider stamps the data itself.", "type": {"kind": "Bool"}, "default": true
+}, {"name": "valid", "type": {"kind": "Bool"}, "default": false}, {"name": "moving_frame",
 "wire": "movingFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "reference_frame",
 "wire": "referenceFrame", "type": {"kind": "text", "capacity": 15}}, {"name": "position",
-"doc": "The moving frame in the reference frame.", "type": {"kind": "isometry", "scalar": "Float64"
-}, "unit": "m"}]}], "wire": [{"id": "@0xf6dce3f368753cbc", "kind": "interface", "name": "AllKinds",
-"cxx": "scenarios::AllKinds", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,
-"name": "events", "is": "@0xdccb6d872bbaa8db"}, {"at": 1, "name": "eventMask", "is": "UInt64"}, {
-"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1, "name": "clear", "is": "kind \"void\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 2,
-"name": "setScalar", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
-"is": "Float64"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 3,
-"name": "setVector", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
-"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 4, "name": "setRecord", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
-"is": "@0xedd17c97b8723561"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {
-"at": 5, "name": "setText", "is": "kind \"write\"", "parameters": [{"at": 0, "name": "value",
-"is": "Text"}, {"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 6,
-"name": "scalar", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
-"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "Float64"}, {
-"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 7, "name": "vector", "is": "kind \"read\"",
-"parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,
-"name": "value", "is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {
-"at": 8, "name": "record", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"doc": "Is the moving frame in the reference frame.", "type": {"kind": "isometry",
+"scalar": "Float64"}, "unit": "m"}]}], "wire": [{"id": "@0xf6dce3f368753cbc", "kind": "interface",
+"name": "AllKinds", "cxx": "scenarios::AllKinds", "members": [{"at": 0, "name": "subscribe",
+"parameters": [{"at": 0, "name": "events", "is": "@0xdccb6d872bbaa8db"}, {"at": 1,
+"name": "eventMask", "is": "UInt64"}, {"at": 2, "name": "stateMask", "is": "UInt64"}]}, {"at": 1,
+"name": "clear", "is": "kind \"void\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 2, "name": "setScalar", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}]}, {"at": 3, "name": "setVector", "is": "kind \"write\"",
+"parameters": [{"at": 0, "name": "value", "is": "/suture/types.capnp:Vec3"}, {"at": 1,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 4, "name": "setRecord",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"}, {
+"at": 1, "name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 5, "name": "setText",
+"is": "kind \"write\"", "parameters": [{"at": 0, "name": "value", "is": "Text"}, {"at": 1,
+"name": "sent", "is": "/suture/rpc.capnp:Sent"}]}, {"at": 6, "name": "scalar",
+"is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}],
+"results": [{"at": 0, "name": "value", "is": "Float64"}, {"at": 1, "name": "stamp", "is": "Int64"}]
+}, {"at": 7, "name": "vector", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
+"is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value",
+"is": "/suture/types.capnp:Vec3"}, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 8,
+"name": "record", "is": "kind \"read\"", "parameters": [{"at": 0, "name": "sent",
 "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0, "name": "value", "is": "@0xedd17c97b8723561"
 }, {"at": 1, "name": "stamp", "is": "Int64"}]}, {"at": 9, "name": "text", "is": "kind \"read\"",
 "parameters": [{"at": 0, "name": "sent", "is": "/suture/rpc.capnp:Sent"}], "results": [{"at": 0,

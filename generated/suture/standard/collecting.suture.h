@@ -12,8 +12,8 @@
 
 namespace suture {
 
-/// What became of the rows or events of a time of collecting. Once the collector has caught up with
-/// its provider, the three add up to what was produced.
+/// Says what became of the rows or events of a time of collecting. Once the collector has caught up
+/// with its provider, the three add up to what was produced.
 struct CollectedCountsSlot {
   std::uint64_t collected;
   std::uint64_t passedOver;
@@ -23,7 +23,7 @@ struct CollectedCountsSlot {
 bool store(const CollectedCounts& value, CollectedCountsSlot& slot);
 void load(const CollectedCountsSlot& slot, CollectedCounts& value);
 
-/// How much is collected.
+/// Says how much is collected.
 struct CollectingIntervalSlot {
   std::uint32_t every;
   std::int64_t atLeast;  // std::chrono::nanoseconds, ns
@@ -84,13 +84,15 @@ class Required<suture::Collecting> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// What is produced from now on is kept; counts begin anew, unless it is collecting already.
+  /// Begins to record what is produced from now on. Counts begin anew, unless it is collecting
+  /// already.
   Command<&Contract::start_collecting, NoSlot> start_collecting{
       *this, static_cast<std::uint16_t>(Id::start_collecting)};
-  /// What is produced from now on is let go, uncounted.
+  /// Stops recording: what is produced from now on is discarded without being counted.
   Command<&Contract::stop_collecting, NoSlot> stop_collecting{
       *this, static_cast<std::uint16_t>(Id::stop_collecting)};
-  /// From the next row or event on. False: every 0th, or less than no time; nothing changes.
+  /// Sets the interval from the next row or event on. Returns false, and changes nothing, for every
+  /// 0th one or a negative time.
   ReturningCommand<&Contract::set_interval, suture::CollectingSetIntervalArguments,
                    std::uint8_t> set_interval{*this, static_cast<std::uint16_t>(Id::set_interval)};
   ReadCommand<&Contract::interval, CollectingIntervalSlot> interval{

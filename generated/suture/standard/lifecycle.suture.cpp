@@ -358,13 +358,13 @@ constexpr suture::EventInfo kLifecycleEvents[] = {
 // The self-description, as in suture/standard/lifecycle.suture.json.
 constexpr char kLifecycleDescription[] = R"json(
 {"name": "suture::Lifecycle",
-"doc": "The provided interface \"component\" of every component that a manager has. It is served also\nwhile the component is suspended or faulted.",
+"doc": "Is the provided interface \"component\" of every component that a manager has. It is served even\nwhile the component is suspended or faulted.",
 "hash": "c0d761ea153a3e16ede74edeb40c58bf", "commands": [{"name": "suspend",
 "kind": "void with return", "ordinal": 1,
-"doc": "Lets the component do nothing from its next cycle on. False: it is not running.",
+"doc": "Suspends the component, which does nothing from its next cycle on. Returns false if it is not\nrunning.",
 "result": {"type": {"kind": "Bool"}}, "queue": 16}, {"name": "resume", "kind": "void with return",
-"ordinal": 2, "doc": "Lets it go on. False: it is not suspended.", "result": {"type": {
-"kind": "Bool"}}, "queue": 16}, {"name": "component_state", "kind": "read", "ordinal": 3,
+"ordinal": 2, "doc": "Lets the component go on. Returns false if it is not suspended.", "result": {
+"type": {"kind": "Bool"}}, "queue": 16}, {"name": "component_state", "kind": "read", "ordinal": 3,
 "wire": "componentState", "result": {"type": {"kind": "enum", "name": "suture::ComponentState"}},
 "queue": 16}, {"name": "resume_connection", "kind": "write with return", "ordinal": 4,
 "wire": "resumeConnection",
@@ -372,30 +372,29 @@ constexpr char kLifecycleDescription[] = R"json(
 "parameters": [{"name": "required", "type": {"kind": "text", "capacity": 63}}], "result": {
 "type": {"kind": "enum", "name": "suture::ResumeOutcome"}}, "queue": 16}], "events": [{
 "name": "state_changed", "kind": "write", "ordinal": 1, "wire": "stateChanged",
-"doc": "Once for each transition; whoever subscribes later gets the last.", "payload": {"type": {
-"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true}], "enums": [{
-"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{"name": "Constructed",
-"value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1, "wire": "configured"}, {
-"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended", "value": 3,
-"wire": "suspended",
-"doc": "keeps its thread and its connections, and does nothing but wait for resume"}, {
-"name": "Faulted", "value": 4, "wire": "faulted",
+"doc": "Reports each transition once, and the last one to a client that subscribes later.",
+"payload": {"type": {"kind": "struct", "name": "suture::StateChange"}}, "queue": 16, "latched": true
+}], "enums": [{"name": "suture::ComponentState", "underlying": "UInt8", "enumerators": [{
+"name": "Constructed", "value": 0, "wire": "constructed"}, {"name": "Configured", "value": 1,
+"wire": "configured"}, {"name": "Running", "value": 2, "wire": "running"}, {"name": "Suspended",
+"value": 3, "wire": "suspended",
+"doc": "keeps its thread and its connections, and only waits for resume"}, {"name": "Faulted",
+"value": 4, "wire": "faulted",
 "doc": "a handler or hook threw; the end of this component, not of its process"}, {
 "name": "Stopped", "value": 5, "wire": "stopped"}]}, {"name": "suture::ResumeOutcome",
-"doc": "What has become of a request to let the commands of a connection through again.",
+"doc": "Says what became of a request to let the commands of a connection through again.",
 "underlying": "UInt8", "enumerators": [{"name": "Resumed", "value": 0, "wire": "resumed"}, {
 "name": "Asked", "value": 1, "wire": "asked",
-"doc": "of a device: done when it uses the connection next, unless it is lost then"}, {
+"doc": "of a device: it happens when it uses the connection next, unless that is lost then"}, {
 "name": "NoSuchInterface", "value": 2, "wire": "noSuchInterface",
 "doc": "the component requires none of that name"}, {"name": "NotConnected", "value": 3,
 "wire": "notConnected"}, {"name": "NotAwaiting", "value": 4, "wire": "notAwaiting",
-"doc": "it awaits no operator: nothing has to be done"}, {"name": "ProviderLost", "value": 5,
-"wire": "providerLost",
-"doc": "or suspended, or faulted: nobody resumes what is not there, or has just gone"}]}],
-"structs": [{"name": "suture::StateChange", "doc": "A component has come into a state.", "fields": [
-{"name": "state", "type": {"kind": "enum", "name": "suture::ComponentState"},
-"default": "Constructed"}, {"name": "fault",
-"doc": "What was thrown, if the state is Faulted; its end may be cut off.", "type": {
+"doc": "it awaits no operator, so nothing has to be done"}, {"name": "ProviderLost", "value": 5,
+"wire": "providerLost", "doc": "or it is suspended or faulted: a connection to it cannot be resumed"
+}]}], "structs": [{"name": "suture::StateChange",
+"doc": "Says that a component has come into a state.", "fields": [{"name": "state", "type": {
+"kind": "enum", "name": "suture::ComponentState"}, "default": "Constructed"}, {"name": "fault",
+"doc": "Is what was thrown, if the state is Faulted; the end of the text may be cut off.", "type": {
 "kind": "text", "capacity": 255}}, {"name": "stamp", "type": {"kind": "time", "clock": "steady"}}]}
 ], "wire": [{"id": "@0xc0c56c9588a77b40", "kind": "interface", "name": "Lifecycle",
 "cxx": "suture::Lifecycle", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,

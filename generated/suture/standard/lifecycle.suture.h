@@ -12,7 +12,7 @@
 
 namespace suture {
 
-/// A component has come into a state.
+/// Says that a component has come into a state.
 struct StateChangeSlot {
   std::uint8_t state;  // ComponentState
   suture::BoundedText<255> fault;
@@ -73,10 +73,11 @@ class Required<suture::Lifecycle> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// Lets the component do nothing from its next cycle on. False: it is not running.
+  /// Suspends the component, which does nothing from its next cycle on. Returns false if it is not
+  /// running.
   ReturningCommand<&Contract::suspend, NoSlot, std::uint8_t> suspend{
       *this, static_cast<std::uint16_t>(Id::suspend)};
-  /// Lets it go on. False: it is not suspended.
+  /// Lets the component go on. Returns false if it is not suspended.
   ReturningCommand<&Contract::resume, NoSlot, std::uint8_t> resume{
       *this, static_cast<std::uint16_t>(Id::resume)};
   ReadCommand<&Contract::component_state, std::uint8_t> component_state{
@@ -92,7 +93,7 @@ class Required<suture::Lifecycle> : public RequiredBase {
     explicit Events(RequiredBase& required)
         : state_changed{required, static_cast<std::uint16_t>(EventId::state_changed)} {}
 
-    /// Once for each transition; whoever subscribes later gets the last.
+    /// Reports each transition once, and the last one to a client that subscribes later.
     Subscription<StateChangeSlot, StateChange> state_changed;
   };
   Events& on() { return events_; }
@@ -121,7 +122,7 @@ class Provided<suture::Lifecycle> : public ProvidedBase {
     explicit Events(ProvidedBase& provided)
         : state_changed{provided, static_cast<std::uint16_t>(EventId::state_changed)} {}
 
-    /// Once for each transition; whoever subscribes later gets the last.
+    /// Reports each transition once, and the last one to a client that subscribes later.
     Emitter<StateChangeSlot, StateChange> state_changed;
   };
   Events& emit() { return events_; }

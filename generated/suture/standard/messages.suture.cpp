@@ -168,22 +168,22 @@ constexpr suture::EventInfo kMessagesEvents[] = {
 // The self-description, as in suture/standard/messages.suture.json.
 constexpr char kMessagesDescription[] = R"json(
 {"name": "suture::Messages",
-"doc": "Any component may provide it (message_port.h), and any contract may derive from it (then\nmessage_sender.h sends); whoever listens to messages can connect to both. Each listener keeps\nup to 16 of a kind that it has not handled; more are dropped and counted. Who comes late gets\nthe last of each kind.",
+"doc": "Any component may provide this (message_port.h), and any contract may derive from it (then\nmessage_sender.h sends); a client that listens to messages can connect to both. Each client\nkeeps up to 16 of a kind that it has not handled; more are dropped and counted. A client that\ncomes late gets the last of each kind.",
 "hash": "3292aca5ba841eeeaadd64f9f3ca3d09", "commands": [], "events": [{"name": "status",
-"kind": "write", "ordinal": 1, "doc": "All is well; something has been done.", "payload": {
-"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
+"kind": "write", "ordinal": 1, "doc": "Reports that something has been done, and nothing is wrong.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
 "name": "warning", "kind": "write", "ordinal": 2,
-"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
-"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
+"doc": "Reports that something was refused, or is not as it should be; the component goes on.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}, {
 "name": "error", "kind": "write", "ordinal": 3,
-"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true}], "enums": [], "structs": [{
-"name": "suture::Message", "fields": [{"name": "text",
-"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
-"type": {"kind": "text", "capacity": 255}}, {"name": "code",
-"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"doc": "Reports that something failed, and needs somebody's attention.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true}], "enums": [],
+"structs": [{"name": "suture::Message", "fields": [{"name": "text",
+"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
+"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
-"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}]}], "wire": [{"id": "@0xb16d80f0d2b50980", "kind": "interface",
 "name": "Messages", "cxx": "suture::Messages", "members": [{"at": 0, "name": "subscribe",

@@ -61,11 +61,11 @@ class Required<suture::Messages> : public RequiredBase {
           warning{required, static_cast<std::uint16_t>(EventId::warning)},
           error{required, static_cast<std::uint16_t>(EventId::error)} {}
 
-    /// All is well; something has been done.
+    /// Reports that something has been done, and nothing is wrong.
     Subscription<MessageSlot, Message> status;
-    /// Something was refused, or is not as it should be; the component goes on.
+    /// Reports that something was refused, or is not as it should be; the component goes on.
     Subscription<MessageSlot, Message> warning;
-    /// Something failed, and somebody should see to it.
+    /// Reports that something failed, and needs somebody's attention.
     Subscription<MessageSlot, Message> error;
   };
   Events& on() { return events_; }
@@ -96,11 +96,11 @@ class Provided<suture::Messages> : public ProvidedBase {
           warning{provided, static_cast<std::uint16_t>(EventId::warning)},
           error{provided, static_cast<std::uint16_t>(EventId::error)} {}
 
-    /// All is well; something has been done.
+    /// Reports that something has been done, and nothing is wrong.
     Emitter<MessageSlot, Message> status;
-    /// Something was refused, or is not as it should be; the component goes on.
+    /// Reports that something was refused, or is not as it should be; the component goes on.
     Emitter<MessageSlot, Message> warning;
-    /// Something failed, and somebody should see to it.
+    /// Reports that something failed, and needs somebody's attention.
     Emitter<MessageSlot, Message> error;
   };
   Events& emit() { return events_; }

@@ -270,15 +270,16 @@ constexpr suture::CommandInfo kTaskTimingCommands[] = {
 // The self-description, as in suture/standard/task_timing.suture.json.
 constexpr char kTaskTimingDescription[] = R"json(
 {"name": "suture::TaskTiming",
-"doc": "Every task may offer it: `suture::TimingPort timing_{*this};`.",
+"doc": "Any task may provide this: `suture::TimingPort timing_{*this};`.",
 "hash": "3f559c6b9501397597b26b0df425de6a", "commands": [{"name": "window", "kind": "read",
 "ordinal": 1,
-"doc": "The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.",
+"doc": "Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the\nfirst.",
 "result": {"type": {"kind": "struct", "name": "suture::TaskWindow"}}, "queue": 16}, {
-"name": "cycles", "kind": "read", "ordinal": 2, "doc": "Cycles since the task exists.", "result": {
-"type": {"kind": "UInt64"}}, "queue": 16}, {"name": "skipped", "kind": "read", "ordinal": 3,
-"doc": "Periods or callbacks that passed without a cycle, since the task exists.", "result": {
-"type": {"kind": "UInt64"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
+"name": "cycles", "kind": "read", "ordinal": 2, "doc": "Counts the cycles since the task exists.",
+"result": {"type": {"kind": "UInt64"}}, "queue": 16}, {"name": "skipped", "kind": "read",
+"ordinal": 3,
+"doc": "Counts the periods or callbacks that passed without a cycle, since the task exists.",
+"result": {"type": {"kind": "UInt64"}}, "queue": 16}], "events": [], "enums": [], "structs": [{
 "name": "suture::DurationSummary", "fields": [{"name": "mean", "type": {"kind": "duration",
 "period": "1/1000000000"}}, {"name": "deviation", "type": {"kind": "duration",
 "period": "1/1000000000"}}, {"name": "min", "type": {"kind": "duration", "period": "1/1000000000"}

@@ -77,13 +77,14 @@ class Required<suture::TaskTiming> : public RequiredBase {
   Required(Component& owner, std::string_view name)
       : Required(owner, name, interfaceInfo<Contract>()) {}
 
-  /// The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.
+  /// Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the
+  /// first.
   ReadCommand<&Contract::window, TaskWindowSlot> window{
       *this, static_cast<std::uint16_t>(Id::window)};
-  /// Cycles since the task exists.
+  /// Counts the cycles since the task exists.
   ReadCommand<&Contract::cycles, std::uint64_t> cycles{
       *this, static_cast<std::uint16_t>(Id::cycles)};
-  /// Periods or callbacks that passed without a cycle, since the task exists.
+  /// Counts the periods or callbacks that passed without a cycle, since the task exists.
   ReadCommand<&Contract::skipped, std::uint64_t> skipped{
       *this, static_cast<std::uint16_t>(Id::skipped)};
 

@@ -158,20 +158,21 @@ constexpr char kLampDescription[] = R"json(
 "commands": [{"name": "light", "kind": "write", "ordinal": 1, "parameters": [{"name": "on",
 "type": {"kind": "Bool"}}], "queue": 16}, {"name": "lit", "kind": "read", "ordinal": 2, "result": {
 "type": {"kind": "Bool"}}, "queue": 16}], "events": [{"name": "status", "kind": "write",
-"ordinal": 1, "doc": "All is well; something has been done.", "payload": {"type": {
-"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
-"from": "suture::Messages"}, {"name": "warning", "kind": "write", "ordinal": 2,
-"doc": "Something was refused, or is not as it should be; the component goes on.", "payload": {
+"ordinal": 1, "doc": "Reports that something has been done, and nothing is wrong.", "payload": {
 "type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}, {"name": "warning", "kind": "write", "ordinal": 2,
+"doc": "Reports that something was refused, or is not as it should be; the component goes on.",
+"payload": {"type": {"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
 "from": "suture::Messages"}, {"name": "error", "kind": "write", "ordinal": 3,
-"doc": "Something failed, and somebody should see to it.", "payload": {"type": {"kind": "struct",
-"name": "suture::Message"}}, "queue": 16, "latched": true, "from": "suture::Messages"}],
-"enums": [], "structs": [{"name": "suture::Message", "fields": [{"name": "text",
-"doc": "UTF-8, for people. Those who send cut what is longer, and end it in \"...\" then.",
-"type": {"kind": "text", "capacity": 255}}, {"name": "code",
-"doc": "What it is about, by numbers that its sender documents; 0: nothing in particular.",
+"doc": "Reports that something failed, and needs somebody's attention.", "payload": {"type": {
+"kind": "struct", "name": "suture::Message"}}, "queue": 16, "latched": true,
+"from": "suture::Messages"}], "enums": [], "structs": [{"name": "suture::Message", "fields": [{
+"name": "text",
+"doc": "Is UTF-8, for people. A sender cuts a longer text, and ends it in \"...\" then.", "type": {
+"kind": "text", "capacity": 255}}, {"name": "code",
+"doc": "Says what it is about, by numbers that its sender documents; 0 means nothing in particular.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "counter",
-"doc": "Counts the messages of its sender, of all three kinds together, from 1: a gap says that the\nlistener has missed some, a number seen before that the last one has been told again.",
+"doc": "Counts the messages of its sender, of all three kinds together, from 1. A gap says that the\nlistener has missed some; a number seen before says that the last one was sent again.",
 "type": {"kind": "UInt32"}, "default": 0}, {"name": "stamp", "type": {"kind": "time",
 "clock": "steady"}}]}], "wire": [{"id": "@0xd4cb2344bc7abacc", "kind": "interface", "name": "Lamp",
 "cxx": "contracts::Lamp", "members": [{"at": 0, "name": "subscribe", "parameters": [{"at": 0,

@@ -1,5 +1,5 @@
 #pragma once
-// How regularly a task runs, for whoever wants to know.
+// This says how regularly a task runs.
 
 #include <suture/annotate.h>
 #include <suture/component/task/task_window.h>
@@ -11,15 +11,16 @@ namespace suture {
 SUTURE_EXTERNAL_TYPE(DurationSummary, mean, deviation, min, max, p99);
 SUTURE_EXTERNAL_TYPE(TaskWindow, begin, end, cycles, skipped, period, compute);
 
-/// Every task may offer it: `suture::TimingPort timing_{*this};`.
+/// Any task may provide this: `suture::TimingPort timing_{*this};`.
 class SUTURE_INTERFACE() TaskTiming {
  public:
   virtual ~TaskTiming() = default;
-  /// The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.
+  /// Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the
+  /// first.
   SUTURE_COMMAND() virtual TaskWindow window() const = 0;
-  /// Cycles since the task exists.
+  /// Counts the cycles since the task exists.
   SUTURE_COMMAND() virtual std::uint64_t cycles() const = 0;
-  /// Periods or callbacks that passed without a cycle, since the task exists.
+  /// Counts the periods or callbacks that passed without a cycle, since the task exists.
   SUTURE_COMMAND() virtual std::uint64_t skipped() const = 0;
 };
 

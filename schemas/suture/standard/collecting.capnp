@@ -8,19 +8,19 @@ $Cxx.namespace("suture::wire");
 $Meta.header("suture/standard/collecting.h");
 
 struct CollectedCounts @0x8130e847fbf0eac6 $Meta.cxx("suture::CollectedCounts") {
-  # What became of the rows or events of a time of collecting. Once the collector has caught up with
-  # its provider, the three add up to what was produced.
+  # Says what became of the rows or events of a time of collecting. Once the collector has caught up
+  # with its provider, the three add up to what was produced.
 
   collected @0 :UInt64;
-  # handed to the sink
+  # passed to the sink
   passedOver @1 :UInt64;
-  # left out on purpose: between two that the interval asks for
+  # left out on purpose, between two that the interval asks for
   missed @2 :UInt64;
   # lost: overwritten or dropped before the collector came to them
 }
 
 struct CollectingInterval @0xc55fb930b38c9647 $Meta.cxx("suture::CollectingInterval") {
-  # How much is collected.
+  # Says how much is collected.
 
   every @0 :UInt32 = 1 $Meta.range(lowest = 1, highest = 4294967295);
   # every n-th row or event
@@ -29,7 +29,7 @@ struct CollectingInterval @0xc55fb930b38c9647 $Meta.cxx("suture::CollectingInter
 }
 
 interface Collecting @0xe3eaf7ddf2538295 $Meta.cxx("suture::Collecting") {
-  # The provided interface "Collecting" of every collector (record/state_collector.h,
+  # Is the provided interface "Collecting" of every collector (record/state_collector.h,
   # record/event_collector.h). Its commands run in the collector's own thread; the task that is
   # observed has no part in them.
 
@@ -37,13 +37,15 @@ interface Collecting @0xe3eaf7ddf2538295 $Meta.cxx("suture::Collecting") {
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   startCollecting @1 (sent :Rpc.Sent) -> () $Meta.cxx("start_collecting") $Meta.kind("void")
       $Meta.queue(16);
-  # What is produced from now on is kept; counts begin anew, unless it is collecting already.
+  # Begins to record what is produced from now on. Counts begin anew, unless it is collecting
+  # already.
   stopCollecting @2 (sent :Rpc.Sent) -> () $Meta.cxx("stop_collecting") $Meta.kind("void")
       $Meta.queue(16);
-  # What is produced from now on is let go, uncounted.
+  # Stops recording: what is produced from now on is discarded without being counted.
   setInterval @3 (interval :CollectingInterval, sent :Rpc.Sent) -> (value :Bool)
       $Meta.cxx("set_interval") $Meta.kind("writeReturn") $Meta.queue(16);
-  # From the next row or event on. False: every 0th, or less than no time; nothing changes.
+  # Sets the interval from the next row or event on. Returns false, and changes nothing, for every
+  # 0th one or a negative time.
   interval @4 (sent :Rpc.Sent) -> (value :CollectingInterval, stamp :Int64) $Meta.kind("read");
   collecting @5 (sent :Rpc.Sent) -> (value :Bool, stamp :Int64) $Meta.kind("read");
   counts @6 (sent :Rpc.Sent) -> (value :CollectedCounts, stamp :Int64) $Meta.kind("read");

@@ -31,16 +31,17 @@ struct TaskWindow @0xaf9c44d28d818274 $Meta.cxx("suture::TaskWindow") {
 }
 
 interface TaskTiming @0xcfdd32a232e225bc $Meta.cxx("suture::TaskTiming") {
-  # Every task may offer it: `suture::TimingPort timing_{*this};`.
+  # Any task may provide this: `suture::TimingPort timing_{*this};`.
 
   subscribe @0 (events :TaskTimingEvents, eventMask :UInt64, stateMask :UInt64) -> ();
   # Bit i of eventMask asks for event i, bit i of stateMask for column i; a later call replaces an earlier one.
   window @1 (sent :Rpc.Sent) -> (value :TaskWindow, stamp :Int64) $Meta.kind("read");
-  # The last whole window, of 1 s unless the task says otherwise; `end` is unset before the first.
+  # Is the last whole window, of 1 s unless the task says otherwise; `end` is unset before the
+  # first.
   cycles @2 (sent :Rpc.Sent) -> (value :UInt64, stamp :Int64) $Meta.kind("read");
-  # Cycles since the task exists.
+  # Counts the cycles since the task exists.
   skipped @3 (sent :Rpc.Sent) -> (value :UInt64, stamp :Int64) $Meta.kind("read");
-  # Periods or callbacks that passed without a cycle, since the task exists.
+  # Counts the periods or callbacks that passed without a cycle, since the task exists.
 }
 
 interface TaskTimingEvents @0xc26eec352b9e05fc $Meta.eventsOf("suture::TaskTiming") {

@@ -21,11 +21,11 @@ interface LampEvents @0xd29be22d5548c1be $Meta.eventsOf("contracts::Lamp") {
   state @0 (row :LampStateRow) -> ();
   # A new row of the columns asked for.
   status @1 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # All is well; something has been done.
+  # Reports that something has been done, and nothing is wrong.
   warning @2 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Something was refused, or is not as it should be; the component goes on.
+  # Reports that something was refused, or is not as it should be; the component goes on.
   error @3 (value :Messages.Message, stamp :Int64) -> () $Meta.latched $Meta.queue(16);
-  # Something failed, and somebody should see to it.
+  # Reports that something failed, and needs somebody's attention.
 }
 
 struct LampStateRow @0xc60e3f090bda1270 $Meta.stateOf("contracts::Lamp") {
