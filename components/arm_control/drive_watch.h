@@ -79,8 +79,7 @@ class DriveWatch {
     const auto i = static_cast<std::size_t>(joint);
     const double most = kRounding * bounds_[i].effort_limit;
     const bool isAbove = std::abs(effortOf(joint, reading)) > most;
-    const bool wasAbove =
-        std::abs(effortOf(joint, last_)) > most;  // otherwise we do not know since when
+    const bool wasAbove = std::abs(effortOf(joint, last_)) > most;  // since when is unknown if not
     overloaded_[i] = isAbove && wasAbove ? overloaded_[i] + dt : 0;
     return overloaded_[i] > options_.overload_time;
   }

@@ -51,8 +51,7 @@ void Assistant::followScript(suture::Time now) {
     case Step::Pressed:
       if (pressesHeard_ > 1 || (pressesHeard_ == 1 && !pressed_)) return enter(Step::Done, now);
       if (since < parameters_.release_after) return;
-      if (pressesHeard_ == 0)
-        return enter(Step::Done, now);  // the command to press has not arrived
+      if (pressesHeard_ == 0) return enter(Step::Done, now);  // the press has not arrived
       if (mayAskAgain(now)) (void)stop_.release();
       return;
     case Step::Done: return;

@@ -128,10 +128,9 @@ class SUTURE_COMPONENT() KnotGuide final : public suture::PeriodicTask, public G
   CycleWatch cycles_;
   KnotFixtures fixtures_;
   SceneFrames frames_;
-  bool sceneIsKnown_ =
-      false;           // by the present registration, and not only by that with which guiding began
-  TipPair setpoints_;  // where the slaves say that their tips shall be, in the scene
-  TipPair tips_;       // where they have been sent, which setpoints_ reach within max_age
+  bool sceneIsKnown_ = false;  // at present, and not only from when guiding began
+  TipPair setpoints_;          // where the slaves say that their tips shall be, in the scene
+  TipPair tips_;               // where they have been sent, which setpoints_ reach within max_age
   KnotEstimate estimate_;
   GuidanceState state_ = GuidanceState::Disabled;
   bool enableAtFirstCycle_;

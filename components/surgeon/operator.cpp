@@ -46,8 +46,8 @@ Operator::Operator(const OperatorParameters& parameters)
 void Operator::run() {
   const suture::Time now = suture::now();
   const double seconds = secondsBetween(std::exchange(last_, now), now);
-  const Vector3d error =
-      seenError(now);  // looks even while it holds, so that it knows the error when it begins
+  // The operator looks even while it holds, so that it knows the error when it begins.
+  const Vector3d error = seenError(now);
   const bool missed = cycles_.missed(kLongestPause);
   const bool leftBrokeOff = left_.watch.hasBrokenOff();  // both must be asked
   const bool brokeOff = right_.watch.hasBrokenOff() || leftBrokeOff;

@@ -20,8 +20,7 @@ void KnotTracker::run() {
 
 void KnotTracker::look() {
   const auto exposed = images_.exposed();
-  if (exposed && *exposed == suture::Time{})
-    return see({});  // the pair is not read, because it is megabytes
+  if (exposed && *exposed == suture::Time{}) return see({});  // without a copy of megabytes
   if (exposed && *exposed == sighting_.stamp) return;
   if (!images_.images(pair_) || !isPairOfTheCameras()) return see({});
   sighting_.stamp = pair_.left.stamp;

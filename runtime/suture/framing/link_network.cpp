@@ -26,10 +26,9 @@ class LinkNetwork::Outgoing final : public capnp::OutgoingRpcMessage {
     }
     // A Finish, which ends a call that has returned, only frees memory at the peer.
     const bool finish = message_.getRoot<capnp::rpc::Message>().isFinish();
-    stream_.write(
-        message_.getSegmentsForOutput(),
-        finish ? MessageStream::Leaves::WithNextMessage : MessageStream::Leaves::AtEndOfTurn,
-        descriptors_);
+    using Leaves = MessageStream::Leaves;
+    stream_.write(message_.getSegmentsForOutput(),
+                  finish ? Leaves::WithNextMessage : Leaves::AtEndOfTurn, descriptors_);
   }
 
   void setFds(kj::Array<int> descriptors) override { descriptors_ = kj::mv(descriptors); }

@@ -32,8 +32,7 @@ struct LinkCounters {
 
 /// Bounds what a peer that connected to us costs while we do not know it.
 struct StrangerGuard {
-  std::shared_ptr<const bool>
-      known;  ///< becomes true when it has said who it is; null: it is known
+  std::shared_ptr<const bool> known;  ///< true once it has said who it is; null: it is known
   std::unique_ptr<ReceiveBudget::Share> share;
 };
 

@@ -16,8 +16,7 @@ namespace suture::rpc {
 /// Is a value.
 struct Trust {
   std::shared_ptr<const tls::Keys> keys{};  ///< null: no tls:// address can be used
-  std::vector<uid_t>
-      users{};  ///< who is trusted on Unix sockets, beside this process's user and root
+  std::vector<uid_t> users{};  ///< trusted on Unix sockets, beside this process's user and root
 };
 
 }  // namespace suture::rpc

@@ -10,8 +10,7 @@ namespace suture::tls {
 
 /// Says from when on, and for how long, a certificate is valid.
 struct Validity {
-  std::chrono::seconds from =
-      -std::chrono::hours(1);  ///< from now; before it, because clocks differ
+  std::chrono::seconds from = -std::chrono::hours(1);  ///< from now: earlier, as clocks differ
   std::chrono::days lasts{730};
 };
 

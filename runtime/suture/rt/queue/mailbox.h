@@ -155,9 +155,8 @@ class Mailbox {
   // Consumer's side.
   const bool foreign_;
   std::size_t mostWaiting_ = 0;  // as the credits allow
-  std::size_t left_ =
-      0;  // how many this drain may still return: so it ends, whatever a foreign producer does
-  bool broken_ = false;  // a record was found that the producer cannot have written
+  std::size_t left_ = 0;         // in this drain, so that it ends whatever a foreign producer does
+  bool broken_ = false;          // a record was found that the producer cannot have written
   std::uint64_t cut_ = 0;
   std::atomic<std::uint64_t> lastReturned_{0};  // written by the consumer only
   CommandRecord* next_ = nullptr;               // what the last next() returned
