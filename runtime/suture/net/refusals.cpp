@@ -12,7 +12,7 @@ constexpr std::size_t kLongest = 4096;
 
 // Returns `text` as it may be printed: the name that a peer gives itself must not control a
 // terminal, look like a line of another process, or fill a log.
-std::string fitToShow(const std::string& text) {
+std::string printable(const std::string& text) {
   std::string shown;
   for (const char one : plain(text.substr(0, kLongest))) {
     shown += one;
@@ -24,19 +24,19 @@ std::string fitToShow(const std::string& text) {
 }  // namespace
 
 void Refusals::add(const std::string& peer, const std::string& text) {
-  const std::string line = fitToShow(peer + ": " + text);
+  const std::string line = printable(peer + ": " + text);
   {
     const std::lock_guard lock(mutex_);
     ++summary_.count;
     summary_.latest = line;
   }
-  if (isToBeTold(line)) std::fprintf(stderr, "%s: refused %s\n", owner_.c_str(), line.c_str());
+  if (mayPrint(line)) std::fprintf(stderr, "%s: refused %s\n", owner_.c_str(), line.c_str());
 }
 
-bool Refusals::isToBeTold(const std::string& line) {
+bool Refusals::mayPrint(const std::string& line) {
   const Time present = now();
-  std::erase_if(told_, [present](const auto& one) { return present - one.second >= kPause; });
-  return told_.size() < kMostLines && told_.try_emplace(line, present).second;
+  std::erase_if(printed_, [present](const auto& one) { return present - one.second >= kPause; });
+  return printed_.size() < kMostLines && printed_.try_emplace(line, present).second;
 }
 
 Refusals::Summary Refusals::summary() const {

@@ -30,11 +30,11 @@ class Refusals {
   Summary summary() const;
 
  private:
-  bool isToBeTold(const std::string& line);
+  bool mayPrint(const std::string& line);
 
   const std::string owner_;
-  std::map<std::string, Time> told_;  // in the last minute
-  mutable std::mutex mutex_;          // never taken by a task thread
+  std::map<std::string, Time> printed_;  // in the last minute
+  mutable std::mutex mutex_;             // never taken by a task thread
   Summary summary_;
 };
 

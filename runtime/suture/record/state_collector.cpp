@@ -92,7 +92,7 @@ void StateCollector::takeRows() {
   for (std::uint64_t newest = table_->rows(); next_ <= newest;) {
     const rt::StateTable::Row row = table_->readRowNumber(next_, slots_);
     if (row.sequence != 0) {
-      hand(next_, row.stamp, row.valid);
+      passToSink(next_, row.stamp, row.valid);
       ++next_;
       continue;
     }
@@ -101,16 +101,16 @@ void StateCollector::takeRows() {
     const std::uint64_t capacity = table_->capacity();
     const std::uint64_t oldest = newest >= capacity ? newest - capacity + 1 : 1;
     const std::uint64_t resume = std::max(next_ + 1, oldest);
-    miss(resume - next_);
+    countMissed(resume - next_);
     next_ = resume;
   }
-  if (untold_ > 0) sink_.missed(from_, std::exchange(untold_, 0));
+  if (unreported_ > 0) sink_.missed(from_, std::exchange(unreported_, 0));
   sink_.settle();
 }
 
-void StateCollector::hand(std::uint64_t number, Time stamp, std::uint64_t valid) {
+void StateCollector::passToSink(std::uint64_t number, Time stamp, std::uint64_t valid) {
   if (!collection_.keep(stamp)) return;
-  if (untold_ > 0) sink_.missed(from_, std::exchange(untold_, 0));
+  if (unreported_ > 0) sink_.missed(from_, std::exchange(unreported_, 0));
   for (CollectedValue& value : values_) {
     const auto column = static_cast<std::size_t>(from_.contract.commands[value.read].column);
     const bool produced = (valid >> column & 1) != 0;
@@ -119,9 +119,9 @@ void StateCollector::hand(std::uint64_t number, Time stamp, std::uint64_t valid)
   sink_.row(from_, number, stamp, values_);
 }
 
-void StateCollector::miss(std::uint64_t rows) {
+void StateCollector::countMissed(std::uint64_t rows) {
   collection_.countMissed(rows);
-  untold_ += rows;
+  unreported_ += rows;
 }
 
 }  // namespace suture

@@ -62,8 +62,8 @@ class StateCollector final : public PeriodicTask {
   void onStop() override;
   void begin();
   void takeRows();
-  void hand(std::uint64_t number, Time stamp, std::uint64_t valid);
-  void miss(std::uint64_t rows);
+  void passToSink(std::uint64_t number, Time stamp, std::uint64_t valid);
+  void countMissed(std::uint64_t rows);
 
   const std::vector<std::uint16_t> reads_;
   std::shared_ptr<Sink> ownSink_;  // or null
@@ -74,7 +74,7 @@ class StateCollector final : public PeriodicTask {
   CollectedInterface from_;
   std::shared_ptr<rt::StateTable> table_;
   std::uint64_t next_ = 1;         // number of the row to take
-  std::uint64_t untold_ = 0;       // missed rows that the sink has not been told of
+  std::uint64_t unreported_ = 0;   // missed rows that the sink has not been told of
   std::vector<std::byte*> slots_;  // by column; nullptr: not collected
   std::vector<std::vector<std::uint64_t>> memory_;
   std::vector<CollectedValue> values_;

@@ -70,7 +70,7 @@ std::size_t payloadBytes(std::span<const std::uint32_t> columnSizes) {
 
 // Bounds a stamp so that its age can be computed, because another process may have written
 // anything.
-Time possible(std::uint64_t stamp) {
+Time boundedStamp(std::uint64_t stamp) {
   return fromNanoseconds(std::max<std::int64_t>(0, static_cast<std::int64_t>(stamp)));
 }
 
@@ -246,7 +246,7 @@ bool StateTable::tryRead(Row& row, const Copy& copy) const {
   const std::uint64_t sequence = row.sequence;
   RowHeader& header = headerAt(sequence);
   if (header.sequence.load(std::memory_order_acquire) != sequence) return false;
-  row.stamp = possible(header.stamp.load(std::memory_order_acquire));
+  row.stamp = boundedStamp(header.stamp.load(std::memory_order_acquire));
   row.valid = header.valid.load(std::memory_order_acquire);
   row.tooLarge = header.tooLarge.load(std::memory_order_acquire);
   row.invalid = header.invalid.load(std::memory_order_acquire);
