@@ -99,7 +99,7 @@ void ArmController<N>::restIn(ArmState state, const char* activity) {
   setpoint_ = reading_.position;
   setpointStamp_ = {};
   setpointRate_.rest(setpoint_);
-  watch_.forgive();
+  watch_.resetOverloads();
   enter(state, activity);
 }
 
@@ -269,7 +269,8 @@ void ArmController<N>::obey(const DriveFault& fault) {
 
 template <int N>
 void ArmController<N>::tell(const DriveFault& fault) {
-  culprit_ = fault.joint < N ? model_.joint_names[static_cast<std::size_t>(fault.joint)] : "jaw";
+  faultyJoint_ =
+      fault.joint < N ? model_.joint_names[static_cast<std::size_t>(fault.joint)] : "jaw";
   warnings_.tell(fault.reason);
 }
 

@@ -204,8 +204,8 @@ class ArmController {
   std::optional<bool> moveEnded_;
   std::optional<ArmState> desired_;  // what a command asked for, until it is reported
   Warnings warnings_;
-  std::string_view refusal_;  // why the last state command was refused
-  std::string_view culprit_;  // the joint that has put the arm in FAULT
+  std::string_view refusal_;      // why the last state command was refused
+  std::string_view faultyJoint_;  // the joint that has put the arm in FAULT
 };
 
 extern template class ArmController<6>;

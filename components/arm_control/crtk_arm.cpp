@@ -205,7 +205,7 @@ void CrtkArm<N>::drive(const std::optional<JointStreamGoal<N>>& goal, const char
   if (!arm_.mayMove()) return;
   if (!goal) return arm_.warn(ArmWarning::Malformed);
   const Joints& limit = arm_.model_.rate_limit;
-  endStreamOfBefore();
+  endPreviousStream();
   arm_.followStream(arm_.setpoint_, {}, activity);
   stream_.follow(goal->rate.cwiseMax(-limit).cwiseMin(limit), activity, goal->bounds);
 }
@@ -237,7 +237,7 @@ void CrtkArm<N>::drive(typename Stream::Kind kind, const std::optional<TwistStre
                        const char* activity, const Eigen::Matrix3d& axes) {
   if (!arm_.mayMoveTip()) return;
   if (!goal) return arm_.warn(ArmWarning::Malformed);
-  endStreamOfBefore();
+  endPreviousStream();
   arm_.followStream(arm_.setpoint_, {}, activity);
   stream_.follow(kind, goal->twist, activity, {.change = goal->change, .axes = axes});
 }
@@ -301,7 +301,7 @@ PoseStamped CrtkArm<N>::local_query_cp(const JointGoal& q) const {
 /// Ends a stream that another command replaced, even if that command is over already, so that a
 /// stream that begins anew begins from rest.
 template <int N>
-void CrtkArm<N>::endStreamOfBefore() {
+void CrtkArm<N>::endPreviousStream() {
   if (!streaming()) stream_.end();
 }
 
@@ -316,7 +316,7 @@ void CrtkArm<N>::advance(suture::Time now) {
   periods_.cycle(now);
   const double dt = lastCycle_ == suture::Time{} ? 0 : secondsBetween(lastCycle_, now);
   lastCycle_ = now;
-  endStreamOfBefore();
+  endPreviousStream();
   // After such a pause the drives have dropped the arm's last goal, so the arm does not go on with
   // it.
   const bool paused = stream_.isActive() && dt > inSeconds(StreamWatch::kSilence);
@@ -403,7 +403,7 @@ template <int N>
 std::string_view CrtkArm<N>::textOf(ArmWarning reason) {
   if (reason == ArmWarning::WrongState) return arm_.refusal_;
   if (!isOfJoint(reason)) return robots::textOf(reason);
-  ofJoint_ = arm_.culprit_;
+  ofJoint_ = arm_.faultyJoint_;
   ofJoint_ += ": ";
   return ofJoint_ += robots::textOf(reason);
 }

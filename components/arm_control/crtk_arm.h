@@ -145,7 +145,7 @@ class CrtkArm final : public Arm {
   void moveTo(const PoseStamped& goal);
   void setRatios(double velocity, double acceleration);
   bool streaming() const;
-  void endStreamOfBefore();
+  void endPreviousStream();
   void drive(const std::optional<JointStreamGoal<N>>& goal, const char* activity);
   /// `axes` rotates from the axes of the goal to those of the base.
   void drive(typename Stream::Kind kind, const std::optional<TwistStreamGoal>& goal,

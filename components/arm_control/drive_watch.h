@@ -58,7 +58,7 @@ class DriveWatch {
     return fault;
   }
   /// Restarts the time for which each effort has been above its limit.
-  void forgive() { overloaded_.fill(0); }
+  void resetOverloads() { overloaded_.fill(0); }
 
  private:
   // A motor may give its limit for any length of time, and couplings round the numbers.

@@ -130,7 +130,7 @@ void SystemConsole::enableNext() {
     return;
   }
   if (mayAsk(&next)) next.enable();
-  judge(next.name(), "enabled");
+  checkDeadline(next.name(), "enabled");
 }
 
 // All arms home at the same time, each by itself. Once all are home they may move again, because
@@ -144,7 +144,7 @@ void SystemConsole::awaitHome() {
   if (mayAsk(&arms_)) {
     for (ArmPart* one : arms_) one->home();
   }
-  judge(last->name(), "homed");
+  checkDeadline(last->name(), "homed");
 }
 
 void SystemConsole::enableMovers() {
@@ -153,17 +153,17 @@ void SystemConsole::enableMovers() {
   if (next == nullptr) return enter(ConsoleState::Up);
   if (next != askedPart_) deadline_ = suture::now() + parameters_.patience;
   if (mayAsk(next)) next->enable();
-  judge(next->name(), "enabled");
+  checkDeadline(next->name(), "enabled");
 }
 
 bool SystemConsole::isBroken() {
   if (!released_) {
-    takeBack("the emergency stop", {"was pressed meanwhile, or says nothing any more"});
+    undoBringUp("the emergency stop", {"was pressed meanwhile, or says nothing any more"});
     return true;
   }
   for (std::size_t i = 0; i < done_; ++i) {
     if (arms_[i]->isEnabled()) continue;
-    takeBack(arms_[i]->name(), {"is not enabled any more"});
+    undoBringUp(arms_[i]->name(), {"is not enabled any more"});
     return true;
   }
   return false;
@@ -210,12 +210,13 @@ void SystemConsole::enter(ConsoleState state) {
   console_.emit().console_state(state);
 }
 
-void SystemConsole::judge(const std::string& part, std::string_view what) {
+void SystemConsole::checkDeadline(const std::string& part, std::string_view what) {
   if (suture::now() >= deadline_)
-    takeBack(part, {"is not ", what, " after the console's patience"});
+    undoBringUp(part, {"is not ", what, " after the console's patience"});
 }
 
-void SystemConsole::takeBack(std::string_view part, std::initializer_list<std::string_view> why) {
+void SystemConsole::undoBringUp(std::string_view part,
+                                std::initializer_list<std::string_view> why) {
   text_.assign(part).append(" ");
   for (const std::string_view words : why) text_.append(words);
   messages_.error(text_.append("; all is taken back"));

@@ -62,11 +62,11 @@ class SUTURE_COMPONENT() SystemConsole final : public suture::PeriodicTask, publ
   void leave(Part& part);
   void enter(ConsoleState state);
   /// Undoes a bring-up if `part` has had enough time to become `what`.
-  void judge(const std::string& part, std::string_view what);
+  void checkDeadline(const std::string& part, std::string_view what);
   /// Undoes a bring-up at once, and returns true, if the stop was pressed, or an arm that had power
   /// lost it.
   bool isBroken();
-  void takeBack(std::string_view part, std::initializer_list<std::string_view> why);
+  void undoBringUp(std::string_view part, std::initializer_list<std::string_view> why);
   /// Returns true when `part` is asked for the first time, and once in a while, because a command
   /// may be lost.
   bool mayAsk(const void* part);

@@ -49,12 +49,12 @@ void JointMotion<N>::step(double h, const Joints& effort) {
   };
   const Joints middle = velocity_ + change(velocity_) / 2;
   velocity_ += change(middle);
-  rub(h, factors.solve(Inertia::Identity()));
+  applyFrictionAndStops(h, factors.solve(Inertia::Identity()));
   position_ = (position_ + h / 2 * velocity_).cwiseMax(lower).cwiseMin(upper);
 }
 
 template <int N>
-void JointMotion<N>::rub(double h, const Inertia& mobility) {
+void JointMotion<N>::applyFrictionAndStops(double h, const Inertia& mobility) {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   const auto& [viscous, coulomb, lower, upper] = surroundings_;
   Joints least = -h * coulomb, most = h * coulomb;

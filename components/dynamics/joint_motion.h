@@ -53,7 +53,7 @@ class JointMotion {
   void step(double h, const Joints& effort);
   /// Adds to the velocity what friction and stops do within `h`. `mobility` is the velocity that an
   /// impulse causes.
-  void rub(double h, const Inertia& mobility);
+  void applyFrictionAndStops(double h, const Inertia& mobility);
 
   ArmDynamics<N> dynamics_;
   JointSurroundings<N> surroundings_;

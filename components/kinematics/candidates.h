@@ -40,7 +40,7 @@ class Candidates {
       : chain_(chain), start_(start), postures_(postures) {}
 
   /// Adds a posture, unless it is not finite.
-  void offer(const Joints& q) {
+  void add(const Joints& q) {
     if (!q.allFinite()) return;
     offered_ = true;
     if (postures_ == Postures::Near && !isNear(q)) return;
@@ -55,7 +55,7 @@ class Candidates {
   /// candidates reach the goal but for the limits. A goal that only a posture far away reaches is
   /// limited if the search comes to its end, to a limit, or to 1 cm and 0.1 rad beside the goal;
   /// otherwise it is out of reach from here.
-  InverseSolution<N> settle(const Eigen::Isometry3d& goal, bool reachable) const {
+  InverseSolution<N> choose(const Eigen::Isometry3d& goal, bool reachable) const {
     InverseSolution<N> solution = nearestWithinLimits(chain_, goal, beginning(goal));
     const bool byLimits = postures_ == Postures::All || beyond_.q || hasArrived(solution);
     solution.limited = !solution.found && reachable && offered_ && byLimits;

@@ -86,12 +86,12 @@ MtmJoints withWrist(const Chain<7>& chain, MtmJoints arm, const Eigen::Isometry3
 InverseSolution<7> mtmInverse(const Chain<7>& chain, const Eigen::Isometry3d& goal,
                               const MtmJoints& start, Postures postures) {
   Candidates<7> candidates(chain, start, postures);
-  if (!goal.matrix().allFinite()) return candidates.settle(goal, false);
+  if (!goal.matrix().allFinite()) return candidates.choose(goal, false);
   const Reach reach(goal.translation());
   for (const MtmJoints& arm : armsAt(chain, goal.translation(), reach, start)) {
-    candidates.offer(withWrist(chain, arm, goal, start));
+    candidates.add(withWrist(chain, arm, goal, start));
   }
-  return candidates.settle(goal, reach.isWithin());
+  return candidates.choose(goal, reach.isWithin());
 }
 
 std::optional<MtmJoints> mtmAtPlatform(const Chain<7>& chain, const Eigen::Isometry3d& goal,

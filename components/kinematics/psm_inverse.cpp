@@ -70,7 +70,7 @@ PsmJoints jointsFor(const Chain<6>& chain, const Instrument& instrument, const W
 InverseSolution<6> psmInverse(const Chain<6>& chain, const Eigen::Isometry3d& goal,
                               const PsmJoints& start, Postures postures) {
   Candidates<6> candidates(chain, start, postures);
-  if (!goal.matrix().allFinite()) return candidates.settle(goal, false);
+  if (!goal.matrix().allFinite()) return candidates.choose(goal, false);
   const Instrument instrument(goal);
   const Eigen::Matrix3d before = chain.link(start, 5).linear();
   const Vector3d shaftBefore =
@@ -82,10 +82,10 @@ InverseSolution<6> psmInverse(const Chain<6>& chain, const Eigen::Isometry3d& go
     const Wrist wrist = wristAlong(side * link, instrument);
     const Vector3d shaft = directionAcross(wrist.pitchAxis, wrist.centre, shaftBefore);
     for (const double sense : {1.0, -1.0}) {
-      candidates.offer(jointsFor(chain, instrument, wrist, sense * shaft, start));
+      candidates.add(jointsFor(chain, instrument, wrist, sense * shaft, start));
     }
   }
-  return candidates.settle(goal, true);
+  return candidates.choose(goal, true);
 }
 
 }  // namespace robots::kinematics

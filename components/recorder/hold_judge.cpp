@@ -15,7 +15,7 @@ constexpr double kJump = 0.003;  // m
 
 /// Returns how far in m an arm may move from one row to the next, at the speed of a fast hand. Rows
 /// that are far apart permit no more than a few cycles, because somebody stood still between them.
-double due(const ArmRow& before, const ArmRow& after) {
+double farthestMotion(const ArmRow& before, const ArmRow& after) {
   constexpr double kFastest = 0.25;   // m/s
   constexpr double kLongest = 0.025;  // s
   return kFastest * std::min(secondsBetween(before.stamp, after.stamp), kLongest);
@@ -33,7 +33,8 @@ HoldJudgement judgeHold(const std::vector<ArmRow>& rows, suture::Time broken, su
       judgement.rested_before = secondsBetween(rows[i].stamp, broken);
       continue;
     }
-    judgement.largest_jump = std::max(judgement.largest_jump, step - due(rows[i - 1], rows[i]));
+    judgement.largest_jump =
+        std::max(judgement.largest_jump, step - farthestMotion(rows[i - 1], rows[i]));
     if (rows[i].stamp < mended) {
       judgement.held_after = secondsBetween(broken, rows[i].stamp);
     } else if (!judgement.resumed_after) {

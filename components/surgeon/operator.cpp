@@ -127,12 +127,12 @@ void Operator::Side::orient(const Eigen::Matrix3d& newFromMaster,
 
 /// Makes the master go where the hand goes. Returns false if it did not take its goal.
 bool Operator::Side::follow(suture::Time now, double seconds, const Vector3d& intended) {
-  hand.advance(seconds, intended, felt(seconds));
+  hand.advance(seconds, intended, feedbackForce(seconds));
   const Eigen::Translation3d moved(fromMaster.transpose() * hand.position());
   return master.servo_cp({moved * start, now, true}).has_value();
 }
 
-Vector3d Operator::Side::felt(double seconds) {
+Vector3d Operator::Side::feedbackForce(double seconds) {
   if (parameters.force_feedback == ForceFeedback::None || !(seconds > 0)) return Vector3d::Zero();
   const auto sample = slave.measured_cp();
   const PoseStamped* const pose = freshMeasurement(sample, parameters.slave_age);

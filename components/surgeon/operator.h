@@ -96,7 +96,7 @@ class SUTURE_COMPONENT() Operator final : public suture::PeriodicTask {
     void orient(const Eigen::Matrix3d& newFromMaster, const Eigen::Matrix3d& newFromSlave);
     bool follow(suture::Time now, double seconds, const Eigen::Vector3d& intended);
     /// Returns the force in N with which the motors push the hand for the next `seconds`.
-    Eigen::Vector3d felt(double seconds);
+    Eigen::Vector3d feedbackForce(double seconds);
 
     const OperatorParameters& parameters;
     suture::Required<Arm> master, slave;  // the slave is needed for force feedback alone
