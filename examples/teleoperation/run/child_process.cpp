@@ -30,9 +30,9 @@ struct Line {
   Line(const Line&) = delete;
   Line& operator=(const Line&) = delete;
 
-  void tell(int end) const { [[maybe_unused]] const ssize_t sent = write(ends[end], "", 1); }
+  void signal(int end) const { [[maybe_unused]] const ssize_t sent = write(ends[end], "", 1); }
   /// Waits for the other end. Returns false if it is gone.
-  bool hear(int end) {
+  bool await(int end) {
     close(std::exchange(ends[1 - end], -1));
     char byte;
     ssize_t count;
@@ -51,8 +51,8 @@ void enterOwnNetwork(Line& line, const std::string& title) {
     std::fprintf(stderr, "%s gets no network namespace: %s\n", title.c_str(), std::strerror(errno));
     _exit(127);
   }
-  line.tell(kChild);
-  if (!line.hear(kChild)) _exit(1);
+  line.signal(kChild);
+  if (!line.await(kChild)) _exit(1);
 }
 
 [[noreturn]] void becomeProgram(const ChildProcess::Start& start, int pipe, pid_t parent) {
@@ -97,14 +97,14 @@ ChildProcess::ChildProcess(const Start& start) : title_(start.title) {
   output_ = ends[0];
   fcntl(output_, F_SETFL, O_NONBLOCK);
   if (pid_ < 0) throw std::system_error(error, std::generic_category(), "starting " + title_);
-  if (!start.connect || !line.hear(kParent)) return;  // the end of a child is noticed later
+  if (!start.connect || !line.await(kParent)) return;  // the end of a child is noticed later
   try {
     start.connect(pid_);
   } catch (...) {
     kill();
     throw;
   }
-  line.tell(kParent);
+  line.signal(kParent);
 }
 
 ChildProcess::~ChildProcess() { kill(); }

@@ -31,13 +31,13 @@ std::string count(std::uint64_t number) { return number == 0 ? "-" : fmt::format
 
 /// Returns the number for the table. Beyond 99 the exact number would widen it; the result file has
 /// it.
-std::string few(std::uint64_t number) { return number > 99 ? "99+" : fmt::format("{}", number); }
+std::string capped(std::uint64_t number) { return number > 99 ? "99+" : fmt::format("{}", number); }
 
 /// Returns if the contract was kept; "-" if the connection has none.
-std::string kept(const std::optional<suture::ContractReport>& contract) {
+std::string stateOf(const std::optional<suture::ContractReport>& contract) {
   if (!contract) return "-";
-  if (contract->losses > 0) return few(contract->losses) + " lost";
-  return contract->staleReads > 0 ? few(contract->staleReads) + " stale" : "kept";
+  if (contract->losses > 0) return capped(contract->losses) + " lost";
+  return contract->staleReads > 0 ? capped(contract->staleReads) + " stale" : "kept";
 }
 
 std::vector<std::string> ageCells(const char* what, const Distribution& age) {
@@ -53,7 +53,7 @@ void addConnection(Table& table, const std::string& name, const ConnectionReport
                                  count(one.replaced),
                                  count(one.dropped()),
                                  count(one.late),
-                                 kept(one.contract)};
+                                 stateOf(one.contract)};
   const bool reads = one.readAge.count > 0;
   const auto first = reads ? ageCells("reads", one.readAge) : ageCells("commands", one.commandAge);
   cells.insert(cells.end(), first.begin(), first.end());
