@@ -116,12 +116,12 @@ void checkNamesOf(const model::Interface& interface, model::Diagnostics& finding
 void checkNames(const model::Header& header, model::Diagnostics& findings) {
   Scope types(true, findings);
   for (const model::Enum& type : header.enums) {
-    types.add("type", model::unqualified(type.name), type.wireName, type.source);
+    types.add("type", type.name, type.wireName, type.source);
     checkReserved(model::Named::Type, type.name, type.wireName, type.source, findings);
     checkEnumerators(type, findings);
   }
   for (const model::Struct& type : header.structs) {
-    types.add("type", model::unqualified(type.name), type.wireName, type.source);
+    types.add("type", type.name, type.wireName, type.source);
     checkReserved(model::Named::Type, type.name, type.wireName, type.source, findings);
     Scope fields(false, findings);
     for (const model::Field& field : type.fields) {
@@ -129,7 +129,7 @@ void checkNames(const model::Header& header, model::Diagnostics& findings) {
     }
   }
   for (const model::Interface& interface : header.interfaces) {
-    types.add("contract", model::unqualified(interface.name), interface.wireName, interface.source);
+    types.add("contract", interface.name, interface.wireName, interface.source);
     types.add("the events of contract", interface.name, interface.wireName + "Events",
               interface.source);
     types.add("the state of contract", interface.name, interface.wireName + "StateRow",

@@ -12,6 +12,7 @@
 #include "compiler/emit/emit.h"
 #include "compiler/frontend/frontend.h"
 #include "compiler/lock/schema/lock.h"
+#include "compiler/lock/settle.h"
 
 namespace suture::compiler::driver {
 namespace {
@@ -93,15 +94,15 @@ class Run {
 
   bool execute() {
     if (!frontend_.run()) return false;
-    checkDeclarations(model());
-    if (!frontend_.report(check::check(model()))) return false;
+    checkDeclarations(frontend_.model());
     dependencies_ = frontend_.dependencies();
     model::Diagnostics findings;
-    const auto texts = lockTexts(model(), options_, dependencies_);
+    const auto texts = lockTexts(frontend_.model(), options_, dependencies_);
     const lock::Locks locks = lock::read(texts, findings, lockOptions_);
-    if (!frontend_.report(findings)) return false;
+    model_ = lock::settled(frontend_.model(), locks);
+    if (!frontend_.report(check::check(model_)) || !frontend_.report(findings)) return false;
     if (options_.updateLock) return updateLock(locks);
-    if (!frontend_.report(lock::check(model(), locks, lockOptions_))) return false;
+    if (!frontend_.report(lock::check(model_, locks, lockOptions_))) return false;
     return options_.fix || generate(locks);
   }
 
@@ -117,10 +118,8 @@ class Run {
   }
 
  private:
-  const model::Model& model() const { return frontend_.model(); }
-
   bool updateLock(const lock::Locks& locks) {
-    const lock::Update update = lock::update(model(), locks, lockOptions_);
+    const lock::Update update = lock::update(model_, locks, lockOptions_);
     if (!update.unknownIds.empty()) {
       throw std::runtime_error("--new-id " + update.unknownIds.front() +
                                ": no lock has anything of that name; give a name on the wire, a " +
@@ -141,13 +140,13 @@ class Run {
   }
 
   bool generate(const lock::Locks& locks) {
-    std::vector<model::Artefact> artefacts = emit::emit(model(), locks);
-    for (const model::Header& header : model().headers) {
+    std::vector<model::Artefact> artefacts = emit::emit(model_, locks);
+    for (const model::Header& header : model_.headers) {
       if (header.own) artefacts.push_back(wireSchema(header, locks));
     }
     if (!options_.componentsFile.empty()) {
       artefacts.push_back(
-          emit::emitComponentLibrary(model(), options_.targetName, options_.componentsFile));
+          emit::emitComponentLibrary(model_, options_.targetName, options_.componentsFile));
     }
     NewFiles files;
     for (const model::Artefact& artefact : artefacts) {
@@ -164,6 +163,7 @@ class Run {
   const Options& options_;
   frontend::Frontend frontend_;
   lock::Options lockOptions_;
+  model::Model model_;  // with the names that the locks have settled
   std::vector<std::string> dependencies_;
 };
 

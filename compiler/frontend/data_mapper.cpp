@@ -36,6 +36,7 @@ model::Enumerator mapEnumerator(const clang::EnumConstantDecl* declaration, Mapp
   model::Enumerator enumerator;
   enumerator.name = declaration->getNameAsString();
   enumerator.wireName = wireMemberName(model::Named::Enumerator, enumerator.name, annotation.name);
+  enumerator.isNamed = annotation.name.has_value();
   enumerator.value = bitsOf(declaration->getInitVal());
   enumerator.fallback = annotation.fallback;
   enumerator.lifecycle = {annotation.since, annotation.deprecated};
@@ -148,6 +149,7 @@ std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mappin
   model::Field field;
   field.name = declaration->getNameAsString();
   field.wireName = wireMemberName(field.name, annotation.name);
+  field.isNamed = annotation.name.has_value();
   field.type = std::move(*type);
   field.isHidden = declaration->getAccess() != clang::AS_public;
   field.isPacked = isPacked(declaration);

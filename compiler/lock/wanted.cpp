@@ -18,14 +18,6 @@ using Shape = model::Type::Shape;
 /// The annotations that name what a node stands for.
 constexpr std::array<const char*, 3> kIdentities{"cxx", "eventsOf", "stateOf"};
 
-/// The name in was(), qualified as the present one is where it is not qualified itself.
-template <class Declaration>
-std::optional<std::string> formerName(const Declaration& declaration) {
-  if (!declaration.was || declaration.was->find("::") != std::string::npos) return declaration.was;
-  const std::string space = model::namespaceOf(declaration.name);
-  return (space.empty() ? "" : space + "::") + *declaration.was;
-}
-
 Member plain(std::string name, std::string type, std::string doc = "") {
   Member member;
   member.name = std::move(name);
@@ -81,7 +73,7 @@ WantedNode wantedEnum(const model::Enum& declaration) {
   result.node.annotations = {{"cxx", quoted(declaration.name)},
                              {"underlying", quoted(capnpScalar(declaration.underlying))}};
   addLifecycle(result.node.annotations, declaration.lifecycle);
-  result.was = formerName(declaration);
+  result.was = formerName(declaration.name, declaration.was);
   result.node.doc = declaration.doc.text;
   for (const model::Enumerator& enumerator : declaration.enumerators) {
     Member member = plain(enumerator.wireName, "", enumerator.doc.text);
@@ -112,7 +104,7 @@ WantedNode wantedStruct(const model::Struct& declaration, const model::Lookup& l
                                 "struct '" + declaration.name + "'", declaration.source);
   result.node.annotations = {{"cxx", quoted(declaration.name)}};
   addLifecycle(result.node.annotations, declaration.lifecycle);
-  result.was = formerName(declaration);
+  result.was = formerName(declaration.name, declaration.was);
   result.node.doc = declaration.doc.text;
   for (const model::Field& field : declaration.fields) {
     result.members.push_back(wantedField(declaration, field, lookup, header));
@@ -319,13 +311,20 @@ std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup&
     nodes.push_back(wantedStruct(declaration, lookup, header));
   }
   for (const model::Interface& declaration : header.interfaces) {
-    const auto was = formerName(declaration);
+    const auto was = formerName(declaration.name, declaration.was);
     for (const auto& part : {wantedInterface, wantedEvents, wantedState}) {
       nodes.push_back(part(declaration, lookup, header));
       nodes.back().was = was;
     }
   }
   return nodes;
+}
+
+std::optional<std::string> formerName(const std::string& name,
+                                      const std::optional<std::string>& was) {
+  if (!was || was->find("::") != std::string::npos) return was;
+  const std::string space = model::namespaceOf(name);
+  return (space.empty() ? "" : space + "::") + *was;
 }
 
 std::string payloadName(std::size_t index) {

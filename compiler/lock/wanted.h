@@ -34,6 +34,10 @@ inline constexpr char kSent[] = "/suture/rpc.capnp:Sent";
 /// its state row.
 std::vector<WantedNode> wanted(const model::Header& header, const model::Lookup& lookup);
 
+/// The name in the was() of what is called `name`, qualified as that is where it is not itself.
+std::optional<std::string> formerName(const std::string& name,
+                                      const std::optional<std::string>& was);
+
 /// What value `index` of an event's payload is called on the wire: "value", "value2", "value3".
 std::string payloadName(std::size_t index);
 

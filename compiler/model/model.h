@@ -32,6 +32,7 @@ struct Limits {
 struct Field {
   std::string name;  ///< C++ name; of a base class: the name of its slot
   std::string wireName;
+  bool isNamed = false;  ///< name() says the name on the wire
   Type type;
   bool isBase = false;    ///< a base class, not a member
   bool isHidden = false;  ///< not public: reached through suture::Members
@@ -57,6 +58,7 @@ struct Enumerator {
   bool fallback = false;  ///< stands for every enumerator that a receiver does not know
   Lifecycle lifecycle{};
   std::optional<std::string> was{};
+  bool isNamed = false;  ///< name() says the name on the wire
 };
 
 struct Enum {

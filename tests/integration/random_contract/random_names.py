@@ -7,14 +7,13 @@ PLAIN = ["Client", "Server", "Slot", "Wire", "Value", "Which", "Union", "Group",
          "Kj", "Capnp", "Std", "Arguments", "State", "Events", "Request", "Element", "Orphan", "Message", "Result", "Item0"]
 TYPES = {**{name: name + "Type" for name in ESCAPED}, **{name: name for name in PLAIN}}
 
-# These are names of members: all are distinct on the wire, where `foo_bar` is `fooBar`. `base` is none of them, since in a struct with a
-# base class it is refused as a clash on the wire, not escaped.
+# These are names of members. Some are one name on the wire, where `foo_bar` is `fooBar` and a base class is `base`.
 MEMBERS = ["text", "list", "data", "reader", "builder", "group", "which", "stamp", "sent", "get", "set", "has", "init",
            "adopt", "disown", "value", "self", "slot", "wire", "name", "eof", "emit", "id", "type", "suture", "kj",
            "capnp", "in", "out", "result", "arguments", "count", "size", "begin", "end", "index", "path", "some", "none",
            "item0", "item1", "key", "entry", "element", "error", "root", "message", "import_", "struct_", "interface",
            "annotation", "const_", "using_", "void_", "fooBar", "text_value", "valueText", "store", "load", "reserve",
-           "to_wire", "from_wire", "isValid", "other", "i", "n", "it", "maxAge", "as", "of", "from", "with", "now"]
-# `first` is none of them, since beside `First` it is refused as a clash on the wire, not escaped.
-ENUMERATORS = ["eof", "nan", "overflow", "null", "text", "which", "union_", "enumerant", "value", "domain",
+           "to_wire", "from_wire", "isValid", "other", "i", "n", "it", "maxAge", "base", "foo_bar", "Text", "as", "of", "from", "with", "now"]
+# These stand beside `First`.
+ENUMERATORS = ["first", "FIRST", "eof", "nan", "overflow", "null", "text", "which", "union_", "enumerant", "value", "domain",
                "unknown", "none", "some"]

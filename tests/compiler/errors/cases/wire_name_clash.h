@@ -9,6 +9,18 @@ class SUTURE_INTERFACE() Contract {
 struct SUTURE_TYPE() Fields {
   int foo_bar = 0;
   int fooBar = 0;
+  SUTURE_FIELD(name("gripper")) int tool = 0;
+  SUTURE_FIELD(name("gripper")) int hand = 0;
 };
 enum class SUTURE_TYPE() Letters { x, X };
 }  // namespace demo
+namespace demo::left {
+struct SUTURE_TYPE() Pose {
+  double x = 0;
+};
+}  // namespace demo::left
+namespace demo::right {
+struct SUTURE_TYPE() Pose {
+  double x = 0;
+};
+}  // namespace demo::right

@@ -12,6 +12,11 @@ def record(body, **more):
     return Side(types="struct SUTURE_TYPE() {T} {\n%s\n};\n" % body, **more)
 
 
+def based(body):
+    return ("struct SUTURE_TYPE() {T}Base {\n  std::int32_t id = 7;\n};\n"
+            "struct SUTURE_TYPE() {T} : {T}Base {\n%s\n};\n" % body)
+
+
 def commands(*listed):
     return Side(commands=listed)
 
@@ -53,9 +58,38 @@ FIELDS = [
          record('  SUTURE_FIELD(deprecated("use b")) double a = 1;', sees={"a": "1"}), build="lock-stale"),
     Edit("base of a struct added", "a field or a base",
          record("  double a = 1;", sends={"a": "5"}, sees={"a": "6"}),
-         Side(types="struct SUTURE_TYPE() {T}Base {\n  std::int32_t id = 7;\n};\n"
-                    "struct SUTURE_TYPE() {T} : {T}Base {\n  double a = 1;\n};\n",
-              sends={"a": "6", "id": "8"}, sees={"a": "5", "id": "7"}),
+         Side(types=based("  double a = 1;"), sends={"a": "6", "id": "8"}, sees={"a": "5", "id": "7"}),
+         build="lock-new"),
+    # What the lock knows keeps its name on the wire, wherever it stands now.
+    Edit("field added that clashes on the wire", "a field or a base",
+         record("  std::int32_t Gain = 1;", sends={"Gain": "5"}, sees={"Gain": "6"}),
+         record("  std::int32_t gain = 2;\n  std::int32_t Gain = 1;",
+                sends={"gain": "7", "Gain": "6"}, sees={"gain": "2", "Gain": "5"}),
+         build="lock-new"),
+    Edit("fields that clash on the wire reordered", "the order of declarations",
+         record("  double low_gain = 1;\n  double lowGain = 2;", sends={"low_gain": "5", "lowGain": "6"},
+                sees={"low_gain": "7", "lowGain": "8"}),
+         record("  double lowGain = 2;\n  double low_gain = 1;", sends={"low_gain": "7", "lowGain": "8"},
+                sees={"low_gain": "5", "lowGain": "6"}),
+         diff=NOTHING),
+    Edit("one of two fields that clash on the wire removed", "a field removed",
+         record("  double high_gain = 1;\n  double highGain = 2;", sends={"high_gain": "5", "highGain": "6"},
+                sees={"high_gain": "1", "highGain": "8"}),
+         record("  double highGain = 2;", sends={"highGain": "8"}, sees={"highGain": "6"}),
+         build="lock-removed"),
+    Edit("member called base added beside a base", "a field or a base",
+         Side(types=based("  double a = 1;"), sends={"a": "5", "id": "6"}, sees={"a": "7", "id": "8"}),
+         Side(types=based("  double base = 2;\n  double a = 1;"), sends={"a": "7", "id": "8", "base": "9"},
+              sees={"a": "5", "id": "6", "base": "2"}),
+         build="lock-new"),
+    Edit("base added beside a member called base", "a field or a base",
+         record("  double base = 2;", sends={"base": "5"}, sees={"base": "8"}),
+         Side(types=based("  double base = 2;"), sends={"id": "9", "base": "8"}, sees={"id": "7", "base": "5"}),
+         build="lock-new"),
+    Edit("base added beside a member of its type that name() calls base", "a field or a base",
+         Side(types=based("  {T}Base base;").replace(" : {T}Base", ""), sends={"base.id": "5"}, sees={"base.id": "8"}),
+         Side(types=based('  SUTURE_FIELD(name("base")) {T}Base base;'), sends={"id": "9", "base.id": "8"},
+              sees={"id": "7", "base.id": "5"}),
          build="lock-new"),
     Edit("struct renamed with was", "a name, by `was()`",
          Side(types="struct SUTURE_TYPE() {T}Inner {\n  double a = 1;\n};\n"
@@ -87,6 +121,11 @@ ENUMERATORS = [
          mode("Off, On", commands=chooses("choose")),
          mode("Off, On, Fast", commands=chooses("choose", Call("{T}Mode::On", heard="mode=1"),
                                                 Call("{T}Mode::Fast", OUTSIDE, heard=None))),
+         build="lock-new", diff=REFUSES),
+    Edit("enumerator added that clashes on the wire", "an enumerator, an alternative of a variant",
+         mode("Off, On", commands=chooses("choose_one")),
+         mode("Off, on = 5, On = 1", commands=chooses("choose_one", Call("{T}Mode::On", heard="mode=1"),
+                                                      Call("{T}Mode::on", OUTSIDE, heard=None))),
          build="lock-new", diff=REFUSES),
     # The lock says nothing of a fallback, so diff speaks of refusals here too.
     Edit("enumerator added to an enum with fallback", "an enumerator, an alternative of a variant",

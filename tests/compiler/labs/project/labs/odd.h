@@ -1,6 +1,7 @@
 #pragma once
 // What no library above has, and a lab may: names that Cap'n Proto or suturec needs for itself,
-// enums at the ends of their type, deprecated and empty things, types that hold each other.
+// names that clash there, enums at the ends of their type, deprecated and empty things, types that
+// hold each other.
 
 #include <suture/annotate.h>
 
@@ -74,7 +75,17 @@ typedef struct SUTURE_TYPE() {
   FlagBox flag;
 } Boxes;
 
+/// Names that differ where the wire makes no difference, beside one that has the word more already.
+enum class SUTURE_TYPE() Twins { First, first, FIRST, firstValue };
+struct SUTURE_TYPE() Alike : Text {
+  double base = 0;
+  std::int32_t foo_bar = 1;
+  std::int32_t fooBar = 2;
+  Twins twins = Twins::FIRST;
+};
+
 struct SUTURE_TYPE() Everything {
+  Alike alike;
   Text text;
   Data data;
   List list;
