@@ -28,7 +28,8 @@ class AllDependencies : public clang::DependencyCollector {
 /// what their members are by default.
 class Consumer : public clang::ASTConsumer {
   bool shouldSkipFunctionBody(clang::Decl* declaration) override {
-    const auto* constructor = llvm::dyn_cast<clang::CXXConstructorDecl>(declaration);
+    const auto* constructor =
+        llvm::dyn_cast_or_null<clang::CXXConstructorDecl>(declaration->getAsFunction());
     return constructor == nullptr || !constructor->isDefaultConstructor() ||
            !isAnnotated(constructor->getParent(), Kind::Type);
   }

@@ -1,5 +1,6 @@
 #include "compiler/frontend/ast/initialiser.h"
 
+#include <clang/AST/DeclTemplate.h>
 #include <clang/AST/ExprCXX.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/AST/Stmt.h>
@@ -9,9 +10,16 @@
 namespace suture::compiler::frontend {
 namespace {
 
+// Of a template that is called without arguments it is the pattern, which is what can be seen.
 const clang::CXXConstructorDecl* writtenConstructor(const clang::CXXRecordDecl* record) {
   for (const clang::CXXConstructorDecl* one : record->ctors()) {
-    if (one->isDefaultConstructor() && one->isUserProvided()) return one;
+    if (one->isDefaultConstructor()) return one->isUserProvided() ? one : nullptr;
+  }
+  for (const clang::Decl* one : record->decls()) {
+    const auto* pattern = llvm::isa<clang::FunctionTemplateDecl>(one)
+                              ? llvm::dyn_cast<clang::CXXConstructorDecl>(one->getAsFunction())
+                              : nullptr;
+    if (pattern != nullptr && pattern->isDefaultConstructor()) return pattern;
   }
   return nullptr;
 }
@@ -85,7 +93,9 @@ class Mentions : public clang::RecursiveASTVisitor<Mentions> {
 }  // namespace
 
 const clang::Expr* initialiserOf(const clang::FieldDecl* field) {
-  if (const clang::Expr* found = inConstructor(field)) return found;
+  if (const clang::Expr* found = inConstructor(field)) {
+    return found->isInstantiationDependent() ? nullptr : found;
+  }
   if (!field->hasInClassInitializer()) return nullptr;
   const clang::Expr* found = field->getInClassInitializer();
   return found != nullptr ? found : inTemplate(field);
@@ -105,7 +115,8 @@ bool saysNothing(const clang::Expr* initialiser) {
 
 bool mayBeAssigned(const clang::FieldDecl* field) {
   const clang::CXXConstructorDecl* const constructor = writtenConstructor(field);
-  if (constructor == nullptr || inConstructor(field) != nullptr) return false;
+  if (constructor == nullptr) return false;
+  if (const clang::Expr* found = inConstructor(field)) return found->isInstantiationDependent();
   return isElsewhere(constructor) || Mentions(field).in(definitionOf(constructor)->getBody());
 }
 

@@ -18,4 +18,17 @@ struct SUTURE_TYPE() Limits {
   SUTURE_FIELD(range(1, 2)) std::array<double, 2> ones{1, 1};
   SUTURE_FIELD(range(1, 2), capacity(4)) std::vector<double> none_at_all;
 };
+struct SUTURE_TYPE() FromTemplate {
+  template <class T = double>
+  FromTemplate(T = {}) : shown(1.5), low(0.5) {}
+  SUTURE_FIELD(range(1, 2)) double shown;
+  SUTURE_FIELD(range(1, 2)) double low;
+  SUTURE_FIELD(range(1, 2)) double declared = 1;
+};
+struct Foreign {
+  template <class T = double>
+  Foreign(T late = {}) : given(late) {}
+  double given;
+};
+SUTURE_EXTERNAL_TYPE(Foreign, member(given, range(1, 2)));
 }  // namespace demo

@@ -57,6 +57,11 @@ struct SUTURE_TYPE() InList {
   InList() : number(7), late(later()), zero() {}
   int number, late, zero;
 };
+struct SUTURE_TYPE() InTemplate {
+  template <class T = int>
+  InTemplate(T late = {}) : number(7), given(late) {}
+  int number, given;
+};
 template <class T>
 struct SUTURE_TYPE() Box {
   T value{};
