@@ -78,6 +78,7 @@ void checkDefault(const Candidate& candidate, Default::State state, Mapping& map
           "give it a constant, or make it a std::optional");
       return;
     case Default::State::NotANumber:
+      if (candidate.isExternal) return;
       mapping.error(candidate.field, "default-nan",
                     subject + " is NaN by default, and no contract lets NaN pass",
                     "give it numbers, or make it a std::optional that is empty");

@@ -10,9 +10,9 @@
 
 #include <set>
 
-#include "compiler/frontend/ast/annotation.h"
 #include "compiler/frontend/ast/generated_headers.h"
 #include "compiler/frontend/ast/include_guard.h"
+#include "compiler/frontend/ast/names.h"
 
 namespace suture::compiler::frontend {
 namespace {
@@ -24,14 +24,19 @@ class AllDependencies : public clang::DependencyCollector {
   bool needSystemDependencies() override { return true; }
 };
 
-/// Reads no function's body but those of the default constructors of annotated types, which say
-/// what their members are by default.
+/// Reads no function's body but those of default constructors, which say what members are by
+/// default. SUTURE_EXTERNAL_TYPE may name any class later, except those of two large libraries.
 class Consumer : public clang::ASTConsumer {
   bool shouldSkipFunctionBody(clang::Decl* declaration) override {
     const auto* constructor =
         llvm::dyn_cast_or_null<clang::CXXConstructorDecl>(declaration->getAsFunction());
     return constructor == nullptr || !constructor->isDefaultConstructor() ||
-           !isAnnotated(constructor->getParent(), Kind::Type);
+           isOfLibrary(constructor);
+  }
+
+  static bool isOfLibrary(const clang::CXXConstructorDecl* constructor) {
+    const std::string name = qualifiedName(constructor->getParent());
+    return name.starts_with("std::") || name.starts_with("Eigen::");
   }
 };
 

@@ -89,6 +89,7 @@ ADDED = [
     ("half", "SUTURE_FIELD(range(-std::numeric_limits<double>::infinity(), 1)) double {} = 0.5", "0.5"),
     ("opaque", "Opaque {}", "<3>"),
     ("external", "External {}", "<1.5 2.5>"),
+    ("listed", "Listed {}", "<-1 4>"),
 ]
 
 HEADER = """#pragma once
@@ -180,6 +181,13 @@ struct External {
   double high = 2.5;
 };
 SUTURE_EXTERNAL_TYPE(External, low, high);
+
+/// Is another one, whose constructor says what it is by default.
+struct Listed {
+  Listed() : low(-1), high(4) {}
+  double low, high;
+};
+SUTURE_EXTERNAL_TYPE(Listed);
 
 struct SUTURE_TYPE() Base {
   Base() = default;

@@ -31,4 +31,9 @@ struct Foreign {
   double given;
 };
 SUTURE_EXTERNAL_TYPE(Foreign, member(given, range(1, 2)));
+struct Listed {
+  Listed() : low(0.5), within(1.5) {}
+  double low, within;
+};
+SUTURE_EXTERNAL_TYPE(Listed, member(low, range(1, 2)), member(within, range(1, 2)));
 }  // namespace demo

@@ -152,10 +152,8 @@ void toWire(const KDLFrameSlot& slot, wire::Frame::Builder out) {
 
 suture::Errc fromWire(wire::Frame::Reader in, KDLFrameSlot& slot, suture::Duration shift) {
   return suture::rpc::firstError({
-      in.hasP() ? fromWire(in.getP(), slot.p, shift)
-          : suture::rpc::fromDefault(KDL::Frame().p, slot.p),
-      in.hasM() ? fromWire(in.getM(), slot.M, shift)
-          : suture::rpc::fromDefault(KDL::Frame().M, slot.M),
+      fromWire(in.getP(), slot.p, shift),
+      fromWire(in.getM(), slot.M, shift),
   });
 }
 
@@ -171,10 +169,8 @@ void toWire(const KDLTwistSlot& slot, wire::Twist::Builder out) {
 
 suture::Errc fromWire(wire::Twist::Reader in, KDLTwistSlot& slot, suture::Duration shift) {
   return suture::rpc::firstError({
-      in.hasVel() ? fromWire(in.getVel(), slot.vel, shift)
-          : suture::rpc::fromDefault(KDL::Twist().vel, slot.vel),
-      in.hasRot() ? fromWire(in.getRot(), slot.rot, shift)
-          : suture::rpc::fromDefault(KDL::Twist().rot, slot.rot),
+      fromWire(in.getVel(), slot.vel, shift),
+      fromWire(in.getRot(), slot.rot, shift),
   });
 }
 
@@ -190,10 +186,8 @@ void toWire(const KDLWrenchSlot& slot, wire::Wrench::Builder out) {
 
 suture::Errc fromWire(wire::Wrench::Reader in, KDLWrenchSlot& slot, suture::Duration shift) {
   return suture::rpc::firstError({
-      in.hasForce() ? fromWire(in.getForce(), slot.force, shift)
-          : suture::rpc::fromDefault(KDL::Wrench().force, slot.force),
-      in.hasTorque() ? fromWire(in.getTorque(), slot.torque, shift)
-          : suture::rpc::fromDefault(KDL::Wrench().torque, slot.torque),
+      fromWire(in.getForce(), slot.force, shift),
+      fromWire(in.getTorque(), slot.torque, shift),
   });
 }
 
