@@ -61,6 +61,11 @@ bool isKey(const model::Type& type) {
          (type.shape == Shape::Scalar && !real);
 }
 
+bool isPlainChar(clang::QualType type) {
+  return type->isSpecificBuiltinType(clang::BuiltinType::Char_S) ||
+         type->isSpecificBuiltinType(clang::BuiltinType::Char_U);
+}
+
 MappedType withKey(const Specialisation* type, Shape shape,
                    const std::vector<clang::QualType>& elements, const NamedTypes& names) {
   const auto count = static_cast<unsigned>(elements.size());
@@ -71,6 +76,10 @@ MappedType withKey(const Specialisation* type, Shape shape,
   if (!order) return notDefault("order", templateName(type));
   if (!isDefault(type, count + (hashed ? 2 : 1), "std::allocator")) {
     return notDefault("allocator", templateName(type));
+  }
+  if (isPlainChar(elements.front()) && names.isForeign()) {
+    return TypeProblem{"map-key", "'char' keys have another order on other machines",
+                       "use std::int8_t"};
   }
   MappedType mapped = withElements(type, ofShape(shape), elements, names);
   if (auto* done = std::get_if<model::Type>(&mapped)) {

@@ -104,7 +104,7 @@ std::optional<model::Type> Mapping::typeOf(const clang::NamedDecl* declaration,
     return std::nullopt;
   }
   const bool foreign = isForeign(declaration);
-  MappedType mapped = foreign ? mapForeignType(type, names_, context_) : mapType(type, names_);
+  MappedType mapped = mapType(type, names_.within(foreign));
   if (const auto* problem = std::get_if<TypeProblem>(&mapped)) {
     model::Diagnostic& finding = error(
         declaration, problem->slug,

@@ -6,6 +6,7 @@
 #include <clang/Sema/Sema.h>
 
 #include <map>
+#include <memory>
 #include <string>
 
 namespace suture::compiler::frontend {
@@ -13,6 +14,15 @@ namespace suture::compiler::frontend {
 class NamedTypes {
  public:
   explicit NamedTypes(clang::Sema& semantics) : semantics_(semantics) {}
+
+  /// Returns the same names, for the members of a struct that can be edited or not. In one that
+  /// cannot, a char and a long long are carried as the integers of their size.
+  NamedTypes within(bool isForeign) const {
+    NamedTypes result = *this;
+    result.isForeign_ = isForeign;
+    return result;
+  }
+  bool isForeign() const { return isForeign_; }
 
   /// Instantiates what clang has not needed yet.
   clang::Sema& semantics() const { return semantics_; }
@@ -24,18 +34,20 @@ class NamedTypes {
 
   /// Null if the type has its own name or none.
   const Entry* find(const clang::TagDecl* type) const {
-    const auto found = entries_.find(type->getCanonicalDecl());
-    return found == entries_.end() ? nullptr : &found->second;
+    const auto found = entries_->find(type->getCanonicalDecl());
+    return found == entries_->end() ? nullptr : &found->second;
   }
 
   /// The entry that is there already, else the new one.
   const Entry& add(const clang::TagDecl* type, const Entry& entry) {
-    return entries_.try_emplace(type->getCanonicalDecl(), entry).first->second;
+    return entries_->try_emplace(type->getCanonicalDecl(), entry).first->second;
   }
 
  private:
   clang::Sema& semantics_;
-  std::map<const clang::TagDecl*, Entry> entries_;
+  std::shared_ptr<std::map<const clang::TagDecl*, Entry>> entries_ =
+      std::make_shared<std::map<const clang::TagDecl*, Entry>>();
+  bool isForeign_ = false;
 };
 
 }  // namespace suture::compiler::frontend

@@ -42,4 +42,16 @@ MappedType mapBuiltin(const clang::BuiltinType* type) {
   }
 }
 
+MappedType mapForeignBuiltin(const clang::BuiltinType* type) {
+  using clang::BuiltinType;
+  using model::Scalar;
+  switch (type->getKind()) {
+    case BuiltinType::Char_S:
+    case BuiltinType::Char_U: return scalar(Scalar::Int8, "char");
+    case BuiltinType::LongLong: return scalar(Scalar::Int64, "long long");
+    case BuiltinType::ULongLong: return scalar(Scalar::UInt64, "unsigned long long");
+    default: return mapBuiltin(type);
+  }
+}
+
 }  // namespace suture::compiler::frontend

@@ -102,7 +102,9 @@ MappedType mapCArray(const clang::ConstantArrayType* type, const NamedTypes& nam
 }
 
 MappedType mapCanonical(clang::QualType type, const NamedTypes& names) {
-  if (const auto* builtin = type->getAs<clang::BuiltinType>()) return mapBuiltin(builtin);
+  if (const auto* builtin = type->getAs<clang::BuiltinType>()) {
+    return names.isForeign() ? mapForeignBuiltin(builtin) : mapBuiltin(builtin);
+  }
   if (const auto* enumeration = type->getAs<clang::EnumType>()) {
     return mapEnum(enumeration->getDecl(), names);
   }
@@ -136,50 +138,6 @@ MappedType mapType(clang::QualType type, const NamedTypes& names) {
                        "drop const"};
   }
   return mapCanonical(canonical, names);
-}
-
-namespace {
-
-/// The type with the integers of a slot in place of others, which `replaced` tells; arrays too.
-clang::QualType withSlotIntegers(clang::QualType type, const clang::ASTContext& context,
-                                 clang::QualType& replaced) {
-  if (const auto* array = llvm::dyn_cast<clang::ConstantArrayType>(type.getTypePtr())) {
-    return context.getConstantArrayType(
-        withSlotIntegers(array->getElementType(), context, replaced), array->getSize(), nullptr,
-        array->getSizeModifier(), array->getIndexTypeCVRQualifiers());
-  }
-  const auto* builtin = type->getAs<clang::BuiltinType>();
-  if (builtin == nullptr || type.isLocalConstQualified()) return type;
-  const auto replace = [&](clang::QualType integer) {
-    replaced = type;
-    return integer;
-  };
-  switch (builtin->getKind()) {
-    case clang::BuiltinType::Char_S:
-    case clang::BuiltinType::Char_U: return replace(context.SignedCharTy);
-    case clang::BuiltinType::LongLong: return replace(context.LongTy);
-    case clang::BuiltinType::ULongLong: return replace(context.UnsignedLongTy);
-    default: return type;
-  }
-}
-
-/// Spells an integer, or an array of them, as its struct does.
-void respell(model::Type& type, const std::string& integer) {
-  const std::size_t extent = std::min(type.spelling.find('['), type.spelling.size());
-  type.spelling = integer + type.spelling.substr(extent);
-  for (model::Type& element : type.element) respell(element, integer);
-}
-
-}  // namespace
-
-MappedType mapForeignType(clang::QualType type, const NamedTypes& names,
-                          const clang::ASTContext& context) {
-  clang::QualType replaced;
-  const clang::QualType carried = withSlotIntegers(type.getCanonicalType(), context, replaced);
-  if (replaced.isNull()) return mapType(type, names);
-  MappedType mapped = mapType(carried, names);
-  if (auto* done = std::get_if<model::Type>(&mapped)) respell(*done, spelled(replaced, context));
-  return mapped;
 }
 
 TypeProblem noWireForm() {

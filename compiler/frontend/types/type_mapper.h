@@ -27,11 +27,6 @@ using MappedType = std::variant<model::Type, TypeProblem>;
 /// The wire view of a type that is held by value; const and references must be off.
 MappedType mapType(clang::QualType type, const NamedTypes& names);
 
-/// The same in a struct that cannot be edited: there a char and a long long are carried as the
-/// integers of their size.
-MappedType mapForeignType(clang::QualType type, const NamedTypes& names,
-                          const clang::ASTContext& context);
-
 /// The problem of a type that is none of those that a wire carries.
 TypeProblem noWireForm();
 

@@ -48,7 +48,7 @@ std::optional<MappedType> mapByHook(const clang::CXXRecordDecl* type, const Name
                        "'static T from(const Type&)' here",
                        hook};
   }
-  MappedType mapped = mapType(form->getUnderlyingType(), names);
+  MappedType mapped = mapType(form->getUnderlyingType(), names.within(false));
   if (auto* problem = std::get_if<TypeProblem>(&mapped)) {
     problem->reason = "the Type of its suture::Wire: " + problem->reason;
   } else {

@@ -1,6 +1,8 @@
 #pragma once
 #include <suture/annotate.h>
+#include <map>
 #include <thread>
+#include <vector>
 namespace lib {
 struct Point {
   double x, y;
@@ -24,6 +26,10 @@ struct View {
   const double& again = x;
   void* raw = nullptr;
 };
+struct Codes {
+  std::map<char, int> names;
+  std::vector<char> bytes;
+};
 }  // namespace lib
 namespace demo {
 struct SUTURE_TYPE() Ours {
@@ -39,4 +45,5 @@ SUTURE_EXTERNAL_TYPE(int);
 SUTURE_EXTERNAL_TYPE(lib::Mode, name("Pace"));
 SUTURE_EXTERNAL_TYPE(lib::Secret);
 SUTURE_EXTERNAL_TYPE(lib::View, all(), member(x, unit("parsec")));
+SUTURE_EXTERNAL_TYPE(lib::Codes);
 }  // namespace demo

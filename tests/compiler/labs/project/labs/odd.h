@@ -8,12 +8,32 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+namespace device {
+
+/// Has text and bytes as old drivers have them, and integers that no slot has.
+struct Packet {
+  std::array<char, 5> id{};
+  std::vector<char> payload;
+  std::vector<char> block;
+  std::optional<char> key;
+  std::map<long long, std::vector<char>> parts;
+  std::array<std::array<char, 3>, 2> grid{};
+  char line[4] = {};
+};
+
+}  // namespace device
+
 namespace odd {
+
+SUTURE_EXTERNAL_TYPE(device::Packet, all(), member(payload, capacity(16)),
+                     member(block, capacity(8), bulk()), member(parts, capacity(2, 4)));
 
 struct SUTURE_TYPE() Text {
   std::int32_t letters = 0;
