@@ -108,35 +108,59 @@ bool isPacked(const clang::FieldDecl* field) {
   return field->hasAttr<clang::PackedAttr>() || given < wanted;
 }
 
+/// Says how SUTURE_EXTERNAL_TYPE leaves a field out, or each member of an anonymous union or
+/// struct.
+std::string skipsOf(const clang::FieldDecl* field) {
+  if (!field->isAnonymousStructOrUnion()) {
+    return ", member(" + field->getNameAsString() + ", skip())";
+  }
+  std::string all;
+  for (const clang::FieldDecl* part : field->getType()->getAsRecordDecl()->fields()) {
+    all += skipsOf(part);
+  }
+  return all;
+}
+
 /// Reports why a field cannot be on the wire, whatever its type. True if an error was reported.
 bool rejectField(const Candidate& candidate, Mapping& mapping) {
   const clang::FieldDecl* field = candidate.field;
   const std::string subject = fieldSubject(field);
+  const auto reject = [&](const char* slug, const std::string& message, const std::string& help) {
+    mapping.error(field, slug, message,
+                  candidate.isExternal ? "leave it out: all()" + skipsOf(field) : help);
+    return true;
+  };
+  const std::string offTheWire = "keep it off the wire: SUTURE_FIELD(skip())";
   if (!field->getIdentifier() && field->getType()->isUnionType()) {
-    mapping.error(field, "union", "an anonymous union carries no tag", "use std::variant");
-  } else if (!field->getIdentifier()) {
-    mapping.error(field, "unnamed-field", "an unnamed field has no stable wire name", "name it");
-  } else if (field->getAccess() != clang::AS_public && !candidate.reachable) {
-    mapping.error(field, "private-field", subject + " is not public",
-                  "write SUTURE_FRIEND() in the class, or SUTURE_FIELD(skip()) on the field");
-  } else if (field->isBitField()) {
-    mapping.error(field, "bit-field", subject + " is a bit-field; its width would be lost",
-                  "use a plain integer with range()");
-  } else if (isPacked(field) && field->getAccess() != clang::AS_public) {
-    mapping.error(field, "packed", subject + " is packed and not public",
-                  "make it public, or keep it off the wire: SUTURE_FIELD(skip())");
-  } else if (isPacked(field) && !field->getType().isTriviallyCopyableType(field->getASTContext())) {
-    mapping.error(field, "packed", subject + " is packed, and its type cannot be copied as bytes",
-                  "keep it off the wire: SUTURE_FIELD(skip())");
-  } else if (field->isMutable()) {
-    mapping.error(field, "mutable", subject + " is mutable; it is not part of the value",
-                  "keep it off the wire: SUTURE_FIELD(skip())");
-  } else if (candidate.annotation.fallback) {
-    mapping.error(field, "misplaced-argument", "fallback() applies to an enumerator", "drop it");
-  } else {
-    return false;
+    return reject("union", "an anonymous union carries no tag", "use std::variant");
   }
-  return true;
+  if (!field->getIdentifier()) {
+    return reject("unnamed-field", "an unnamed field has no stable wire name", "name it");
+  }
+  if (field->getAccess() != clang::AS_public && !candidate.reachable) {
+    return reject("private-field", subject + " is not public",
+                  "write SUTURE_FRIEND() in the class, or SUTURE_FIELD(skip()) on the field");
+  }
+  if (field->isBitField()) {
+    return reject("bit-field", subject + " is a bit-field; its width would be lost",
+                  "use a plain integer with range()");
+  }
+  if (isPacked(field) && field->getAccess() != clang::AS_public) {
+    return reject("packed", subject + " is packed and not public",
+                  "make it public, or " + offTheWire);
+  }
+  if (isPacked(field) && !field->getType().isTriviallyCopyableType(field->getASTContext())) {
+    return reject("packed", subject + " is packed, and its type cannot be copied as bytes",
+                  offTheWire);
+  }
+  if (field->isMutable()) {
+    return reject("mutable", subject + " is mutable; it is not part of the value", offTheWire);
+  }
+  if (candidate.annotation.fallback) {
+    mapping.error(field, "misplaced-argument", "fallback() applies to an enumerator", "drop it");
+    return true;
+  }
+  return false;
 }
 
 std::optional<model::Field> mapField(const Candidate& candidate, Mapping& mapping) {
@@ -226,6 +250,18 @@ bool isDefaultConstructible(const clang::CXXRecordDecl* declaration) {
 /// Tells if SUTURE_EXTERNAL_TYPE means each public member.
 bool meansAll(const Annotation& external) { return external.all || external.members.empty(); }
 
+/// Tells if each member of an anonymous union or struct is skipped by its own name.
+bool isSkippedWhole(const clang::FieldDecl* field, const std::vector<Candidate>& listed) {
+  const clang::RecordDecl* const record = field->getType()->getAsRecordDecl();
+  if (!field->isAnonymousStructOrUnion() || record == nullptr) return false;
+  return std::all_of(record->field_begin(), record->field_end(), [&](const clang::FieldDecl* part) {
+    return isSkippedWhole(part, listed) ||
+           std::any_of(listed.begin(), listed.end(), [&](const Candidate& one) {
+             return one.field == part && one.annotation.skip;
+           });
+  });
+}
+
 /// The members that SUTURE_EXTERNAL_TYPE means; findings about those that it lists appear there.
 std::vector<Candidate> externalCandidates(const DataDeclaration& declared, Mapping& mapping) {
   std::vector<Candidate> listed;
@@ -236,11 +272,12 @@ std::vector<Candidate> externalCandidates(const DataDeclaration& declared, Mappi
   if (!meansAll(*declared.external)) return listed;
   std::vector<Candidate> all;
   for (const clang::FieldDecl* field : declared.record->fields()) {
+    if (field->isUnnamedBitField()) continue;  // it has no value
     const auto own = std::find_if(listed.begin(), listed.end(),
                                   [&](const Candidate& one) { return one.field == field; });
     if (own != listed.end()) {
       all.push_back(*own);
-    } else if (field->getAccess() == clang::AS_public) {
+    } else if (field->getAccess() == clang::AS_public && !isSkippedWhole(field, listed)) {
       mapping.addForeign(field, field->getLocation(), declared.place);
       all.push_back({field, {}, true, false});
     }

@@ -186,6 +186,10 @@ constexpr Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arg
   return {arguments..., pointer};
 }
 
+/// Stands for a value of an external type where a member is only named.
+template <class T>
+T& any();
+
 }  // namespace suture::dsl
 
 // This qualifies each argument with ::suture::dsl:: (up to eight of them).
@@ -225,7 +229,13 @@ constexpr Member<Pointer, Arguments...> member(Pointer pointer, Arguments... arg
 #define SUTURE_ITEM_PLAIN(item, ...) ::suture::dsl::member(&Type::item)
 #define SUTURE_ITEM_CALL(item, ...) ::suture::dsl::item
 #define SUTURE_ITEM_ANNOTATED(item, ...) ::suture::dsl::member(__VA_ARGS__)
-#define SUTURE_OPEN_member(m, ...) &Type::m SUTURE_DSL(__VA_ARGS__)
+// Nothing can point to a bit-field, so a member that is skipped is only mentioned.
+#define SUTURE_OPEN_member(m, ...) \
+  SUTURE_ITEM_KIND(SUTURE_SAYS(__VA_ARGS__), SUTURE_POINTER, )(m) SUTURE_DSL(__VA_ARGS__)
+#define SUTURE_SAYS(first, ...) SUTURE_SAYS_##first
+#define SUTURE_SAYS_skip(...) ~, SUTURE_MENTION
+#define SUTURE_POINTER(m) &Type::m
+#define SUTURE_MENTION(m) noexcept(::suture::dsl::any<Type>().m)
 #define SUTURE_AGAIN() SUTURE_ITEMS_LOOP
 #define SUTURE_ITEMS_LOOP(item, ...) \
   SUTURE_ITEM(item) __VA_OPT__(SUTURE_AGAIN SUTURE_LATER()()(__VA_ARGS__))

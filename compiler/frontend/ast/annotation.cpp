@@ -84,8 +84,19 @@ std::vector<unsigned> capacityOf(const clang::APValue& value) {
   return levels;
 }
 
+/// Returns what dsl::member(noexcept(any<Type>().m), ...) names; null of another argument.
+const clang::MemberExpr* mentionedMember(const clang::Stmt* argument) {
+  if (const auto* member = llvm::dyn_cast<clang::MemberExpr>(argument)) return member;
+  for (const clang::Stmt* child : argument->children()) {
+    const clang::MemberExpr* const found = child ? mentionedMember(child) : nullptr;
+    if (found != nullptr) return found;
+  }
+  return nullptr;
+}
+
 /// Finds where dsl::member(&Type::m, ...) names m.
 clang::SourceLocation memberPlace(const clang::Stmt* argument) {
+  if (const auto* mentioned = mentionedMember(argument)) return mentioned->getMemberLoc();
   if (const auto* reference = llvm::dyn_cast<clang::DeclRefExpr>(argument)) {
     if (!llvm::isa<clang::FunctionDecl>(reference->getDecl()) ||
         llvm::isa<clang::CXXMethodDecl>(reference->getDecl())) {
@@ -116,7 +127,10 @@ class Reader {
  private:
   void readArgument(const clang::Expr* argument) {
     const std::optional<clang::APValue> value = constantOf(argument);
-    if (nameOf(argument->getType()) == "member") place_ = memberPlace(argument);
+    if (nameOf(argument->getType()) == "member") {
+      place_ = memberPlace(argument);
+      mentioned_ = mentionedMember(argument);
+    }
     readValue(argument->getType(), value);
   }
 
@@ -185,8 +199,10 @@ class Reader {
 
   /// Reads a member, whose qualifiers are the bases of the value.
   void readMember(clang::QualType type, const clang::APValue& value) {
-    const auto* field =
-        llvm::dyn_cast_or_null<clang::FieldDecl>(value.getStructField(0).getMemberPointerDecl());
+    const clang::ValueDecl* const named = mentioned_ != nullptr
+                                              ? mentioned_->getMemberDecl()
+                                              : value.getStructField(0).getMemberPointerDecl();
+    const auto* field = llvm::dyn_cast_or_null<clang::FieldDecl>(named);
     if (!field) {
       return problem("bad-argument", "an argument of SUTURE_EXTERNAL_TYPE() is not a data member",
                      "list data members of the type");
@@ -220,7 +236,8 @@ class Reader {
   Annotation result_;
   std::set<std::string> seen_;
   std::vector<AnnotationProblem>& problems_;
-  clang::SourceLocation place_;  // of the listed member that is being read
+  clang::SourceLocation place_;                   // of the listed member that is being read
+  const clang::MemberExpr* mentioned_ = nullptr;  // that member, where nothing points to it
 };
 
 }  // namespace

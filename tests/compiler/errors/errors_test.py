@@ -28,7 +28,7 @@ SLUG_FORMS = [
     r'addError\(\s*\w+,\s*[\w.>-]+,\s*"([a-z-]+)"',
     r'[\w.]*source, "([a-z-]+)",',
     r'TypeProblem\{\s*"([a-z-]+)"',
-    r'problem\(\s*"([a-z-]+)"',
+    r'\b(?:problem|reject)\(\s*"([a-z-]+)"',
     r'return \{\s*"([a-z-]+)"',
     r'\] = \{\s*"([a-z-]+)"',
     r"\[suture-([a-z-]+)\]",

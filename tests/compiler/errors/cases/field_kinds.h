@@ -11,4 +11,18 @@ struct SUTURE_TYPE() Fields {
  private:
   int hidden = 0;
 };
+struct Register {
+  int value = 0;
+  unsigned ready : 1;
+  unsigned busy : 1;
+  union {
+    float number;
+    unsigned bits;
+  };
+  union {
+    int left, right;
+  };
+};
+SUTURE_EXTERNAL_TYPE(Register, all(), member(busy, skip()), member(number, skip()),
+                     member(bits, skip()), member(left, skip()));
 }  // namespace demo

@@ -18,8 +18,7 @@ SUTURE_EXTERNAL_TYPE(mavlink_attitude_t, all(), member(roll, unit("rad")),
 SUTURE_EXTERNAL_TYPE(mavlink_battery_status_t);
 SUTURE_EXTERNAL_TYPE(mavlink_odometry_t);
 SUTURE_EXTERNAL_TYPE(mavlink_statustext_t);
-SUTURE_EXTERNAL_TYPE(mavlink_message_t, checksum, magic, len, incompat_flags, compat_flags, seq,
-                     sysid, compid, member(payload64, bulk()), ck, signature);
+SUTURE_EXTERNAL_TYPE(mavlink_message_t, all(), member(msgid, skip()), member(payload64, bulk()));
 
 /// A flight controller.
 class SUTURE_INTERFACE() Autopilot {
