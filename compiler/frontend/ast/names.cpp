@@ -15,7 +15,7 @@ std::string scopeOf(const clang::DeclContext* context) {
   while (context && !context->isTranslationUnit()) {
     const auto* space = llvm::dyn_cast<clang::NamespaceDecl>(context);
     const auto* named = llvm::dyn_cast<clang::NamedDecl>(context);
-    if (named && !(space && space->isInline())) {
+    if (named && !(space && (space->isInline() || space->isAnonymousNamespace()))) {
       return joined(scopeOf(context->getParent()), plainName(named));
     }
     context = context->getParent();

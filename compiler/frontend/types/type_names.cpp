@@ -46,6 +46,7 @@ std::optional<DataDeclaration> TypeNames::addAlias(const clang::TypedefNameDecl*
     return std::nullopt;  // clang has said why
   }
   const auto* instance = annotatedInstance(alias->getUnderlyingType());
+  if (!checkVisible(instance, alias)) return std::nullopt;
   DataDeclaration declared{llvm::cast<clang::CXXRecordDecl>(instance->getDefinition()), alias,
                            qualifiedName(alias),
                            wireTypeName(model::Named::Type, alias, std::nullopt), std::nullopt};
@@ -77,6 +78,7 @@ TypeNames::External TypeNames::addExternal(const clang::CXXMethodDecl* members) 
         name ? "drop SUTURE_EXTERNAL_TYPE()" : "give it one with 'using', and list that");
     return {};
   }
+  if (!checkVisible(tag, members)) return {};
   const std::string known = qualifiedName(name);
   const std::string onWire = wireTypeName(model::Named::Type, name, annotation.name);
   if (!add(tag, {known, members}, false)) return {};
@@ -87,6 +89,13 @@ TypeNames::External TypeNames::addExternal(const clang::CXXMethodDecl* members) 
   // An enum within an instance of a template is defined only when somebody asks for it.
   if (semantics_.RequireCompleteEnumDecl(enumeration, members->getLocation())) return {};
   return EnumDeclaration{enumeration->getDefinition(), members, known, onWire};
+}
+
+bool TypeNames::checkVisible(const clang::TagDecl* type, const clang::NamedDecl* place) {
+  if (type->isExternallyVisible()) return true;
+  mapping_.error(place, "local-type", "'" + plainName(type) + "' is not visible outside its file",
+                 "move it, and what it is made of, into a named namespace");
+  return false;
 }
 
 bool TypeNames::add(const clang::TagDecl* type, const NamedTypes::Entry& added, bool isAlias) {

@@ -23,6 +23,8 @@ class TypeNames {
   External addExternal(const clang::CXXMethodDecl* members);
 
  private:
+  /// False after an error: generated code cannot name the type.
+  bool checkVisible(const clang::TagDecl* type, const clang::NamedDecl* place);
   /// False after an error: the type has a name already.
   bool add(const clang::TagDecl* type, const NamedTypes::Entry& entry, bool isAlias);
 

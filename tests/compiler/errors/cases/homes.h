@@ -6,6 +6,25 @@ struct SUTURE_TYPE() Hidden {
   int x = 0;
 };
 }  // namespace
+namespace {
+struct Foreign {
+  int x = 0;
+};
+enum class Kind { One, Two };
+template <class T>
+struct SUTURE_TYPE() Case {
+  T content{};
+};
+}  // namespace
+template <class T>
+struct Shelf {
+  T content{};
+};
+using HiddenShelf = Shelf<Foreign>;
+using IntCase = Case<int>;
+SUTURE_EXTERNAL_TYPE(Foreign);
+SUTURE_EXTERNAL_TYPE(Kind);
+SUTURE_EXTERNAL_TYPE(HiddenShelf);
 class Outer {
  public:
   class SUTURE_INTERFACE() Contract {};
