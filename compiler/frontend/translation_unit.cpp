@@ -25,13 +25,14 @@ class AllDependencies : public clang::DependencyCollector {
 };
 
 /// Reads no function's body but those of default constructors, which say what members are by
-/// default. SUTURE_EXTERNAL_TYPE may name any class later, except those of two large libraries.
+/// default. SUTURE_EXTERNAL_TYPE may name any class later, except those of two large libraries, and
+/// polymorphic ones: these are no data, and a component's body calls what is not generated yet.
 class Consumer : public clang::ASTConsumer {
   bool shouldSkipFunctionBody(clang::Decl* declaration) override {
     const auto* constructor =
         llvm::dyn_cast_or_null<clang::CXXConstructorDecl>(declaration->getAsFunction());
     return constructor == nullptr || !constructor->isDefaultConstructor() ||
-           isOfLibrary(constructor);
+           constructor->getParent()->isPolymorphic() || isOfLibrary(constructor);
   }
 
   static bool isOfLibrary(const clang::CXXConstructorDecl* constructor) {

@@ -92,14 +92,14 @@ BREAKING = FIELDS + COMMANDS + EVENTS + CONTRACTS
 SWAPPED = "two names, exchanged by `was()`"
 
 # The lock does not say whether it is the member or the base that it knows; name() on the member says so.
-BASE = "struct SUTURE_TYPE() {T}Base {\n  double a = 1;\n};\n"
+BASE_STRUCT = "struct SUTURE_TYPE() {T}Base {\n  double a = 1;\n};\n"
 MEMBER = "  {T}Base base;"
 
 # No tool can accept these: no lock tells what is meant, or capnp's C++ would have one name twice.
 IMPOSSIBLE = [
     Edit("base added beside a member of its type called base", "a field or a base",
-         Side(types=BASE + "struct SUTURE_TYPE() {T} {\n%s\n};\n" % MEMBER),
-         Side(types=BASE + "struct SUTURE_TYPE() {T} : {T}Base {\n%s\n};\n" % MEMBER),
+         Side(types=BASE_STRUCT + "struct SUTURE_TYPE() {T} {\n%s\n};\n" % MEMBER),
+         Side(types=BASE_STRUCT + "struct SUTURE_TYPE() {T} : {T}Base {\n%s\n};\n" % MEMBER),
          "wire-name-clash", "wire-name-clash", "wire-name-clash", NOTHING),
     Edit("two names swapped with was", SWAPPED, record("  double a = 1;\n  double b = 2;"),
          record('  SUTURE_FIELD(was("b")) double a = 1;\n  SUTURE_FIELD(was("a")) double b = 2;'),
