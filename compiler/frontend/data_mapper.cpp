@@ -327,7 +327,8 @@ model::Enum mapEnumDeclaration(const EnumDeclaration& declared, Mapping& mapping
   result.name = declared.name;
   result.wireName = declared.wireName;
   result.isOpen = !declaration->isFixed();
-  if (!declaration->isScoped() && !declared.isExternal()) {
+  const bool leaks = !declaration->isScoped() && !declaration->getDeclContext()->isRecord();
+  if (leaks && !declared.isExternal()) {
     mapping.error(declaration, "unscoped-enum",
                   "enum '" + plainName(declaration) + "' leaks its enumerators' names",
                   "declare it as enum class");

@@ -104,7 +104,18 @@ struct SUTURE_TYPE() Alike : Text {
   Twins twins = Twins::FIRST;
 };
 
+/// Its enums are those of a class of C++98, whose enumerators are its own.
+class SUTURE_TYPE() Motor {
+ public:
+  enum SUTURE_TYPE() Mode { Off, On };
+  enum SUTURE_TYPE() Brake : std::uint8_t { Open, Shut };
+
+  Mode mode = Off;
+  Brake brake = Shut;
+};
+
 struct SUTURE_TYPE() Everything {
+  Motor motor;
   Alike alike;
   Text text;
   Data data;
@@ -122,6 +133,7 @@ class SUTURE_INTERFACE() Client {
   virtual ~Client() = default;
   SUTURE_COMMAND() virtual void subscribe(const Everything& sent) = 0;
   SUTURE_COMMAND() virtual double stamp() const = 0;
+  SUTURE_COMMAND() virtual Motor::Mode mode() const = 0;
   SUTURE_COMMAND() virtual void keep(const Old& old, Highest value, std::int32_t slot) = 0;
   SUTURE_EVENT() suture::EventOf<Bool> state;
 };
