@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/emit/cpp/file_parts.h"
 #include "compiler/emit/cpp/files.h"
@@ -8,6 +9,7 @@
 #include "compiler/emit/wire/converters.h"
 #include "compiler/emit/wire/encodings.h"
 #include "compiler/emit/wire/value_checks.h"
+#include "compiler/emit/wire/wire_form.h"
 #include "compiler/emit/wire/wire_places.h"
 #include "compiler/model/naming.h"
 
@@ -30,7 +32,31 @@ bool hasPackedFields(const model::Header& header) {
   });
 }
 
-void emitSourceIncludes(Code& code, const Context& context, bool converts, bool limits) {
+bool isInfinite(const std::optional<std::pair<double, double>>& range) {
+  return range && (std::isinf(range->first) || std::isinf(range->second));
+}
+
+/// True if a bound that some value of the header has is a constant of <limits>.
+bool namesLimits(const Context& context) {
+  const model::Header& header = context.header;
+  const auto any = [](const auto& all, const auto& isIt) {
+    return std::any_of(all.begin(), all.end(), isIt);
+  };
+  const auto byRange = [](const auto& one) { return isInfinite(one.range); };
+  const auto ofCommand = [&](const model::Command& one) {
+    return any(one.parameters, byRange) || isInfinite(one.resultRange);
+  };
+  return any(header.enums, hasLowestNumber) ||
+         any(header.structs,
+             [&](const model::Struct& one) { return any(fieldValues(one, context), byRange); }) ||
+         any(header.interfaces, [&](const model::Interface& one) {
+           return any(one.commands, ofCommand) || any(one.events, [&](const model::Event& event) {
+                    return any(event.limits, byRange);
+                  });
+         });
+}
+
+void emitSourceIncludes(Code& code, const Context& context, bool converts) {
   const model::Header& header = context.header;
   code.line("#include \"", model::stemOf(header.path), ".suture.h\"").blank();
   if (!header.components.empty() || readsForOthers(context)) {
@@ -43,7 +69,7 @@ void emitSourceIncludes(Code& code, const Context& context, bool converts, bool 
   if (converts) includeAll(code, "wire/", {"wire"});
   if (hasPackedFields(header)) includeAll(code, "base/slots/", {"packed_fields", "slots"});
   code.blank();
-  if (limits) code.line("#include <limits>");
+  if (namesLimits(context)) code.line("#include <limits>");
   code.line("#include <type_traits>").blank();
   if (converts) code.line("#include \"", model::stemOf(header.path), ".capnp.h\"").blank();
 }
@@ -102,8 +128,7 @@ std::string sourceFile(const Context& context) {
   const std::string body = sourceBody(context);
   Code code;
   code.verbatim(banner(context.header));
-  emitSourceIncludes(code, context, converts(context),
-                     body.find("std::numeric_limits") != body.npos);
+  emitSourceIncludes(code, context, converts(context));
   if (mentionsDeprecated(context)) ignoreDeprecation(code);
   code.verbatim(body);
   return code.finished();

@@ -274,10 +274,23 @@ std::string valueText(const model::Enum& type, const model::Enumerator& enumerat
              : std::to_string(enumerator.value);
 }
 
+namespace {
+
+/// Tells if the value is the one that no literal of C++ spells.
+bool isLowestNumber(const model::Enum& type, const model::Enumerator& enumerator) {
+  return type.underlying == Scalar::Int64 &&
+         enumerator.value == std::numeric_limits<std::int64_t>::min();
+}
+
+}  // namespace
+
+bool hasLowestNumber(const model::Enum& type) {
+  return std::any_of(type.enumerators.begin(), type.enumerators.end(),
+                     [&](const auto& one) { return isLowestNumber(type, one); });
+}
+
 std::string valueLiteral(const model::Enum& type, const model::Enumerator& enumerator) {
-  if (enumerator.value == std::numeric_limits<std::int64_t>::min()) {
-    if (type.underlying == Scalar::Int64) return "std::numeric_limits<std::int64_t>::min()";
-  }
+  if (isLowestNumber(type, enumerator)) return "std::numeric_limits<std::int64_t>::min()";
   const bool wide = type.underlying == Scalar::UInt32 || type.underlying == Scalar::UInt64;
   return groupedDigits(valueText(type, enumerator)) + (wide ? "u" : "");
 }

@@ -97,5 +97,7 @@ std::string valueText(const model::Enum& type, const model::Enumerator& enumerat
 
 /// Returns the same as a C++ constant of the underlying type: "18'446'744'073'709'551'615u".
 std::string valueLiteral(const model::Enum& type, const model::Enumerator& enumerator);
+/// Tells if one of its values is written as a constant of <limits>.
+bool hasLowestNumber(const model::Enum& type);
 
 }  // namespace suture::compiler::emit

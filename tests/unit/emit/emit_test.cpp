@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "compiler/emit/cpp/component_library.h"
@@ -98,6 +99,22 @@ TEST_F(EmitTest, DocumentationIsCarriedOver) {
   arm().commands[0].doc.text = "Powers the arm.";
   EXPECT_TRUE(contains(text("robots/arm.suture.h"), "  /// Powers the arm.\n"));
   EXPECT_TRUE(contains(text("robots/arm.suture.json"), "\"doc\": \"Powers the arm.\""));
+}
+
+TEST_F(EmitTest, LimitsAreIncludedWhereABoundNamesThem) {
+  const auto includesLimits = [this] {
+    return contains(text("robots/arm.suture.cpp"), "#include <limits>\n");
+  };
+  arm().doc.text = "Admits std::numeric_limits<double>::infinity() nowhere.";
+  EXPECT_FALSE(includesLimits());
+  for (model::Command& command : arm().commands) {
+    for (model::Parameter& one : command.parameters) {
+      if (one.type.shape == model::Type::Shape::Scalar) {
+        one.range = {0, std::numeric_limits<double>::infinity()};
+      }
+    }
+  }
+  EXPECT_TRUE(includesLimits());
 }
 
 TEST_F(EmitTest, AContractOfNothingIsStillWellFormed) {
