@@ -27,7 +27,7 @@ struct CrossoverParameters {
 /// This is McRuer's crossover model: whatever operators control, the operator and the controlled
 /// system together behave like
 ///
-///     Y_p Y_c = w_c exp(-j w tau) / (j w)
+///   Y_p Y_c = w_c exp(-j w tau) / (j w)
 ///
 /// around the frequency of crossover w_c (McRuer and Jex, "A review of quasi-linear pilot models",
 /// 1967). So what they control moves at w_c times the error that they saw tau ago. The loop is

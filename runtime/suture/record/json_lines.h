@@ -11,8 +11,8 @@
 
 namespace suture {
 
-/// Any number of collectors at the same time, which wait for each other here and for the file.
-/// Writes lines like these:
+/// Serves any number of collectors at the same time, which wait for each other here and for the
+/// file. Writes lines like these:
 ///   {"from":"Collector","row":17,"stamp":81234567,"measured_cp":{...},"measured_js":null}
 ///   {"from":"Collector","event":"mode","stamp":81234999,"value":"Enabled"}
 ///   {"from":"Collector","missed":3}
